@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "app/case/case.h"
+#include "mesh/base/log.h"
+#include "mesh/tetrahedra/tetrahedral_mesh.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// The case's geometry or file as a checked mesh. Names in the case that no cell or facet carries, and
+/// regions or walls of the mesh without an entry, are faults that list the names there are.
+TetrahedralMesh build_mesh(const Case& input, const Log& log = {});
+
+/// The case's media and walls on this mesh.
+Problem build_problem(const Case& input, const TetrahedralMesh& mesh);
+
+}  // namespace etendue

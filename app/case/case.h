@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mesh/base/errors.h"
+#include "mesh/base/vec3.h"
+#include "mesh/geometry/geometry.h"
+#include "solver/ordinates/solve.h"
+#include "solver/problem/phase_function.h"
+
+namespace etendue {
+
+/// A number or a formula.
+using Value = std::variant<double, std::string>;
+
+/// One value for all bands, or one for each.
+struct BandValues {
+  std::vector<Value> values;
+  Origin origin;
+};
+
+/// Largest cell: for all regions ("*") or by name.
+struct SizeBound {
+  std::map<std::string, double> by_region;
+  Origin origin;
+};
+
+/// A file that the case names, resolved against the case's folder.
+struct InputFile {
+  std::filesystem::path path;
+  Origin origin;
+};
+
+struct MeshCase {
+  std::optional<InputFile> file;
+  std::optional<InputFile> surface;
+  Geometry geometry;  ///< used when there is neither file nor surface
+  std::optional<SizeBound> max_volume;
+  std::optional<SizeBound> edge_length;
+  double quality = 1.4;
+  double scale = 1;
+  std::map<std::string, Vec3> regions;  ///< of a surface: a point inside each
+  Origin origin;
+};
+
+struct MediumCase {
+  std::optional<BandValues> absorption, scattering, extinction, albedo;
+  std::optional<BandValues> emission, power_density;
+  std::vector<PhaseFunction> phase;  ///< one for all bands or one for each
+  Origin origin;
+};
+
+struct WallCase {
+  BandValues radiance, diffuse, specular;  ///< numbers only in this version; empty values: 0
+  Origin origin;
+};
+
+struct Probe {
+  std::string name;
+  std::vector<Vec3> points;    ///< those of a line too
+  std::optional<Vec3> normal;  ///< unit
+  Origin origin;
+};
+
+struct OutputCase {
+  std::filesystem::path directory;  ///< resolved
+  std::vector<std::string> fields = {"fluence", "net_flux"};
+  std::vector<int> radiance_ordinates;  ///< of the fields "radiance:K"
+  Origin origin;
+};
+
+struct Units {
+  std::string length = "m";
+  std::string power = "W";
+};
+
+/// A case file as data, every default filled in, every value with its line. Nothing is meshed or solved yet.
+struct Case {
+  std::filesystem::path file;
+  std::string title;
+  Units units;
+  MeshCase mesh;
+  Bands bands;
+  std::map<std::string, MediumCase> media;  ///< by region; "*" stands for the rest
+  std::map<std::string, WallCase> walls;    ///< by wall; "*" stands for the rest
+  std::string direction_set = "ldfe-sq";
+  int direction_order = 1;
+  Origin directions_origin;
+  SolveOptions solve;
+  std::vector<Probe> probes;
+  OutputCase output;
+  std::string resolved_toml;  ///< the case with overrides applied, as text
+};
+
+/// `key=value` of the command line, e.g. "solve.tolerance=1e-8" or "mesh.max_volume={'*'=1}".
+using Overrides = std::vector<std::string>;
+
+/// Reads and checks a case file. Throws FileError where it cannot be read, else one InputError with all
+/// faults.
+Case read_case(const std::filesystem::path& file, const Overrides& overrides = {});
+
+}  // namespace etendue

@@ -1,0 +1,25 @@
+# Warnings for our own code, the one floating-point contract, and the sanitizers.
+# Everything of ours links etendue_options; nothing else does.
+add_library(etendue_options INTERFACE)
+target_include_directories(etendue_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(etendue_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
+  # The same bits on every machine and for every number of threads: no contraction to fused
+  # multiply-add behind our back, no value-changing optimisation.
+  -ffp-contract=off)
+
+# Baseline of a packaged build; the kernels choose wider instruction sets at run time.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  target_compile_options(etendue_options INTERFACE $<$<CONFIG:Release>:-march=x86-64-v2>)
+endif()
+
+if(ETENDUE_WERROR)
+  target_compile_options(etendue_options INTERFACE -Werror)
+endif()
+
+if(ETENDUE_SANITIZE)
+  target_compile_options(etendue_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                         -fno-omit-frame-pointer)
+  target_link_options(etendue_options INTERFACE -fsanitize=address,undefined)
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "mesh/base/errors.h"
+#include "mesh/tetrahedra/raw_mesh.h"
+#include "mesh/tetrahedra/tetrahedral_mesh.h"
+
+namespace etendue {
+
+/// A tetrahedral mesh by the ending of its name: Gmsh .msh (2.2 and 4.1 ASCII, physical names kept), VTK
+/// .vtu (cell array `region` on tetrahedra, `wall` on triangles, names in the field data), TetGen .node,
+/// .ele or .face (any of them; siblings are found). Coordinates are multiplied by `scale`. Throws
+/// FileError where it cannot be opened, InputError with file and line where its content is wrong.
+/// `origin` is that of the key that names the file.
+RawMesh read_mesh(const std::filesystem::path& path, double scale = 1, const Origin& origin = {});
+
+/// Writes a mesh as .vtu, read back identically by read_mesh. Written to a temporary name and renamed.
+void write_mesh(const std::filesystem::path& path, const TetrahedralMesh& mesh);
+
+}  // namespace etendue

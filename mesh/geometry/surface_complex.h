@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/base/vec3.h"
+
+namespace etendue {
+
+/// A flat piece of surface: closed outlines and single segments in one plane, with a point in each opening.
+struct SurfaceFacet {
+  std::vector<std::vector<int>> polygons;  ///< indices of points; two of them make a segment
+  std::vector<Vec3> openings;              ///< a point in each hole of the facet
+  int wall = -1;                           ///< index into wall_names; -1: an interface between two regions
+};
+
+/// A point inside a region, for the mesher to flood the region from.
+struct RegionSeed {
+  Vec3 point = Vec3::Zero();
+  int region = 0;  ///< index into region_names
+};
+
+/// The surfaces that bound and divide the domain: a piecewise linear complex.
+struct SurfaceComplex {
+  std::vector<Vec3> points;
+  std::vector<SurfaceFacet> facets;
+  std::vector<RegionSeed> seeds;  ///< one in each connected part
+  std::vector<Vec3> holes;        ///< one point in each connected part that is not meshed
+  std::vector<std::string> region_names;
+  std::vector<std::string> wall_names;
+};
+
+}  // namespace etendue

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "mesh/base/errors.h"
+#include "mesh/base/log.h"
+#include "mesh/base/vec3.h"
+#include "mesh/geometry/surface_complex.h"
+
+namespace etendue {
+
+struct SurfaceFileOptions {
+  double scale = 1;  ///< multiplies the coordinates
+  std::map<std::string, Vec3>
+      regions;    ///< name and a point inside, after scaling; empty: one region "domain"
+  Origin origin;  ///< of the key that names the file
+};
+
+/// A closed surface: TetGen .poly or .smesh, or STL, OBJ, PLY, OFF. Holes and self-intersections throw
+/// InputError with their coordinates. Walls are named by the STL solid, the OBJ group, the TetGen marker,
+/// else "boundary". Throws FileError where the file cannot be read.
+SurfaceComplex read_surface(const std::filesystem::path& path, const SurfaceFileOptions& options,
+                            const Log& log = {});
+
+}  // namespace etendue

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "mesh/base/vec3.h"
+
+namespace etendue {
+
+/// Tetrahedra as a file or a mesher gives them: not yet checked, in any order.
+struct RawMesh {
+  std::vector<Vec3> points;
+  std::vector<std::array<int, 4>> cells;      ///< indices of points
+  std::vector<int> cell_regions;              ///< [cell] index into region_names
+  std::vector<std::array<int, 3>> triangles;  ///< boundary triangles that have a name; others may be missing
+  std::vector<int> triangle_walls;            ///< [triangle] index into wall_names
+  std::vector<std::string> region_names;
+  std::vector<std::string> wall_names;
+  std::string file;             ///< for messages; empty where the mesh was made here
+  std::vector<int> cell_lines;  ///< [cell] line of the file that defines it; may be empty
+};
+
+}  // namespace etendue

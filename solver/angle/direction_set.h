@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/base/index.h"
+#include "mesh/base/vec3.h"
+
+namespace etendue {
+
+/// Directions in which light travels, and the solid angle of each. Weights sum to 4 pi, the opposite of every
+/// direction is in the set, and the directions stand in pairs: 2k and 2k+1 are opposite.
+class DirectionSet {
+ public:
+  /// Unit directions and weights [sr] in any order. Weights are scaled by a factor within 1e-12 of 1 to sum
+  /// to 4 pi exactly. Throws std::invalid_argument where an opposite is missing or the sum is off.
+  DirectionSet(std::string name, int order, const std::vector<Vec3>& directions,
+               const std::vector<double>& weights);
+
+  const std::string& name() const { return name_; }
+  int order() const { return order_; }
+  int count() const { return static_cast<int>(directions_.size()); }
+  const Vec3& direction(OrdinateIndex m) const { return directions_[m.at()]; }
+  double weight(OrdinateIndex m) const { return weights_[m.at()]; }  ///< [sr]
+  std::span<const Vec3> directions() const { return directions_; }
+  std::span<const double> weights() const { return weights_; }
+
+  /// The ordinate that `m` becomes at a mirror with this unit normal; -1 where it is not in the set.
+  int mirrored(OrdinateIndex m, const Vec3& normal) const;
+
+  /// Discrete half range: the sum of w |w.n| over the directions with w.n < 0 [sr]; pi in the limit.
+  double half_range(const Vec3& normal) const;
+
+ private:
+  std::string name_;
+  int order_;
+  std::vector<Vec3> directions_;
+  std::vector<double> weights_;
+};
+
+/// Gauss-Legendre levels of the cosine about z, `order` of them (even), times 2 order azimuths at half steps.
+DirectionSet directions_product(int order);
+/// As the product, but with 4, 8, 12 … azimuths from the pole to the equator: order (order + 2) directions.
+DirectionSet directions_triangular(int order);
+/// Linear discontinuous finite elements on spherical quadrilaterals (Lau and Adams 2017): 96 order^2.
+DirectionSet directions_ldfe_sq(int order);
+
+/// The set of this name. Throws InputError (without a file) with what is accepted.
+DirectionSet make_directions(const std::string& name, int order);
+/// Names that make_directions knows.
+std::vector<std::string> direction_set_names();
+/// Empty where the order suits the set, else why not and what is accepted.
+std::string check_direction_order(const std::string& name, int order);
+
+/// What a set integrates exactly, measured.
+struct DirectionSetReport {
+  int count = 0;
+  double smallest_weight = 0;      ///< relative to the mean
+  double largest_weight = 0;       ///< relative to the mean
+  double first_moment_error = 0;   ///< |sum of w direction|
+  double second_moment_error = 0;  ///< largest entry of |sum of w direction direction^T - 4 pi/3 I|
+  int degree = 0;                  ///< the highest with all monomials up to it exact to 1e-9
+  std::array<double, 3> axis_half_range_error{};  ///< relative error of the half range along x, y, z
+  double half_range_error_rms = 0;                ///< over 2,000 random normals
+  double kernel_row_error = 0;                    ///< largest |sum of w p - 1| for Henyey-Greenstein, g = 0.8
+};
+DirectionSetReport report_directions(const DirectionSet& set);
+
+}  // namespace etendue

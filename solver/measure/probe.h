@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "mesh/tetrahedra/cell_locator.h"
+#include "solver/ordinates/solution.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// The field at one point and band.
+struct ProbeValue {
+  double fluence = 0;                ///< [power/length^2]
+  std::array<double, 3> net_flux{};  ///< [power/length^2]
+};
+
+/// Values at a point: where it lies in several cells their volume-weighted mean. Empty outside the mesh.
+std::vector<ProbeValue> probe(const Problem& problem, const Solution& solution, const CellLocator& locator,
+                              const Vec3& point);  ///< [band]
+
+}  // namespace etendue

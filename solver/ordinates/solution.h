@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace etendue {
+
+/// How the iteration of one band ended.
+struct BandConvergence {
+  int sweeps = 0;       ///< transport sweeps that this band took part in
+  double residual = 0;  ///< estimated relative error of the iteration
+  bool converged = false;
+};
+
+/// One line of the iteration's history.
+struct HistoryEntry {
+  int sweep = 0;
+  int band = 0;
+  double residual = 0;
+};
+
+/// Nodal values of the fluence below zero in one band.
+struct NegativeCensus {
+  long count = 0;       ///< of 4 values in each cell
+  double smallest = 0;  ///< [power/length^2]
+};
+
+/// What scattering in one medium and band became on the direction set.
+struct KernelReport {
+  std::string medium;
+  std::string band;
+  double asymmetry = 0;     ///< mean cosine of the discrete kernel, averaged over the directions
+  double energy_error = 0;  ///< largest |row sum - 1|
+  std::string backend;      ///< e.g. "moments, degree 5 (…)"
+};
+
+/// Wall-clock seconds of the stages of a solution.
+struct SolveSeconds {
+  double orders = 0;
+  double sweep = 0;
+  double low_order = 0;
+  double lights = 0;
+};
+
+/// The radiance of one ordinate, kept on request.
+struct OrdinateRadiance {
+  int ordinate = 0;
+  std::vector<double> values;  ///< [cell][4][band] [power/(length^2 sr)]
+};
+
+/// A solution of a Problem, whatever method found it. Fields have four values in each cell, at its vertices
+/// in their order, and jump between cells; walls have three in each boundary face.
+struct Solution {
+  std::string method;  ///< "source-iteration", …
+  int directions = 0;
+  std::vector<double> fluence;     ///< [cell][4][band] [power/length^2]
+  std::vector<double> net_flux;    ///< [cell][4][3 (x, y, z)][band] [power/length^2]
+  std::vector<double> irradiance;  ///< [boundary face][3][band] arriving at the wall [power/length^2]
+  std::vector<double> exitance;    ///< [boundary face][3][band] sent into the domain [power/length^2]
+  std::vector<double> half_range;  ///< [boundary face] discrete half range [sr]; pi in the limit
+  std::vector<OrdinateRadiance> radiance;
+  std::vector<double> meters;                ///< [meter][band] irradiance [power/length^2]
+  std::vector<BandConvergence> convergence;  ///< [band]
+  std::vector<HistoryEntry> history;
+  std::vector<NegativeCensus> negative;  ///< [band]
+  std::vector<KernelReport> kernels;
+  std::vector<std::string> notes;  ///< choices that were made and their reasons, a line each
+  SolveSeconds seconds;
+  int lagged_faces = 0;   ///< over all directions, where the sweep order had to break cycles
+  double sweep_cost = 0;  ///< processor time per cell, direction and band, mean over the sweeps [ns]
+  bool interrupted = false;
+
+  bool converged() const {
+    for (const BandConvergence& band : convergence)
+      if (!band.converged) return false;
+    return !interrupted;
+  }
+};
+
+}  // namespace etendue

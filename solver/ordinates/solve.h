@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "mesh/tetrahedra/cell_locator.h"
+#include "solver/angle/direction_set.h"
+#include "solver/ordinates/solution.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// Polynomial degree of the discontinuous Galerkin space.
+enum class SpaceOrder { constant = 0, linear = 1 };
+
+/// Lumping of the mass matrix: in no cell, in all, or where extinction times cell size exceeds 2.
+enum class Lumping { none, mass, automatic };
+
+/// An irradiance meter at a point inside: light that falls on the side its normal points to (w.n < 0).
+struct IrradianceMeter {
+  std::vector<CellPoint> cells;  ///< where the point lies, from CellLocator::find; values are volume-weighted
+  Vec3 normal = Vec3::UnitZ();   ///< unit
+};
+
+struct SolveOptions {
+  SpaceOrder order = SpaceOrder::linear;
+  Lumping lumping = Lumping::automatic;
+  double tolerance = 1e-6;  ///< estimated relative error of the iteration, per band
+  int max_sweeps = 500;
+  int threads = 0;                                  ///< 0: all cores
+  std::size_t order_memory = std::size_t{2} << 30;  ///< bytes that sweep orders may take; beyond, recomputed
+  std::vector<int> keep_ordinates;                  ///< whose radiance the solution keeps
+  std::vector<IrradianceMeter> meters;              ///< read while sweeping: the angular solution is not kept
+};
+
+/// State of the iteration after a sweep.
+struct SweepProgress {
+  int sweep = 0;  ///< from 1
+  int max_sweeps = 0;
+  std::span<const double> residual;  ///< [band] estimated relative error
+  double tolerance = 0;
+  double seconds = 0;       ///< since the first sweep began
+  double seconds_left = 0;  ///< estimated from the measured rate of convergence; negative: unknown
+};
+
+enum class SolveControl { proceed, stop };
+
+/// Called after every sweep; may ask to stop, and then the best state so far is the solution.
+using SolveObserver = std::function<SolveControl(const SweepProgress&)>;
+
+/// Solves by discrete ordinates with upwind discontinuous Galerkin elements. Not converging is a result,
+/// marked in the solution. Throws InputError where a mirror has no partner ordinates.
+Solution solve(const Problem& problem, const DirectionSet& directions, const SolveOptions& options,
+               const SolveObserver& observer = {});
+
+}  // namespace etendue

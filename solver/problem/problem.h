@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/base/errors.h"
+#include "mesh/tetrahedra/tetrahedral_mesh.h"
+#include "solver/problem/bands.h"
+#include "solver/problem/coefficient.h"
+#include "solver/problem/phase_function.h"
+
+namespace etendue {
+
+/// The matter in one region, per band.
+struct Medium {
+  std::string name;                     ///< region
+  std::vector<Coefficient> absorption;  ///< [band] sigma_a [1/length]
+  std::vector<Coefficient> scattering;  ///< [band] sigma_s [1/length]
+  std::vector<Coefficient> emission;    ///< [band] q [power/(length^3 sr)], isotropic
+  std::vector<PhaseFunction> phase;     ///< [band]
+  Origin origin;
+};
+
+/// What one wall does, per band. Reflectances: diffuse + specular <= 1.
+struct Wall {
+  std::string name;
+  std::vector<double> radiance;  ///< [band] sent into the domain [power/(length^2 sr)], isotropic
+  std::vector<double> diffuse;   ///< [band] Lambertian reflectance
+  std::vector<double> specular;  ///< [band] mirror reflectance
+  Origin origin;
+};
+
+/// What is asked: the coefficients of the transport equation on every cell and wall. Valid by construction.
+///
+///     w.grad u + sigma_t u = integral of sigma_s p(w.w') u(w') dw' + q,   sigma_t = sigma_a + sigma_s
+class Problem {
+ public:
+  /// The mesh must outlive the problem. `media` has one entry for each region of the mesh and `walls` one for
+  /// each wall, in their order. Throws InputError where a coefficient is negative or not finite in some cell
+  /// (naming its coordinates), where reflectances exceed 1, or where a band has no steady state because
+  /// something emits while nothing absorbs and every wall reflects fully.
+  Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls);
+
+  const TetrahedralMesh& mesh() const { return mesh_; }
+  const Bands& bands() const { return bands_; }
+  int band_count() const { return bands_.count(); }
+
+  // Cell means, [cell][band].
+  std::span<const double> absorption() const { return absorption_; }  ///< [1/length]
+  std::span<const double> scattering() const { return scattering_; }  ///< [1/length]
+  std::span<const double> emission() const { return emission_; }      ///< [power/(length^3 sr)]
+  double absorption(CellIndex c, int band) const { return absorption_[at(c, band)]; }
+  double scattering(CellIndex c, int band) const { return scattering_[at(c, band)]; }
+  double emission(CellIndex c, int band) const { return emission_[at(c, band)]; }
+
+  const Medium& medium(int region) const { return media_[static_cast<std::size_t>(region)]; }
+  const Wall& wall(int wall) const { return walls_[static_cast<std::size_t>(wall)]; }
+  std::span<const Medium> media() const { return media_; }
+  std::span<const Wall> walls() const { return walls_; }
+
+ private:
+  std::size_t at(CellIndex c, int band) const {
+    return c.at() * static_cast<std::size_t>(bands_.count()) + static_cast<std::size_t>(band);
+  }
+
+  const TetrahedralMesh& mesh_;
+  Bands bands_;
+  std::vector<Medium> media_;
+  std::vector<Wall> walls_;
+  std::vector<double> absorption_;
+  std::vector<double> scattering_;
+  std::vector<double> emission_;
+};
+
+}  // namespace etendue
