@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,11 @@
 
 namespace etendue {
 
-/// Wall-clock seconds of a run's stages, beside those of the solution.
+/// Wall-clock seconds of a run up to its writing, beside those of the solution's stages.
 struct RunSeconds {
   double read = 0;
   double mesh = 0;
-  double write = 0;
-  double total = 0;
+  double total = 0;  ///< from the start of the program to the start of the writing
 };
 
 /// A value of probes.csv.
@@ -35,14 +35,27 @@ struct RunResult {
   const Case& input;
   const Problem& problem;
   const Solution& solution;
-  std::vector<ProbeRow> probes;
+  std::vector<ProbeRow> probes;                   ///< in the order of the case
+  std::vector<Balance> balances;                  ///< [band]
+  std::vector<std::vector<WallPower>> walls;      ///< [wall][band]
+  std::vector<std::vector<RegionPower>> regions;  ///< [region][band]
   RunSeconds seconds;
   int threads = 1;
 };
 
+/// What was written, and how long that took.
+struct WrittenResults {
+  std::filesystem::path directory;
+  std::vector<std::string> files;  ///< names in the directory
+  double seconds = 0;
+};
+
 /// Writes every output of a run into the case's output directory: each file to a temporary name, renamed when
 /// all are whole. Files that an earlier run wrote and this one does not are removed; others stay.
-/// Throws FileError.
-void write_results(const RunResult& result);
+/// Throws FileError, and then no file has changed.
+WrittenResults write_results(const RunResult& result);
+
+/// Version of the program.
+std::string program_version();
 
 }  // namespace etendue

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/write/results.h"
+
+#include <chrono>
+
+#include "app/write/output_folder.h"
+#include "app/write/summary.h"
+#include "app/write/tables.h"
+#include "app/write/vtk_files.h"
+
+namespace etendue {
+
+std::string program_version() { return ETENDUE_VERSION; }
+
+WrittenResults write_results(const RunResult& result) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const std::filesystem::path& directory = result.input.output.directory;
+
+  OutputFolder folder(directory);
+  write_fields(result, folder.add("fields.vtu"), directory / "fields.vtu");
+  write_walls(result, folder.add("walls.vtp"), directory / "walls.vtp");
+  if (!result.probes.empty()) folder.add_text("probes.csv", probes_csv(result));
+  folder.add_text("walls.csv", walls_csv(result));
+  folder.add_text("regions.csv", regions_csv(result));
+  folder.add_text("history.csv", history_csv(result));
+  std::vector<std::string> names = folder.names();
+  names.push_back("summary.json");
+  folder.add_text("summary.json", summary_json(result, names, seconds()));
+  folder.publish(files_of_earlier_run(directory));
+  return {directory, names, seconds()};
+}
+
+}  // namespace etendue

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/write/summary.h"
+
+#include <sys/resource.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace etendue {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* program_name = "etendue";
+
+template <class Items, class Convert>
+Json array_of(const Items& items, Convert convert) {
+  Json array = Json::array();
+  for (const auto& item : items) array.push_back(convert(item));
+  return array;
+}
+
+Json as_json(const Balance& balance) {
+  return {{"emitted", balance.emitted},
+          {"inflow", balance.inflow},
+          {"absorbed", balance.absorbed},
+          {"outflow", balance.outflow},
+          {"residual", balance.residual}};
+}
+
+Json as_json(const KernelReport& kernel) {
+  return {{"medium", kernel.medium},
+          {"band", kernel.band},
+          {"asymmetry", kernel.asymmetry},
+          {"energy_error", kernel.energy_error},
+          {"backend", kernel.backend}};
+}
+
+Json as_json(const NegativeCensus& census) {
+  return {{"count", census.count}, {"smallest", census.smallest}};
+}
+
+Json stage_seconds(const RunResult& result, double writing) {
+  const SolveSeconds& solve = result.solution.seconds;
+  return {{"read", result.seconds.read},
+          {"mesh", result.seconds.mesh},
+          {"orders", solve.orders},
+          {"sweep", solve.sweep},
+          {"low_order", solve.low_order},
+          {"lights", solve.lights},
+          {"write", writing},
+          {"total", result.seconds.total + writing}};
+}
+
+/// Whether a listed name is a plain file name: nothing outside the directory may be removed.
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
+}
+
+}  // namespace
+
+long peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss * 1024;  // Linux counts KiB
+}
+
+std::string summary_json(const RunResult& result, const std::vector<std::string>& files,
+                         double seconds_writing) {
+  const Solution& solution = result.solution;
+  Json summary;
+  summary["title"] = result.input.title;
+  summary["program"] = program_name;
+  summary["version"] = program_version();
+  summary["method"] = solution.method;
+  summary["cells"] = result.problem.mesh().cell_count();
+  summary["directions"] = solution.directions;
+  summary["direction_set"] = {{"set", result.input.direction_set}, {"order", result.input.direction_order}};
+  summary["bands"] = result.problem.bands().names;
+  summary["units"] = {{"length", result.input.units.length}, {"power", result.input.units.power}};
+  summary["threads"] = result.threads;
+  summary["converged"] = solution.converged();
+  summary["interrupted"] = solution.interrupted;
+  summary["tolerance"] = result.input.solve.tolerance;
+  summary["sweeps"] = array_of(solution.convergence, [](const BandConvergence& c) { return c.sweeps; });
+  summary["residual"] = array_of(solution.convergence, [](const BandConvergence& c) { return c.residual; });
+  summary["balance"] = array_of(result.balances, [](const Balance& b) { return as_json(b); });
+  summary["negative"] = array_of(solution.negative, [](const NegativeCensus& n) { return as_json(n); });
+  summary["kernels"] = array_of(solution.kernels, [](const KernelReport& k) { return as_json(k); });
+  summary["lagged_faces"] = solution.lagged_faces;
+  summary["seconds"] = stage_seconds(result, seconds_writing);
+  summary["sweep_cost"] = solution.sweep_cost;
+  summary["peak_memory"] = peak_memory();
+  summary["notes"] = solution.notes;
+  summary["files"] = files;
+  summary["case"] = result.input.resolved_toml;
+  // Names from foreign mesh files need not be UTF-8.
+  return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<std::string> files_of_earlier_run(const std::filesystem::path& directory) {
+  std::ifstream stream(directory / "summary.json");
+  const Json summary = Json::parse(stream, nullptr, false);
+  if (!summary.is_object() || summary.value("program", Json()) != program_name) return {};
+  std::vector<std::string> names;
+  for (const Json& name : summary.value("files", Json::array()))
+    if (name.is_string() && is_plain_name(name.get<std::string>())) names.push_back(name);
+  return names;
+}
+
+}  // namespace etendue

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/write/results.h"
+
+namespace etendue {
+
+/// The text of summary.json; `files` are all names of the run, its own included.
+std::string summary_json(const RunResult& result, const std::vector<std::string>& files,
+                         double seconds_writing);
+
+/// The names that the summary.json of an earlier run in this directory lists; empty where there is none, or
+/// where it is not ours.
+std::vector<std::string> files_of_earlier_run(const std::filesystem::path& directory);
+
+/// The most memory that this process had at a time [bytes].
+long peak_memory();
+
+}  // namespace etendue

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/write/tables.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace etendue {
+namespace {
+
+/// A text field as RFC 4180 has it: quoted where it holds a comma, a quote or a line break.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+template <class... Values>
+void add_row(std::string& table, fmt::format_string<Values...> row, Values&&... values) {
+  fmt::format_to(std::back_inserter(table), row, std::forward<Values>(values)...);
+  table += '\n';
+}
+
+}  // namespace
+
+std::string probes_csv(const RunResult& result) {
+  const std::vector<std::string>& bands = result.problem.bands().names;
+  std::string table = "probe,index,x,y,z,band,fluence,flux_x,flux_y,flux_z,irradiance\n";
+  for (const ProbeRow& row : result.probes)
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+      const ProbeValue& value = row.values[b];
+      add_row(table, "{},{},{},{},{},{},{},{},{},{},{}", quoted(row.name), row.index, row.point.x(),
+              row.point.y(), row.point.z(), quoted(bands[b]), value.fluence, value.net_flux[0],
+              value.net_flux[1], value.net_flux[2],
+              row.irradiance ? fmt::to_string((*row.irradiance)[b]) : "");
+    }
+  return table;
+}
+
+std::string walls_csv(const RunResult& result) {
+  const std::vector<std::string>& bands = result.problem.bands().names;
+  std::string table = "wall,band,area,irradiance_mean,incoming,outgoing,net\n";
+  for (std::size_t w = 0; w < result.walls.size(); ++w)
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+      const WallPower& power = result.walls[w][b];
+      add_row(table, "{},{},{},{},{},{},{}", quoted(result.problem.walls()[w].name), quoted(bands[b]),
+              power.area, power.irradiance_mean, power.incoming, power.outgoing,
+              power.incoming - power.outgoing);
+    }
+  return table;
+}
+
+std::string regions_csv(const RunResult& result) {
+  const std::vector<std::string>& bands = result.problem.bands().names;
+  std::string table = "region,band,volume,fluence_mean,absorbed,emitted\n";
+  for (std::size_t r = 0; r < result.regions.size(); ++r)
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+      const RegionPower& power = result.regions[r][b];
+      add_row(table, "{},{},{},{},{},{}", quoted(result.problem.media()[r].name), quoted(bands[b]),
+              power.volume, power.fluence_mean, power.absorbed, power.emitted);
+    }
+  return table;
+}
+
+std::string history_csv(const RunResult& result) {
+  const std::vector<std::string>& bands = result.problem.bands().names;
+  std::string table = "sweep,band,residual\n";
+  for (const HistoryEntry& entry : result.solution.history)
+    add_row(table, "{},{},{}", entry.sweep, quoted(bands[static_cast<std::size_t>(entry.band)]),
+            entry.residual);
+  return table;
+}
+
+}  // namespace etendue

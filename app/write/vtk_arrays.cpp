@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/write/vtk_arrays.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "mesh/base/errors.h"
+
+namespace etendue {
+namespace {
+
+void label_array(vtkDataArray& array, const ArrayLabel& label) {
+  array.SetName(label.name.c_str());
+  for (std::size_t i = 0; i < label.components.size(); ++i)
+    array.SetComponentName(static_cast<vtkIdType>(i), label.components[i].c_str());
+  if (!label.unit.empty()) array.GetInformation()->Set(vtkDataArray::UNITS_LABEL(), label.unit.c_str());
+}
+
+template <class Array, class Value>
+vtkSmartPointer<vtkDataArray> copied(const ArrayLabel& label, int components, std::span<const Value> values) {
+  vtkNew<Array> array;
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  label_array(*array, label);
+  return array.Get();
+}
+
+/// VTK prints its errors; here they are thrown.
+class QuietVtk {
+ public:
+  QuietVtk() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::GlobalWarningDisplayOff(); }
+  ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(before_); }
+  QuietVtk(const QuietVtk&) = delete;
+  QuietVtk& operator=(const QuietVtk&) = delete;
+
+ private:
+  int before_;
+};
+
+std::string reason(unsigned long vtk_error) {
+  if (vtk_error == vtkErrorCode::NoError) return "unknown reason";
+  // Below VTK's own codes stand those of the system.
+  if (vtk_error < vtkErrorCode::FirstVTKErrorCode)
+    return std::generic_category().message(static_cast<int>(vtk_error));
+  return vtkErrorCode::GetStringFromErrorCode(vtk_error);
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkDataArray> vtk_array(const ArrayLabel& label, int components,
+                                        std::span<const double> values) {
+  return copied<vtkDoubleArray>(label, components, values);
+}
+
+vtkSmartPointer<vtkDataArray> vtk_array(const ArrayLabel& label, std::span<const std::int32_t> values) {
+  return copied<vtkIntArray>(label, 1, values);
+}
+
+vtkSmartPointer<vtkDataArray> vtk_colors(const std::string& how, std::span<const std::uint8_t> rgb) {
+  return copied<vtkUnsignedCharArray>({"color", {"red", "green", "blue"}, how}, 3, rgb);
+}
+
+void add_names(vtkFieldData& fields, const std::string& array, const std::vector<std::string>& names) {
+  vtkNew<vtkStringArray> strings;
+  strings->SetName(array.c_str());
+  for (const std::string& name : names) strings->InsertNextValue(name);
+  fields.AddArray(strings);
+}
+
+void write_vtk(vtkXMLWriter& writer, const std::filesystem::path& path, const std::filesystem::path& shown) {
+  const QuietVtk quiet;
+  writer.SetFileName(path.c_str());
+  writer.SetDataModeToAppended();
+  writer.EncodeAppendedDataOff();
+  writer.SetCompressorTypeToZLib();
+  writer.SetHeaderTypeToUInt64();
+  const int written = writer.Write();
+  if (written == 0 || writer.GetErrorCode() != vtkErrorCode::NoError)
+    throw FileError(shown.string(), "cannot be written (" + reason(writer.GetErrorCode()) + ")");
+}
+
+}  // namespace etendue

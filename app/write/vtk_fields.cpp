@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/write/color.h"
+#include "app/write/unit_labels.h"
+#include "app/write/vtk_arrays.h"
+#include "app/write/vtk_files.h"
+
+namespace etendue {
+namespace {
+
+vtkSmartPointer<vtkPoints> points_of_cells(const TetrahedralMesh& mesh) {
+  std::vector<double> coordinates;
+  coordinates.reserve(12 * static_cast<std::size_t>(mesh.cell_count()));
+  for (const auto& vertices : mesh.cell_vertices())
+    for (const std::int32_t v : vertices) {
+      const Vec3& point = mesh.point(VertexIndex(v));
+      coordinates.insert(coordinates.end(), point.begin(), point.end());
+    }
+  vtkNew<vtkPoints> points;
+  points->SetData(vtk_array({"points", {}, {}}, 3, coordinates));
+  return points.Get();
+}
+
+/// The vertices in an order that VTK takes for a tetrahedron of positive volume. Sorted by number, about half
+/// of the cells stand the other way.
+std::array<vtkIdType, 4> positive_order(const TetrahedralMesh& mesh, CellIndex cell) {
+  const auto& v = mesh.vertices(cell);
+  const Vec3& origin = mesh.point(VertexIndex(v[0]));
+  const Vec3 a = mesh.point(VertexIndex(v[1])) - origin;
+  const Vec3 b = mesh.point(VertexIndex(v[2])) - origin;
+  const Vec3 c = mesh.point(VertexIndex(v[3])) - origin;
+  if (a.cross(b).dot(c) > 0) return {0, 1, 2, 3};
+  return {0, 1, 3, 2};
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> separate_cells(const TetrahedralMesh& mesh) {
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(mesh.cell_count(), 4 * static_cast<vtkIdType>(mesh.cell_count()));
+  for (int c = 0; c < mesh.cell_count(); ++c) {
+    std::array<vtkIdType, 4> corners = positive_order(mesh, CellIndex(c));
+    for (vtkIdType& corner : corners) corner += 4 * static_cast<vtkIdType>(c);
+    cells->InsertNextCell(4, corners.data());
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points_of_cells(mesh));
+  grid->SetCells(VTK_TETRA, cells);
+  return grid.Get();
+}
+
+/// Mean over each cell of a field that is linear in it: the mean of its four values.
+std::vector<double> cell_means(std::span<const double> nodal, std::size_t bands) {
+  std::vector<double> means(nodal.size() / 4);
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const std::size_t first = i / bands * 4 * bands + i % bands;
+    means[i] =
+        (nodal[first] + nodal[first + bands] + nodal[first + 2 * bands] + nodal[first + 3 * bands]) / 4;
+  }
+  return means;
+}
+
+class FieldsOfCells {
+ public:
+  explicit FieldsOfCells(const RunResult& result)
+      : result_(result),
+        units_(result.input.units),
+        bands_(result.problem.bands().names),
+        grid_(separate_cells(result.problem.mesh())) {}
+
+  vtkSmartPointer<vtkUnstructuredGrid> grid() {
+    add_regions();
+    if (asked("fluence")) add_fluence();
+    if (asked("net_flux")) add_net_flux();
+    for (const OrdinateRadiance& kept : result_.solution.radiance) add_radiance(kept);
+    if (asked("media")) add_media();
+    return grid_;
+  }
+
+ private:
+  bool asked(const std::string& field) const {
+    const std::vector<std::string>& fields = result_.input.output.fields;
+    return std::find(fields.begin(), fields.end(), field) != fields.end();
+  }
+
+  int band_count() const { return static_cast<int>(bands_.size()); }
+
+  void add_regions() {
+    const TetrahedralMesh& mesh = result_.problem.mesh();
+    grid_->GetCellData()->AddArray(vtk_array({"region", {}, {}}, mesh.cell_regions()));
+    add_names(*grid_->GetFieldData(), "region_names", mesh.region_names());
+    add_names(*grid_->GetFieldData(), "band_names", bands_);
+  }
+
+  void add_fluence() {
+    const std::vector<double>& fluence = result_.solution.fluence;
+    grid_->GetPointData()->AddArray(vtk_array({"fluence", bands_, units_.flux}, band_count(), fluence));
+    grid_->GetCellData()->AddArray(
+        vtk_array({"fluence_mean", bands_, units_.flux}, band_count(), cell_means(fluence, bands_.size())));
+    if (!are_display_primaries(result_.problem.bands())) return;
+    const Exposure exposure = exposure_of(fluence, result_.problem.mesh().volumes(), 4);
+    grid_->GetPointData()->AddArray(
+        vtk_colors(describe(exposure, units_.flux), display_colors(fluence, exposure)));
+  }
+
+  /// The solution keeps [cell][4][3][band]; a vector array per band wants the three together.
+  void add_net_flux() {
+    const std::vector<double>& flux = result_.solution.net_flux;
+    std::vector<double> vectors(flux.size() / bands_.size());
+    for (std::size_t band = 0; band < bands_.size(); ++band) {
+      for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = flux[i * bands_.size() + band];
+      const std::string name = bands_.size() == 1 ? "net_flux" : "net_flux_" + bands_[band];
+      grid_->GetPointData()->AddArray(vtk_array({name, {"x", "y", "z"}, units_.flux}, 3, vectors));
+    }
+  }
+
+  void add_radiance(const OrdinateRadiance& kept) {
+    grid_->GetPointData()->AddArray(vtk_array(
+        {"radiance_" + std::to_string(kept.ordinate), bands_, units_.radiance}, band_count(), kept.values));
+  }
+
+  void add_media() {
+    const Problem& problem = result_.problem;
+    const auto add = [&](const std::string& name, const std::string& unit, std::span<const double> values) {
+      grid_->GetCellData()->AddArray(vtk_array({name, bands_, unit}, band_count(), values));
+    };
+    add("absorption", units_.coefficient, problem.absorption());
+    add("scattering", units_.coefficient, problem.scattering());
+    add("emission", units_.emission, problem.emission());
+  }
+
+  const RunResult& result_;
+  UnitLabels units_;
+  const std::vector<std::string>& bands_;
+  vtkSmartPointer<vtkUnstructuredGrid> grid_;
+};
+
+}  // namespace
+
+void write_fields(const RunResult& result, const std::filesystem::path& path,
+                  const std::filesystem::path& shown) {
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(FieldsOfCells(result).grid());
+  write_vtk(*writer, path, shown);
+}
+
+}  // namespace etendue

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "app/write/results.h"
+
+namespace etendue {
+
+/// fields.vtu: every cell with four points of its own, so that jumps between cells are seen. Point 4 c + i is
+/// vertex i of cell c. `path` is written, `shown` is named in a FileError.
+void write_fields(const RunResult& result, const std::filesystem::path& path,
+                  const std::filesystem::path& shown);
+
+/// walls.vtp: every boundary triangle with three points of its own, 3 f + i, seen from outside.
+void write_walls(const RunResult& result, const std::filesystem::path& path,
+                 const std::filesystem::path& shown);
+
+}  // namespace etendue
