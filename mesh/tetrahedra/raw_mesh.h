@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct RawMesh {
   std::vector<std::string> wall_names;
   std::string file;             ///< for messages; empty where the mesh was made here
   std::vector<int> cell_lines;  ///< [cell] line of the file that defines it; may be empty
+  // What the file calls its points and cells, for messages; empty where it counts from 0.
+  std::vector<std::int64_t> point_numbers;
+  std::vector<std::int64_t> cell_numbers;
 };
 
 }  // namespace etendue

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "mesh/base/vec3.h"
+
+namespace etendue {
+
+using Box = Eigen::AlignedBox3d;
+
+/// A uniform grid over many axis-aligned boxes that says which of them a point may lie in.
+class BoxGrid {
+ public:
+  /// Boxes are taken larger by `margin` on all sides [length].
+  BoxGrid(std::span<const Box> boxes, double margin);
+
+  /// The numbers, rising, of the boxes that share a grid cell with the point: all boxes that hold it, and
+  /// others. Empty outside.
+  std::span<const std::int32_t> candidates(const Vec3& point) const;
+
+ private:
+  using Cell = Eigen::Vector3i;
+  Cell cell_of(const Vec3& point) const;
+  std::size_t index(int i, int j, int k) const;
+
+  Box bounds_;
+  Cell counts_ = Cell::Ones();
+  Vec3 per_length_ = Vec3::Zero();   ///< [1/length] grid cells
+  std::vector<std::int32_t> first_;  ///< [grid cell] start in items_, one more at the end
+  std::vector<std::int32_t> items_;
+};
+
+}  // namespace etendue

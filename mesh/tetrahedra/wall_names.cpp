@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/tetrahedra/wall_names.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "mesh/tetrahedra/mesh_faults.h"
+
+namespace etendue {
+namespace {
+
+constexpr std::int32_t kUnnamed = -1;
+
+std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+
+/// Finds faces by their vertices.
+class FaceLookup {
+ public:
+  explicit FaceLookup(const MeshFaces& faces) {
+    for (std::size_t f = 0; f < faces.vertices.size(); ++f)
+      faces_.emplace_back(faces.vertices[f], static_cast<std::int32_t>(f));
+    std::sort(faces_.begin(), faces_.end());
+  }
+
+  /// -1 where there is none.
+  std::int32_t find(std::array<std::int32_t, 3> vertices) const {
+    std::sort(vertices.begin(), vertices.end());
+    const auto found = std::lower_bound(faces_.begin(), faces_.end(), std::make_pair(vertices, kUnnamed));
+    return found != faces_.end() && found->first == vertices ? found->second : -1;
+  }
+
+ private:
+  std::vector<std::pair<std::array<std::int32_t, 3>, std::int32_t>> faces_;
+};
+
+/// [raw point] vertex, or -1 where no cell uses the point.
+std::vector<std::int32_t> vertex_of_point(const MeshNumbering& numbering, const RawMesh& raw) {
+  std::vector<std::int32_t> vertex(raw.points.size(), -1);
+  for (std::size_t v = 0; v < numbering.vertices.size(); ++v)
+    vertex[at(numbering.vertices[v])] = static_cast<std::int32_t>(v);
+  return vertex;
+}
+
+/// [boundary face] wall of its triangle, or kUnnamed.
+std::vector<std::int32_t> walls_of_triangles(const MeshFaces& faces, const MeshNumbering& numbering,
+                                             const RawMesh& raw) {
+  std::vector<std::int32_t> walls(at(faces.boundary_count), kUnnamed);
+  const FaceLookup lookup(faces);
+  const std::vector<std::int32_t> vertex = vertex_of_point(numbering, raw);
+  MeshFaults faults(raw);
+  for (std::size_t t = 0; t < raw.triangles.size(); ++t) {
+    const auto& [a, b, c] = raw.triangles[t];
+    const std::int32_t face = lookup.find({vertex[at(a)], vertex[at(b)], vertex[at(c)]});
+    const std::string& name = raw.wall_names[at(raw.triangle_walls[t])];
+    if (face < 0) {
+      faults.add_face(raw.triangles[t], {}, "triangle of wall \"" + name + "\" is no face of a tetrahedron",
+                      "walls must be faces of the mesh");
+    } else if (face < faces.boundary_count) {
+      std::int32_t& wall = walls[at(face)];
+      if (wall != kUnnamed && raw.wall_names[at(wall)] != name)
+        faults.add_face(raw.triangles[t], {numbering.cells[at(faces.cells[at(face)][0])]},
+                        "belongs to both walls \"" + raw.wall_names[at(wall)] + "\" and \"" + name + "\"",
+                        "a face has one wall");
+      wall = raw.triangle_walls[t];
+    }
+  }
+  faults.throw_if_any();
+  return walls;
+}
+
+void check_all_named(const std::vector<std::int32_t>& walls, const MeshFaces& faces,
+                     const MeshNumbering& numbering, const RawMesh& raw) {
+  MeshFaults faults(raw);
+  for (std::size_t f = 0; f < walls.size(); ++f) {
+    if (walls[f] != kUnnamed) continue;
+    std::array<std::int32_t, 3> points = faces.vertices[f];
+    for (auto& point : points) point = numbering.vertices[at(point)];
+    faults.add_face(points, {numbering.cells[at(faces.cells[f][0])]},
+                    "boundary face has no wall name although others have one",
+                    "name every boundary face, or none");
+  }
+  faults.throw_if_any();
+}
+
+}  // namespace
+
+NamedParts used_names(std::vector<std::int32_t> parts, const std::vector<std::string>& names) {
+  std::vector<char> used(names.size(), 0);
+  for (const std::int32_t part : parts) used[at(part)] = 1;
+  NamedParts named{std::move(parts), {}};
+  std::map<std::string, std::int32_t> number;
+  std::vector<std::int32_t> renumbered(names.size(), 0);
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    if (!used[n]) continue;
+    const auto [entry, is_new] = number.emplace(names[n], static_cast<std::int32_t>(number.size()));
+    if (is_new) named.names.push_back(names[n]);
+    renumbered[n] = entry->second;
+  }
+  for (std::int32_t& part : named.parts) part = renumbered[at(part)];
+  return named;
+}
+
+NamedParts name_walls(const MeshFaces& faces, const MeshNumbering& numbering, const RawMesh& raw) {
+  std::vector<std::int32_t> walls = walls_of_triangles(faces, numbering, raw);
+  if (std::all_of(walls.begin(), walls.end(), [](std::int32_t wall) { return wall == kUnnamed; }))
+    return {std::vector<std::int32_t>(walls.size(), 0), {"boundary"}};
+  check_all_named(walls, faces, numbering, raw);
+  return used_names(std::move(walls), raw.wall_names);
+}
+
+}  // namespace etendue

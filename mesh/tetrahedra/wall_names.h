@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/tetrahedra/connectivity.h"
+#include "mesh/tetrahedra/raw_mesh.h"
+
+namespace etendue {
+
+/// Names and, for each thing that has one, the index of its name.
+struct NamedParts {
+  std::vector<std::int32_t> parts;
+  std::vector<std::string> names;
+};
+
+/// Keeps the names that are used, in their order, each once.
+NamedParts used_names(std::vector<std::int32_t> parts, const std::vector<std::string>& names);
+
+/// The wall of each boundary face from the named triangles of the raw mesh. Triangles between two cells are
+/// interfaces and count for nothing. Throws InputError where a triangle is no face of the mesh, where a
+/// face has two names, or where some boundary faces have a name and others none. Where none has, all are
+/// "boundary".
+NamedParts name_walls(const MeshFaces& faces, const MeshNumbering& numbering, const RawMesh& raw);
+
+}  // namespace etendue
