@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/geometry/box_grid.h"
+
+namespace etendue {
+
+/// Coplanar elementary rectangles that hang together and part the same regions under the same name.
+struct BoxFacet {
+  int axis = 0;   ///< of the normal
+  int plane = 0;  ///< its plane's number along the axis
+  int wall = -1;  ///< index into wall names; -1: an interface
+  std::vector<GridIndex> rectangles;
+};
+
+/// The elementary rectangles of a grid gathered into facets. A rectangle is numbered by the plane along its
+/// normal and by the boxes along the other axes; an edge by the box along it and planes otherwise.
+class BoxFacets {
+ public:
+  BoxFacets(const Geometry& geometry, const BoxGrid& grid);
+
+  const std::vector<BoxFacet>& facets() const { return facets_; }
+  const std::vector<std::string>& wall_names() const { return wall_names_; }
+  /// The facet that a rectangle belongs to; -1: none, also beyond the grid.
+  int facet(int axis, const GridIndex& rectangle) const;
+  /// Whether facets end or change at an elementary edge.
+  bool is_edge(int axis, const GridIndex& edge) const;
+  /// Whether edges end, turn or meet at a node.
+  bool is_corner(const GridIndex& node) const;
+  /// Faults of the patches that name nothing.
+  const std::vector<Fault>& faults() const { return faults_; }
+
+ private:
+  struct Sheet {
+    std::vector<std::array<int, 3>> keys;  ///< [rectangle] lower region, upper region, wall
+    std::vector<int> facets;
+  };
+
+  std::size_t at(int axis, const GridIndex& rectangle) const;
+  void find_keys(const Geometry& geometry, int axis);
+  int find_wall(const Geometry& geometry, const std::vector<NamedRectangle>& named, int axis,
+                const GridIndex& rectangle);
+  void gather(int axis);
+  void grow(int axis, const GridIndex& start);
+  int wall_number(const std::string& name);
+
+  const BoxGrid& grid_;
+  std::array<Sheet, 3> sheets_;  ///< [axis of the normal]
+  std::vector<BoxFacet> facets_;
+  std::vector<std::string> wall_names_;
+  std::vector<bool> patch_used_;
+  std::vector<Fault> faults_;
+};
+
+}  // namespace etendue
