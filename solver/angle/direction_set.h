@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,11 +13,12 @@
 namespace etendue {
 
 /// Directions in which light travels, and the solid angle of each. Weights sum to 4 pi, the opposite of every
-/// direction is in the set, and the directions stand in pairs: 2k and 2k+1 are opposite.
+/// direction is in the set, and the directions stand in pairs: 2k and 2k+1 are opposite. Consecutive pairs
+/// are close in angle, octant by octant.
 class DirectionSet {
  public:
   /// Unit directions and weights [sr] in any order. Weights are scaled by a factor within 1e-12 of 1 to sum
-  /// to 4 pi exactly. Throws std::invalid_argument where an opposite is missing or the sum is off.
+  /// to 4 pi. Throws std::invalid_argument where an opposite is missing or the sum is off.
   DirectionSet(std::string name, int order, const std::vector<Vec3>& directions,
                const std::vector<double>& weights);
 
@@ -28,7 +30,8 @@ class DirectionSet {
   std::span<const Vec3> directions() const { return directions_; }
   std::span<const double> weights() const { return weights_; }
 
-  /// The ordinate that `m` becomes at a mirror with this unit normal; -1 where it is not in the set.
+  /// The ordinate that `m` becomes at a mirror with this unit normal, to within 1e-12; -1 where it is not in
+  /// the set or has another weight.
   int mirrored(OrdinateIndex m, const Vec3& normal) const;
 
   /// Discrete half range: the sum of w |w.n| over the directions with w.n < 0 [sr]; pi in the limit.
@@ -39,6 +42,7 @@ class DirectionSet {
   int order_;
   std::vector<Vec3> directions_;
   std::vector<double> weights_;
+  std::vector<std::int32_t> by_x_;  ///< ordinates by rising x, to find one by its direction
 };
 
 /// Gauss-Legendre levels of the cosine about z, `order` of them (even), times 2 order azimuths at half steps.
@@ -62,10 +66,12 @@ struct DirectionSetReport {
   double largest_weight = 0;       ///< relative to the mean
   double first_moment_error = 0;   ///< |sum of w direction|
   double second_moment_error = 0;  ///< largest entry of |sum of w direction direction^T - 4 pi/3 I|
-  int degree = 0;                  ///< the highest with all monomials up to it exact to 1e-9
+  /// The highest up to which all spherical harmonics (so all polynomials) are exact to 1e-9; 63: or more.
+  int degree = 0;
   std::array<double, 3> axis_half_range_error{};  ///< relative error of the half range along x, y, z
   double half_range_error_rms = 0;                ///< over 2,000 random normals
-  double kernel_row_error = 0;                    ///< largest |sum of w p - 1| for Henyey-Greenstein, g = 0.8
+  /// Largest |sum of w p - 1| for Henyey-Greenstein, g = 0.8, over 2,000 or more of the ordinates.
+  double kernel_row_error = 0;
 };
 DirectionSetReport report_directions(const DirectionSet& set);
 
