@@ -6,7 +6,7 @@
 #include <set>
 
 #include "mesh/geometry/box_facets.h"
-#include "mesh/geometry/box_grid.h"
+#include "mesh/geometry/elementary_boxes.h"
 #include "mesh/geometry/wall_naming.h"
 
 namespace etendue {
@@ -17,7 +17,7 @@ std::size_t n(int i) { return static_cast<std::size_t>(i); }
 /// Writes facets as segments between corners: every line where facets end, once for each facet it bounds.
 class SegmentWriter {
  public:
-  SegmentWriter(const BoxGrid& grid, const BoxFacets& facets, SurfaceComplex& surface)
+  SegmentWriter(const ElementaryBoxes& grid, const BoxFacets& facets, SurfaceComplex& surface)
       : grid_(grid), facets_(facets), surface_(surface) {
     for (int axis = 0; axis < 3; ++axis) write_lines(axis);
   }
@@ -55,14 +55,15 @@ class SegmentWriter {
     return entry->second;
   }
 
-  const BoxGrid& grid_;
+  const ElementaryBoxes& grid_;
   const BoxFacets& facets_;
   SurfaceComplex& surface_;
   std::map<GridIndex, int> numbers_;
 };
 
 /// A point in each opening of a facet: in each part of its plane that the facet shuts in.
-std::vector<Vec3> openings(const BoxFacet& facet, int number, const BoxFacets& facets, const BoxGrid& grid) {
+std::vector<Vec3> openings(const BoxFacet& facet, int number, const BoxFacets& facets,
+                           const ElementaryBoxes& grid) {
   const int b = (facet.axis + 1) % 3, c = (facet.axis + 2) % 3;
   GridIndex low = facet.rectangles.front(), high = low;
   for (const GridIndex& r : facet.rectangles) {
@@ -107,7 +108,8 @@ std::vector<Vec3> openings(const BoxFacet& facet, int number, const BoxFacets& f
 /// A seed in each connected part of each region and a hole point in each part of the void that is shut in.
 class PartFinder {
  public:
-  PartFinder(const BoxGrid& grid, SurfaceComplex& surface) : grid_(grid), visited_(grid.size(), false) {
+  PartFinder(const ElementaryBoxes& grid, SurfaceComplex& surface)
+      : grid_(grid), visited_(grid.size(), false) {
     for (int i = 0; i < grid.count(0); ++i)
       for (int j = 0; j < grid.count(1); ++j)
         for (int k = 0; k < grid.count(2); ++k)
@@ -143,7 +145,7 @@ class PartFinder {
       surface.holes.push_back(grid_.middle(thickest));
   }
 
-  const BoxGrid& grid_;
+  const ElementaryBoxes& grid_;
   std::vector<bool> visited_;
 };
 
@@ -152,7 +154,7 @@ class PartFinder {
 SurfaceComplex arrange_boxes(const Geometry& geometry) {
   SurfaceComplex surface;
   const std::vector<SpaceLabel> labels = primitive_labels(geometry, surface.region_names);
-  const BoxGrid grid(geometry, labels);
+  const ElementaryBoxes grid(geometry, labels);
   const BoxFacets facets(geometry, grid);
   if (!facets.faults().empty()) throw InputError(facets.faults());
   surface.wall_names = facets.wall_names();

@@ -21,7 +21,7 @@ bool covers(const NamedRectangle& named, const Vec3& low, const Vec3& high) {
 
 }  // namespace
 
-BoxFacets::BoxFacets(const Geometry& geometry, const BoxGrid& grid)
+BoxFacets::BoxFacets(const Geometry& geometry, const ElementaryBoxes& grid)
     : grid_(grid), patch_used_(geometry.patches.size(), false) {
   for (int axis = 0; axis < 3; ++axis) {
     find_keys(geometry, axis);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/geometry/box_grid.h"
+#include "mesh/geometry/elementary_boxes.h"
 
 namespace etendue {
 
@@ -20,7 +20,7 @@ struct BoxFacet {
 /// normal and by the boxes along the other axes; an edge by the box along it and planes otherwise.
 class BoxFacets {
  public:
-  BoxFacets(const Geometry& geometry, const BoxGrid& grid);
+  BoxFacets(const Geometry& geometry, const ElementaryBoxes& grid);
 
   const std::vector<BoxFacet>& facets() const { return facets_; }
   const std::vector<std::string>& wall_names() const { return wall_names_; }
@@ -47,7 +47,7 @@ class BoxFacets {
   void grow(int axis, const GridIndex& start);
   int wall_number(const std::string& name);
 
-  const BoxGrid& grid_;
+  const ElementaryBoxes& grid_;
   std::array<Sheet, 3> sheets_;  ///< [axis of the normal]
   std::vector<BoxFacet> facets_;
   std::vector<std::string> wall_names_;

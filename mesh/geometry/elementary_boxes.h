@@ -17,10 +17,10 @@ constexpr GridIndex moved(GridIndex index, int axis, int by) {
 }
 
 /// The planes of all boxes and patches cut space into elementary boxes, each filled by one label.
-class BoxGrid {
+class ElementaryBoxes {
  public:
   /// All primitives must be boxes. Throws InputError where two planes are too close to be told apart.
-  BoxGrid(const Geometry& geometry, const std::vector<SpaceLabel>& labels);
+  ElementaryBoxes(const Geometry& geometry, const std::vector<SpaceLabel>& labels);
 
   /// Number of elementary boxes along an axis; there is one plane more.
   int count(int axis) const { return static_cast<int>(planes_[static_cast<std::size_t>(axis)].size()) - 1; }

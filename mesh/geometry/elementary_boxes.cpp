@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "mesh/geometry/box_grid.h"
+#include "mesh/geometry/elementary_boxes.h"
 
 #include <fmt/format.h>
 
@@ -57,7 +57,7 @@ double scene_size(const Geometry& geometry) {
 
 }  // namespace
 
-BoxGrid::BoxGrid(const Geometry& geometry, const std::vector<SpaceLabel>& labels) {
+ElementaryBoxes::ElementaryBoxes(const Geometry& geometry, const std::vector<SpaceLabel>& labels) {
   const double size = scene_size(geometry);
   std::size_t boxes = 1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -69,38 +69,38 @@ BoxGrid::BoxGrid(const Geometry& geometry, const std::vector<SpaceLabel>& labels
     fill(std::get<BoxPrimitive>(geometry.primitives[i]), labels[i]);
 }
 
-bool BoxGrid::contains(const GridIndex& box) const {
+bool ElementaryBoxes::contains(const GridIndex& box) const {
   for (int axis = 0; axis < 3; ++axis)
     if (box[static_cast<std::size_t>(axis)] < 0 || box[static_cast<std::size_t>(axis)] >= count(axis))
       return false;
   return true;
 }
 
-std::size_t BoxGrid::at(const GridIndex& box) const {
+std::size_t ElementaryBoxes::at(const GridIndex& box) const {
   const auto ny = static_cast<std::size_t>(count(1));
   const auto nz = static_cast<std::size_t>(count(2));
   return (static_cast<std::size_t>(box[0]) * ny + static_cast<std::size_t>(box[1])) * nz +
          static_cast<std::size_t>(box[2]);
 }
 
-Vec3 BoxGrid::corner(const GridIndex& node) const {
+Vec3 ElementaryBoxes::corner(const GridIndex& node) const {
   return {plane(0, node[0]), plane(1, node[1]), plane(2, node[2])};
 }
 
-Vec3 BoxGrid::middle(const GridIndex& box) const {
+Vec3 ElementaryBoxes::middle(const GridIndex& box) const {
   return 0.5 * (corner(box) + corner({box[0] + 1, box[1] + 1, box[2] + 1}));
 }
 
-double BoxGrid::thickness(const GridIndex& box) const {
+double ElementaryBoxes::thickness(const GridIndex& box) const {
   return (corner({box[0] + 1, box[1] + 1, box[2] + 1}) - corner(box)).minCoeff();
 }
 
-int BoxGrid::plane_index(int axis, double coordinate) const {
+int ElementaryBoxes::plane_index(int axis, double coordinate) const {
   const std::vector<double>& planes = planes_[static_cast<std::size_t>(axis)];
   return static_cast<int>(std::lower_bound(planes.begin(), planes.end(), coordinate) - planes.begin());
 }
 
-void BoxGrid::fill(const BoxPrimitive& box, SpaceLabel label) {
+void ElementaryBoxes::fill(const BoxPrimitive& box, SpaceLabel label) {
   GridIndex first{}, last{};
   for (int axis = 0; axis < 3; ++axis) {
     first[static_cast<std::size_t>(axis)] = plane_index(axis, box.min[axis]);
