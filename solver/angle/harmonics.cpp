@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/angle/harmonics.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/angle/spherical_harmonics.h"
+
+namespace etendue {
+namespace {
+
+using std::numbers::pi;
+
+// A function of which less than this part is new (in the norm of the set) depends on those before it: what is
+// left is rounding, about 1e-15, on sets where a harmonic vanishes or repeats a lower one.
+constexpr double dependent = 1e-8;
+
+/// Functions on the ordinates as columns, scaled by sqrt(w / 4 pi): orthonormal columns are what is wanted.
+class OrthonormalFunctions {
+ public:
+  OrthonormalFunctions(std::size_t ordinates, int most)
+      : columns_(static_cast<Eigen::Index>(ordinates), most) {}
+
+  /// Takes a function that is already orthonormal to all others.
+  void take(const Eigen::VectorXd& function) { columns_.col(count_++) = function; }
+
+  /// Takes what is new in a function, by Gram and Schmidt's process, twice for full accuracy (Giraud et al.
+  /// 2005). Returns whether anything was.
+  bool take_new_part(Eigen::VectorXd function) {
+    const double before = function.norm();
+    for (int pass = 0; pass < 2; ++pass)
+      for (int k = 0; k < count_; ++k) function -= columns_.col(k).dot(function) * columns_.col(k);
+    const double after = function.norm();
+    if (!(after > dependent * before)) return false;
+    take(function / after);
+    return true;
+  }
+
+  double operator()(int k, std::size_t m) const { return columns_(static_cast<Eigen::Index>(m), k); }
+
+ private:
+  Eigen::MatrixXd columns_;
+  int count_ = 0;
+};
+
+/// Raw harmonics on the set, [ordinate, k], scaled by sqrt(w / 4 pi).
+Eigen::MatrixXd raw_harmonics(const DirectionSet& set, int degree) {
+  Eigen::MatrixXd values(set.count(), harmonic_count(degree));
+  std::vector<double> row(static_cast<std::size_t>(harmonic_count(degree)));
+  for (int m = 0; m < set.count(); ++m) {
+    spherical_harmonics(set.direction(OrdinateIndex(m)), degree, row);
+    const double scale = std::sqrt(set.weight(OrdinateIndex(m)) / (4 * pi));
+    values.row(m) = scale * Eigen::Map<const Eigen::RowVectorXd>(row.data(), values.cols());
+  }
+  return values;
+}
+
+}  // namespace
+
+DiscreteHarmonics::DiscreteHarmonics(const DirectionSet& set, int degree) {
+  const Eigen::MatrixXd raw = raw_harmonics(set, degree);
+  OrthonormalFunctions functions(set.directions().size(), harmonic_count(degree));
+  // Every set is exact to degree 2: 1, x, y and z are orthonormal on it as they are (columns 0, 3, 1, 2).
+  for (const int column : {0, 3, 1, 2})
+    if (column < raw.cols()) {
+      functions.take(raw.col(column));
+      degrees_.push_back(column == 0 ? 0 : 1);
+    }
+  for (int l = 2; l <= degree; ++l)
+    for (int column = l * l; column < harmonic_count(l); ++column)
+      if (functions.take_new_part(raw.col(column))) degrees_.push_back(l);
+
+  for (std::size_t m = 0; m < set.directions().size(); ++m) {
+    const double scale = std::sqrt(4 * pi / set.weights()[m]);
+    const Vec3 first = std::sqrt(3.0) * set.directions()[m];
+    for (int k = 0; k < count(); ++k)
+      values_.push_back(k == 0 ? 1.0 : k <= 3 ? first[k - 1] : functions(k, m) * scale);
+  }
+}
+
+int DiscreteHarmonics::full_degree() const {
+  int degree = 0;
+  while (std::count(degrees_.begin(), degrees_.end(), degree + 1) == 2 * degree + 3) ++degree;
+  return degree;
+}
+
+}  // namespace etendue

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "solver/angle/direction_set.h"
+#include "solver/problem/phase_function.h"
+
+namespace etendue {
+
+/// Real spherical harmonics on the ordinates of a set, orthonormalised there degree by degree:
+///
+///     sum over m of w_m Y_j(m) Y_k(m) = 4 pi delta_jk.
+///
+/// Raw harmonics of degree 4 and more are not orthogonal on most sets, and scattering through them gains or
+/// loses energy; these conserve it, and the mean cosine, to rounding on every set. Y_0 = 1, and Y_1, Y_2, Y_3
+/// are sqrt 3 times x, y, z. A function that depends on those before it on this set is left out.
+///
+/// Scattering with moments chi_l (phase_moment) sends into ordinate m the source
+///
+///     S(m) = sigma_s/(4 pi) sum over k of chi_degree(k) Y_k(m) phi_k,   phi_k = sum over n of w_n Y_k(n)
+///     u_n.
+class DiscreteHarmonics {
+ public:
+  DiscreteHarmonics(const DirectionSet& set, int degree);
+
+  /// Functions that were kept.
+  int count() const { return static_cast<int>(degrees_.size()); }
+  int degree_of(int k) const { return degrees_[static_cast<std::size_t>(k)]; }
+  double value(int k, OrdinateIndex m) const { return of(m)[static_cast<std::size_t>(k)]; }
+  /// All functions at one ordinate, [k].
+  std::span<const double> of(OrdinateIndex m) const {
+    return std::span(values_).subspan(m.at() * degrees_.size(), degrees_.size());
+  }
+  /// The highest degree up to which no function was left out.
+  int full_degree() const;
+
+ private:
+  std::vector<int> degrees_;    ///< [k]
+  std::vector<double> values_;  ///< [ordinate][k]
+};
+
+/// How far the Legendre series of scattering is carried, and why.
+struct ScatteringDegree {
+  int degree = 0;
+  std::string reason;
+};
+
+/// 0 for isotropic scattering; else the smallest degree L >= 1 whose next moment is at most 0.02 (|g|^(L+1)
+/// for Henyey and Greenstein), at most 7 and at most what the set resolves.
+ScatteringDegree scattering_degree(const PhaseFunction& phase, const DirectionSet& set);
+
+/// What scattering became on a set.
+struct ScatteringAccuracy {
+  double asymmetry = 0;     ///< mean cosine, averaged over the ordinates
+  double energy_error = 0;  ///< largest |row sum - 1|
+};
+ScatteringAccuracy scattering_accuracy(const PhaseFunction& phase, int degree, const DirectionSet& set);
+
+}  // namespace etendue
