@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "solver/ordinates/lanes.h"
+
+namespace etendue {
+
+// Upwind discontinuous Galerkin on one straight tetrahedron (docs/theory.md), linear basis. All equations are
+// multiplied by 12. Face f lies opposite vertex f; a_f = w . (A_f n_f) is its area seen along the direction,
+// positive where light leaves. The four a_f sum to zero.
+//
+// With p_f = max(a_f, 0), n_f = max(-a_f, 0), P = sum of p_f = sum of n_f, the matrix of the four nodal
+// values is
+//
+//     alpha I + beta 1 1^T - n 1^T - 1 p^T,    alpha = P + alpha_mass,  beta = P + beta_mass,
+//
+// the identity plus rank two. The mass is consistent with alpha_mass = beta_mass = 0.6 sigma_t V, and lumped
+// with alpha_mass = 3 sigma_t V, beta_mass = 0. Both keep the column sums, so both keep the cell's balance.
+
+/// The areas of the four faces seen along one direction [length^2].
+struct FaceFlows {
+  double leaving[4];   ///< p_f
+  double entering[4];  ///< n_f
+  double total;        ///< P
+};
+
+ETENDUE_KERNEL_INLINE FaceFlows face_flows(const double* a) {
+  FaceFlows flows;
+  flows.total = 0;
+  for (int f = 0; f < 4; ++f) {
+    flows.leaving[f] = a[f] > 0 ? a[f] : 0;
+    flows.entering[f] = flows.leaving[f] - a[f];
+    flows.total += flows.leaving[f];
+  }
+  return flows;
+}
+
+/// Adds to the right-hand side what enters through face f with the nodal values `u` at its three vertices:
+/// 12 times n_f times the face's mass matrix, n_f (sum of u + u_i).
+template <class T>
+ETENDUE_KERNEL_INLINE void add_inflow(const FaceFlows& flows, int f, const T (&u)[3], T (&right)[4]) {
+  const T sum = flows.entering[f] * (u[0] + u[1] + u[2]);
+  int corner = 0;
+  for (int i = 0; i < 4; ++i) {
+    if (i == f) continue;
+    right[i] += sum + flows.entering[f] * u[corner++];
+  }
+}
+
+/// The nodal values from 12 times the right-hand side, in closed form: with S the sum of the values and
+/// T = p . u, two equations in two unknowns whose determinant is positive, in vacuum too.
+template <class T>
+ETENDUE_KERNEL_INLINE void solve_cell(const FaceFlows& flows, const T& alpha_mass, const T& beta_mass,
+                                      const T (&right)[4], T (&u)[4]) {
+  const T sum_right = (right[0] + right[1]) + (right[2] + right[3]);
+  const T weighted_right = (flows.leaving[0] * right[0] + flows.leaving[1] * right[1]) +
+                           (flows.leaving[2] * right[2] + flows.leaving[3] * right[3]);
+  const T alpha = alpha_mass + flows.total;
+  const T beta = beta_mass + flows.total;
+  const T first = alpha_mass + 4.0 * beta;  // alpha + 4 beta - P
+  const T beta_total = beta * flows.total;
+  const T determinant = first * alpha_mass + 4.0 * beta_total;
+  // One division serves both the determinant and alpha.
+  const T inverse = 1.0 / (determinant * alpha);
+  const T by_determinant = inverse * alpha;
+  const T by_alpha = inverse * determinant;
+  const T sum = (alpha_mass * sum_right + 4.0 * weighted_right) * by_determinant;
+  const T weighted = (first * weighted_right - beta_total * sum_right) * by_determinant;
+  const T common = weighted - beta * sum;
+  for (int i = 0; i < 4; ++i) u[i] = (right[i] + common + flows.entering[i] * sum) * by_alpha;
+}
+
+}  // namespace etendue

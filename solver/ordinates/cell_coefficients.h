@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "solver/ordinates/aligned_array.h"
+#include "solver/ordinates/solve.h"
+#include "solver/ordinates/sweep_kernel.h"
+
+namespace etendue {
+
+/// What the cell balance needs of each cell, whatever the direction: normals and the mass terms.
+class CellCoefficients {
+ public:
+  /// `extinction` is [cell][band] [1/length]; it need not be that of the problem (a time step adds to it).
+  CellCoefficients(const TetrahedralMesh& mesh, std::span<const double> extinction, int bands, Basis basis,
+                   Lumping lumping);
+
+  Basis basis() const { return basis_; }
+  int bands() const { return bands_; }
+  int stride() const { return stride_; }
+  int nodes() const { return nodes_per_cell(basis_); }
+  int face_nodes() const { return nodes_per_face(basis_); }
+  const double* normals() const { return normals_.data(); }
+  const double* mass() const { return mass_.data(); }
+
+  /// Factors (sum, own) of the right-hand side of a source s in one cell and band:
+  /// right_i = sum (s_0 + s_1 + s_2 + s_3) + own s_i.
+  struct SourceFactors {
+    double sum = 0;
+    double own = 0;
+  };
+  SourceFactors source_factors(CellIndex cell, int band) const;
+  bool is_lumped(CellIndex cell, int band) const;
+  /// Pairs of a cell and a band whose mass is lumped.
+  long lumped_count() const;
+
+ private:
+  Basis basis_;
+  int bands_;
+  int stride_;
+  std::span<const double> volumes_;
+  AlignedArray normals_;      ///< [cell][normals_stride]
+  AlignedArray mass_;         ///< [cell][2][stride]
+  std::vector<char> lumped_;  ///< [cell][band]
+};
+
+/// Edge of the regular tetrahedron of this volume: the size of a cell in "extinction times cell size".
+double cell_size(double volume);
+
+}  // namespace etendue

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solver/ordinates/solve.h"
+#include "solver/ordinates/transport_state.h"
+#include "solver/ordinates/transport_sweep.h"
+
+namespace etendue {
+
+struct IterationOptions {
+  double tolerance = 1e-6;  ///< estimated relative error, per band
+  int max_sweeps = 500;
+};
+
+/// How an iteration ended.
+struct IterationResult {
+  std::vector<BandConvergence> bands;
+  std::vector<HistoryEntry> history;
+  bool interrupted = false;
+};
+
+/// A way to the fixed point of the sweep.
+class Iteration {
+ public:
+  virtual ~Iteration() = default;
+  virtual const char* name() const = 0;
+  /// Improves `state` until the tolerance is met, the sweeps are used up or the observer stops it.
+  virtual IterationResult run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
+                              const SolveObserver& observer) = 0;
+};
+
+}  // namespace etendue

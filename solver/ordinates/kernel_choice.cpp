@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <cstdlib>
+#include <string_view>
+
+#include "mesh/base/errors.h"
+#include "solver/ordinates/sweep_kernel.h"
+
+namespace etendue {
+
+SweepKernels kernels_baseline(Basis basis, int stride);
+#ifdef ETENDUE_X86_KERNELS
+SweepKernels kernels_avx2(Basis basis, int stride);
+SweepKernels kernels_avx512(Basis basis, int stride);
+#endif
+
+namespace {
+
+struct Choice {
+  std::string_view name;
+  bool available;
+  SweepKernels (*make)(Basis, int);
+};
+
+#ifdef ETENDUE_X86_KERNELS
+bool has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
+bool has_avx512() {
+  return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512cd");
+}
+#endif
+
+}  // namespace
+
+int lane_stride(int bands) {
+  if (bands <= 2) return bands;
+  if (bands <= 4) return 4;
+  return (bands + 7) / 8 * 8;
+}
+
+SweepKernels choose_kernels(Basis basis, int stride) {
+  const Choice choices[] = {
+#ifdef ETENDUE_X86_KERNELS
+      {"avx512", has_avx512(), kernels_avx512},
+      {"avx2", has_avx2(), kernels_avx2},
+#endif
+      {"baseline", true, kernels_baseline},
+  };
+  const char* wanted = std::getenv("ETENDUE_ISA");
+  for (const Choice& choice : choices) {
+    if (wanted != nullptr && choice.name != wanted) continue;
+    if (choice.available) return choice.make(basis, stride);
+    if (wanted != nullptr)
+      throw InputError(std::string("ETENDUE_ISA = ") + wanted + ": this machine does not have it");
+  }
+  throw InputError(std::string("ETENDUE_ISA = ") + wanted + ": unknown; use baseline, avx2 or avx512");
+}
+
+}  // namespace etendue

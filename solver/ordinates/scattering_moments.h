@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solver/angle/direction_set.h"
+#include "solver/angle/harmonics.h"
+#include "solver/ordinates/cell_coefficients.h"
+#include "solver/ordinates/transport_state.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// Scattering through moments of the radiance,
+///
+///     S(w_m) = sigma_s / (4 pi) sum over k of chi_l(k) Y_k(w_m) phi_k,   phi_k = sum of w_n Y_k(w_n) u_n,
+///
+/// with harmonics orthonormalised on the direction set: energy and asymmetry are exact on every set. Only the
+/// cells whose medium scatters anisotropically (and those that a meter looks at) are "angular": they have a
+/// source for each direction and moments beyond the fluence. Rows of directions begin with a scratch row 0.
+class ScatteringMoments {
+ public:
+  /// `observed` are cells whose radiance is wanted direction by direction. The arguments must outlive it.
+  ScatteringMoments(const Problem& problem, const DirectionSet& directions, const CellCoefficients& cells,
+                    std::span<const CellIndex> observed);
+
+  std::size_t row_count() const { return angular_cells_.size(); }  ///< without the scratch row
+  std::size_t row_length() const { return row_length_; }           ///< doubles
+  int moment_count() const { return harmonics_.count(); }
+  std::size_t moments_size() const {
+    return row_count() * static_cast<std::size_t>(moment_count()) * row_length_;
+  }
+  /// [cell] row, 0 without; null where no cell is angular.
+  const std::int32_t* index() const { return angular_cells_.empty() ? nullptr : index_.data(); }
+  std::int32_t row(CellIndex cell) const { return index_[cell.at()]; }
+  std::span<const std::int32_t> angular_cells() const { return angular_cells_; }
+  /// [ordinate][moment] Y_k(w_m)
+  const double* evaluation(OrdinateIndex m) const { return &evaluation_[m.at() * count()]; }
+  /// [ordinate][moment] w_m Y_k(w_m)
+  const double* integration(OrdinateIndex m) const { return &integration_[m.at() * count()]; }
+
+  /// Right-hand sides of emission and scattering of a state, for cells first … last - 1: the isotropic part
+  /// [cell][node][stride], and moments [row][moment][node][stride] for angular cells.
+  void form_source(const TransportState& state, std::int32_t first, std::int32_t last, double* isotropic,
+                   double* moments) const;
+
+  const std::vector<KernelReport>& kernels() const { return kernels_; }
+
+ private:
+  std::size_t count() const { return static_cast<std::size_t>(moment_count()); }
+  void find_angular_cells(std::span<const CellIndex> observed);
+  void fill_factors();
+  void report_kernels();
+
+  const Problem& problem_;
+  const DirectionSet& directions_;
+  const CellCoefficients& cells_;
+  std::vector<std::string> reason_;       ///< [region * bands + band] why that degree
+  std::vector<std::vector<int>> degree_;  ///< [region][band] of the harmonics that are used
+  DiscreteHarmonics harmonics_;
+  std::size_t row_length_;
+  std::vector<std::int32_t> index_;
+  std::vector<std::int32_t> angular_cells_;
+  std::vector<double> evaluation_;
+  std::vector<double> integration_;
+  std::vector<double> phase_moments_;  ///< [region][moment][stride]
+  std::vector<KernelReport> kernels_;
+};
+
+}  // namespace etendue

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/ordinates/solve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "solver/ordinates/source_iteration.h"
+#include "solver/ordinates/transport_sweep.h"
+
+namespace etendue {
+namespace {
+
+/// Values at nodes, [item][node][stride], as [item][wanted][band]: constants are repeated at every vertex.
+std::vector<double> unpadded(std::span<const double> values, std::size_t nodes, std::size_t wanted,
+                             std::size_t stride, std::size_t bands) {
+  const std::size_t items = values.size() / (nodes * stride);
+  std::vector<double> result(items * wanted * bands);
+  for (std::size_t item = 0; item < items; ++item)
+    for (std::size_t i = 0; i < wanted; ++i)
+      for (std::size_t b = 0; b < bands; ++b)
+        result[(item * wanted + i) * bands + b] = values[(item * nodes + (nodes == 1 ? 0 : i)) * stride + b];
+  return result;
+}
+
+/// [cell][3][node][stride] as [cell][4][3][band].
+std::vector<double> net_flux_at_vertices(std::span<const double> values, std::size_t nodes,
+                                         std::size_t stride, std::size_t bands) {
+  const std::size_t cells = values.size() / (3 * nodes * stride);
+  std::vector<double> result(cells * 12 * bands);
+  for (std::size_t c = 0; c < cells; ++c)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t b = 0; b < bands; ++b)
+          result[((c * 4 + i) * 3 + axis) * bands + b] =
+              values[((c * 3 + axis) * nodes + (nodes == 1 ? 0 : i)) * stride + b];
+  return result;
+}
+
+std::vector<NegativeCensus> negative_census(const std::vector<double>& fluence, std::size_t bands) {
+  std::vector<NegativeCensus> census(bands);
+  for (std::size_t i = 0; i < fluence.size(); ++i) {
+    if (fluence[i] >= 0) continue;
+    NegativeCensus& band = census[i % bands];
+    ++band.count;
+    band.smallest = std::min(band.smallest, fluence[i]);
+  }
+  return census;
+}
+
+std::vector<double> extinction_of(const Problem& problem) {
+  std::vector<double> extinction(problem.absorption().begin(), problem.absorption().end());
+  for (std::size_t i = 0; i < extinction.size(); ++i) extinction[i] += problem.scattering()[i];
+  return extinction;
+}
+
+std::vector<std::string> notes_of(const TransportSweep& sweep, const SolveOptions& options) {
+  std::vector<std::string> notes;
+  notes.push_back(fmt::format("kernel {}, {} threads", sweep.instruction_set(), sweep.threads()));
+  if (options.order == SpaceOrder::linear && options.lumping == Lumping::automatic)
+    notes.push_back(fmt::format(
+        "mass lumped in {} of {} cells and bands (extinction times cell size above 2)",
+        sweep.cells().lumped_count(), static_cast<long>(sweep.mesh().cell_count()) * sweep.cells().bands()));
+  if (sweep.orders().kept_count() < sweep.orders().pair_count())
+    notes.push_back(
+        fmt::format("{} of {} sweep orders kept, the others made again in every sweep (memory bound)",
+                    sweep.orders().kept_count(), sweep.orders().pair_count()));
+  if (sweep.orders().lagged_total() > 0)
+    notes.push_back(
+        fmt::format("{} faces lagged to break cycles of the sweep order", sweep.orders().lagged_total()));
+  if (sweep.is_direct()) notes.push_back("nothing scatters or reflects: one sweep solves it");
+  return notes;
+}
+
+/// The state is F(something) and one more application is the answer, with all that is measured on the way.
+void measure(TransportSweep& sweep, const TransportState& state, Solution& solution) {
+  const auto bands = static_cast<std::size_t>(sweep.cells().bands());
+  const auto stride = static_cast<std::size_t>(sweep.cells().stride());
+  const auto nodes = static_cast<std::size_t>(sweep.cells().nodes());
+  const auto face_nodes = static_cast<std::size_t>(sweep.cells().face_nodes());
+  TransportState last_state(sweep.layout());
+  SweepRecord record;
+  sweep.apply(state, last_state, &record);
+  solution.fluence = unpadded(last_state.fluence(), nodes, 4, stride, bands);
+  solution.net_flux = net_flux_at_vertices(record.net_flux.span(), nodes, stride, bands);
+  solution.irradiance = unpadded(last_state.irradiance(), face_nodes, 3, stride, bands);
+  solution.exitance = unpadded(record.exitance.span(), face_nodes, 3, stride, bands);
+  for (OrdinateRadiance& kept : record.radiance)
+    solution.radiance.push_back({kept.ordinate, unpadded(kept.values, nodes, 4, stride, bands)});
+  solution.meters = unpadded(record.meters, 1, 1, stride, bands);
+  solution.negative = negative_census(solution.fluence, bands);
+}
+
+}  // namespace
+
+Solution solve(const Problem& problem, const DirectionSet& directions, const SolveOptions& options,
+               const SolveObserver& observer) {
+  const std::vector<double> extinction = extinction_of(problem);
+  TransportSweep sweep(problem, directions, extinction, options);
+  TransportState state(sweep.layout());
+  SourceIteration iteration;
+  Solution solution;
+  solution.method = iteration.name();
+  solution.directions = directions.count();
+
+  const auto start = std::chrono::steady_clock::now();
+  if (sweep.is_direct()) {
+    solution.convergence.assign(static_cast<std::size_t>(problem.band_count()), {1, 0, true});
+  } else {
+    // The sweep that measures is one of those that are allowed.
+    const IterationOptions limits{options.tolerance, std::max(1, options.max_sweeps - 1)};
+    IterationResult result = iteration.run(sweep, state, limits, observer);
+    solution.convergence = std::move(result.bands);
+    solution.history = std::move(result.history);
+    solution.interrupted = result.interrupted;
+    for (BandConvergence& band : solution.convergence) ++band.sweeps;
+  }
+  measure(sweep, state, solution);
+  solution.seconds.sweep = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  solution.seconds.orders = sweep.order_seconds();
+  solution.half_range = sweep.walls().half_range();
+  solution.kernels = sweep.scattering().kernels();
+  solution.notes = notes_of(sweep, options);
+  solution.lagged_faces = static_cast<int>(sweep.orders().lagged_total());
+  solution.sweep_cost = 1e9 * sweep.processor_seconds() /
+                        (static_cast<double>(sweep.sweep_count()) * problem.mesh().cell_count() *
+                         directions.count() * problem.band_count());
+  return solution;
+}
+
+}  // namespace etendue

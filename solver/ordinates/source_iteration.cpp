@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/ordinates/source_iteration.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "solver/ordinates/residual.h"
+
+namespace etendue {
+namespace {
+
+/// Residuals that the rate is measured over: light that bounces to and fro makes single ratios alternate.
+constexpr std::size_t rate_window = 4;
+/// A rate above this is not told apart from 1 by residuals with rounding errors.
+constexpr double largest_rate = 1 - 1e-12;
+/// Residuals below this are rounding.
+constexpr double rounding = 1e-15;
+
+}  // namespace
+
+double RateEstimate::error(double residual) {
+  residuals_.push_back(residual);
+  if (residual <= rounding) return error_ = residual;
+  if (residuals_.size() < 2) return error_ = std::max(residual, 1.0);
+  const std::size_t span = std::min(rate_window, residuals_.size() - 1);
+  const double before = residuals_[residuals_.size() - 1 - span];
+  const double mean = std::pow(residual / before, 1.0 / static_cast<double>(span));
+  const double last = residual / residuals_[residuals_.size() - 2];
+  // The slower of the last step and the mean over the window.
+  rate_ = std::min(std::max(mean, last), largest_rate);
+  return error_ = residual / (1 - rate_);
+}
+
+double RateEstimate::sweeps_left(double tolerance) const {
+  if (error_ <= tolerance) return 0;
+  if (rate_ >= largest_rate || rate_ <= 0 || residuals_.size() < 2) return -1;
+  return std::ceil(std::log(tolerance / error_) / std::log(rate_));
+}
+
+IterationResult SourceIteration::run(TransportSweep& sweep, TransportState& state,
+                                     const IterationOptions& options, const SolveObserver& observer) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto bands = static_cast<std::size_t>(sweep.cells().bands());
+  IterationResult result;
+  result.bands.resize(bands);
+  std::vector<RateEstimate> rates(bands);
+  std::vector<double> errors(bands, 0);
+  TransportState next(state.layout());
+  for (int count = 1; count <= options.max_sweeps; ++count) {
+    sweep.apply(state, next);
+    const std::vector<double> residual = relative_residual(sweep.mesh(), sweep, state, next);
+    std::swap(state, next);
+    double left = 0;
+    bool done = true;
+    for (std::size_t b = 0; b < bands; ++b) {
+      errors[b] = sweep.is_direct() ? 0 : rates[b].error(residual[b]);
+      const bool converged = errors[b] <= options.tolerance;
+      result.bands[b] = {count, errors[b], converged};
+      result.history.push_back({count, static_cast<int>(b), errors[b]});
+      done = done && converged;
+      const double band_left = sweep.is_direct() ? 0 : rates[b].sweeps_left(options.tolerance);
+      left = left < 0 || band_left < 0 ? -1 : std::max(left, band_left);
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds_left = left < 0 ? -1 : left * seconds / count;
+    const SweepProgress progress{count, options.max_sweeps, errors, options.tolerance, seconds, seconds_left};
+    if (observer && observer(progress) == SolveControl::stop) {
+      result.interrupted = !done;
+      break;
+    }
+    if (done) break;
+  }
+  return result;
+}
+
+}  // namespace etendue

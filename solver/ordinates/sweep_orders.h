@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "solver/angle/direction_set.h"
+#include "solver/ordinates/sweep_order.h"
+
+namespace etendue {
+
+/// The sweep orders of a direction set, one for each pair of opposite ordinates. As many are kept as fit into
+/// the memory that is allowed; the others are made again whenever they are needed.
+class SweepOrders {
+ public:
+  /// The arguments must outlive it. `bytes` bounds what is kept.
+  SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t bytes, int threads);
+
+  /// The order of ordinate 2 `pair`; 2 `pair` + 1 walks it backwards. `scratch` holds it if it was not kept.
+  const SweepOrder& of_pair(std::int32_t pair, SweepOrder& scratch) const;
+
+  int kept_count() const { return kept_count_; }
+  int pair_count() const { return static_cast<int>(orders_.size()); }
+  /// Lagged faces of one pair, known for all pairs; and where they begin in the list of all.
+  std::size_t lagged_count(std::int32_t pair) const {
+    return lagged_start_[static_cast<std::size_t>(pair) + 1] - lagged_start_[static_cast<std::size_t>(pair)];
+  }
+  std::size_t lagged_start(std::int32_t pair) const { return lagged_start_[static_cast<std::size_t>(pair)]; }
+  std::size_t lagged_total() const { return lagged_start_.back(); }
+  std::int32_t largest_slot_count() const { return largest_slot_count_; }
+
+ private:
+  const TetrahedralMesh& mesh_;
+  const DirectionSet& directions_;
+  std::vector<std::optional<SweepOrder>> orders_;
+  std::vector<std::size_t> lagged_start_;
+  std::int32_t largest_slot_count_ = 0;
+  int kept_count_ = 0;
+};
+
+}  // namespace etendue

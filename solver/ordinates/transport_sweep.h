@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "solver/ordinates/cell_coefficients.h"
+#include "solver/ordinates/scattering_moments.h"
+#include "solver/ordinates/sweep_kernel.h"
+#include "solver/ordinates/sweep_orders.h"
+#include "solver/ordinates/transport_state.h"
+#include "solver/ordinates/wall_exchange.h"
+
+namespace etendue {
+
+/// What a sweep writes down beside the next state when it is asked to.
+struct SweepRecord {
+  AlignedArray net_flux;  ///< [cell][3][node][stride] [power/length^2]
+  AlignedArray exitance;  ///< [boundary face][face node][stride] [power/length^2]
+  std::vector<OrdinateRadiance>
+      radiance;                ///< values [cell][node][stride]; ordinates are chosen by the caller
+  std::vector<double> meters;  ///< [meter][stride]
+};
+
+/// One sweep through all cells along all directions: the affine map whose fixed point is the discrete
+/// solution. Source and reflected light come from the last state; the radiance itself is never stored.
+/// Threads take batches of directions of fixed size, whose sums are added in their order: the same bits for
+/// any number of threads.
+class TransportSweep {
+ public:
+  /// `extinction` is [cell][band]; it may exceed absorption + scattering. The arguments must outlive it.
+  TransportSweep(const Problem& problem, const DirectionSet& directions, std::span<const double> extinction,
+                 const SolveOptions& options);
+  ~TransportSweep();
+
+  StateLayout layout() const;
+  /// next = F(last). `record`, where it is not null, is filled too (its sizes are set here).
+  void apply(const TransportState& last, TransportState& next, SweepRecord* record = nullptr);
+  /// Whether one sweep gives the solution: nothing scatters, reflects or is lagged.
+  bool is_direct() const;
+
+  const TetrahedralMesh& mesh() const { return problem_.mesh(); }
+  const CellCoefficients& cells() const { return cells_; }
+  const WallExchange& walls() const { return walls_; }
+  const ScatteringMoments& scattering() const { return scattering_; }
+  const SweepOrders& orders() const { return orders_; }
+  const char* instruction_set() const { return kernels_.instruction_set; }
+  int threads() const { return threads_; }
+  int sweep_count() const { return sweep_count_; }
+  double processor_seconds() const { return processor_seconds_; }  ///< over all sweeps and threads
+  double order_seconds() const { return order_seconds_; }          ///< wall clock
+
+ private:
+  struct Workspace;
+
+  void form_source(const TransportState& last);
+  void sweep_batch(std::int32_t batch, const TransportState& last, TransportState& next, SweepRecord* record,
+                   Workspace& work);
+  void sweep_ordinate(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
+                      TransportState& next, SweepRecord* record, double* angular, Workspace& work);
+  void run_kernel(OrdinateIndex m, const SweepOrder& order, SweepRecord* record, double* angular,
+                  Workspace& work);
+  void exchange_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
+                       Workspace& work) const;
+  void keep_lagged(OrdinateIndex m, const SweepOrder& order, TransportState& next,
+                   const Workspace& work) const;
+  void read_meters(OrdinateIndex m, const double* angular, std::span<double> meters) const;
+  void merge(std::int32_t first_batch, int batches, TransportState& next, SweepRecord* record);
+  void merge_cells(std::int32_t first, std::int32_t last, int batches, TransportState& next,
+                   SweepRecord* record);
+  void merge_moments(std::size_t first, std::size_t last, std::int32_t batch, Workspace& work,
+                     TransportState& next) const;
+  std::vector<CellIndex> observed_cells() const;
+  std::int32_t batch_count() const;
+
+  const Problem& problem_;
+  const DirectionSet& directions_;
+  std::vector<IrradianceMeter> meters_;
+  std::vector<int> keep_ordinates_;
+  int threads_;
+  CellCoefficients cells_;
+  ScatteringMoments scattering_;
+  WallExchange walls_;
+  double order_seconds_ = 0;
+  SweepOrders orders_;
+  SweepKernels kernels_;
+  AlignedArray source_;                        ///< [cell][node][stride]
+  AlignedArray moment_source_;                 ///< [row][moment][node][stride]
+  std::vector<std::int32_t> all_cells_index_;  ///< [cell] cell + 1, to keep an ordinate's whole radiance
+  std::vector<std::unique_ptr<Workspace>> workspaces_;
+  int sweep_count_ = 0;
+  double processor_seconds_ = 0;
+};
+
+}  // namespace etendue

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/ordinates/wall_exchange.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/ordinates/sweep_order.h"
+
+namespace etendue {
+namespace {
+
+/// Normals of one flat mirror differ by rounding only.
+constexpr double same_plane = 1e-10;
+
+std::vector<double> padded(std::span<const Wall> walls, std::vector<double> Wall::*values,
+                           std::size_t stride) {
+  std::vector<double> result(walls.size() * stride, 0);
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    std::copy((walls[w].*values).begin(), (walls[w].*values).end(),
+              result.begin() + static_cast<std::ptrdiff_t>(w * stride));
+  return result;
+}
+
+bool any_positive(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double v) { return v > 0; });
+}
+
+}  // namespace
+
+WallExchange::WallExchange(const Problem& problem, const DirectionSet& directions, int stride, int face_nodes)
+    : mesh_(problem.mesh()),
+      problem_(problem),
+      directions_(directions),
+      stride_(static_cast<std::size_t>(stride)),
+      face_length_(static_cast<std::size_t>(face_nodes) * stride_),
+      radiance_(padded(problem.walls(), &Wall::radiance, stride_)),
+      diffuse_(padded(problem.walls(), &Wall::diffuse, stride_)),
+      specular_(padded(problem.walls(), &Wall::specular, stride_)) {
+  for (const Wall& wall : problem.walls()) {
+    wall_diffuse_.push_back(any_positive(wall.diffuse));
+    wall_reflects_.push_back(any_positive(wall.diffuse) || any_positive(wall.specular));
+    reflects_ = reflects_ || wall_reflects_.back();
+  }
+  half_range_.resize(static_cast<std::size_t>(mesh_.boundary_face_count()));
+  for (std::int32_t f = 0; f < mesh_.boundary_face_count(); ++f)
+    half_range_[static_cast<std::size_t>(f)] =
+        directions.half_range(mesh_.area_normal(FaceIndex(f)).normalized());
+  find_mirrors();
+}
+
+void WallExchange::find_mirrors() {
+  mirror_row_.assign(half_range_.size(), -1);
+  std::vector<Fault> faults;
+  std::vector<char> refused(wall_reflects_.size(), 0);
+  for (std::int32_t f = 0; f < mesh_.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const auto wall = static_cast<std::size_t>(mesh_.wall(face));
+    if (refused[wall] || !any_positive(problem_.wall(mesh_.wall(face)).specular)) continue;
+    const Vec3 normal = mesh_.area_normal(face).normalized();
+    std::size_t plane = 0;
+    while (plane < planes_.size() && (planes_[plane].normal - normal).norm() > same_plane) ++plane;
+    if (plane == planes_.size()) {
+      planes_.push_back({normal, partners(face)});
+      if (std::count(planes_.back().partner.begin(), planes_.back().partner.end(), -1) > 0) {
+        planes_.pop_back();
+        refused[wall] = 1;
+        Origin origin = problem_.wall(mesh_.wall(face)).origin;
+        origin.key += ".specular";
+        const Vec3 at = mesh_.centroid(face);
+        faults.push_back(fault_at(
+            origin, "",
+            fmt::format(
+                "the mirror at ({:.6g}, {:.6g}, {:.6g}) with normal ({:.6g}, {:.6g}, {:.6g}) takes ordinates "
+                "out of the {} set of order {} (a mirrored ordinate must be in it); use mirrors on planes "
+                "across x, y or z, or diffuse reflectance",
+                at.x(), at.y(), at.z(), normal.x(), normal.y(), normal.z(), directions_.name(),
+                directions_.order())));
+        continue;
+      }
+    }
+    mirror_row_[face.at()] = static_cast<std::int32_t>(mirror_plane_.size());
+    mirror_plane_.push_back(static_cast<std::int32_t>(plane));
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+std::vector<std::int32_t> WallExchange::partners(FaceIndex face) const {
+  std::vector<std::int32_t> partner;
+  const Vec3 normal = mesh_.area_normal(face).normalized();
+  for (std::int32_t m = 0; m < directions_.count(); ++m)
+    partner.push_back(directions_.mirrored(OrdinateIndex(m), normal));
+  return partner;
+}
+
+std::size_t WallExchange::irradiance_size() const { return half_range_.size() * face_length_; }
+
+std::size_t WallExchange::mirror_size() const {
+  return mirror_plane_.size() * static_cast<std::size_t>(directions_.count() / 2) * face_length_;
+}
+
+// Of the two ordinates of a pair one leaves through a face: the pair's number is enough.
+std::size_t WallExchange::mirror_at(std::size_t row, std::int32_t ordinate) const {
+  return (row * static_cast<std::size_t>(directions_.count() / 2) + static_cast<std::size_t>(ordinate / 2)) *
+         face_length_;
+}
+
+void WallExchange::send(OrdinateIndex m, const TransportState& last, double* traces,
+                        std::span<double> exitance) const {
+  const Vec3& direction = directions_.direction(m);
+  for (std::size_t f = 0; f < half_range_.size(); ++f) {
+    const FaceIndex face(static_cast<std::int64_t>(f));
+    const double seen = seen_area(mesh_.area_normal(face), direction);
+    if (seen >= 0) continue;
+    const auto wall = static_cast<std::size_t>(mesh_.wall(face));
+    double* trace = traces + (1 + f) * face_length_;
+    for (std::size_t i = 0; i < face_length_; ++i) trace[i] = radiance_[wall * stride_ + i % stride_];
+    if (wall_diffuse_[wall]) {
+      const double* irradiance = last.irradiance().data() + f * face_length_;
+      const double by_half_range = 1 / half_range_[f];
+      for (std::size_t i = 0; i < face_length_; ++i)
+        trace[i] += diffuse_[wall * stride_ + i % stride_] * by_half_range * irradiance[i];
+    }
+    if (mirror_row_[f] >= 0) {
+      const auto row = static_cast<std::size_t>(mirror_row_[f]);
+      const std::int32_t partner = planes_[static_cast<std::size_t>(mirror_plane_[row])].partner[m.at()];
+      const double* mirrored = last.mirrors().data() + mirror_at(row, partner);
+      for (std::size_t i = 0; i < face_length_; ++i)
+        trace[i] += specular_[wall * stride_ + i % stride_] * mirrored[i];
+    }
+    if (!exitance.empty()) {
+      const double factor = -seen / mesh_.area(face) * directions_.weight(m);
+      for (std::size_t i = 0; i < face_length_; ++i) exitance[f * face_length_ + i] += factor * trace[i];
+    }
+  }
+}
+
+void WallExchange::receive(OrdinateIndex m, const double* traces, std::span<double> irradiance,
+                           std::span<double> mirrors) const {
+  const Vec3& direction = directions_.direction(m);
+  for (std::size_t f = 0; f < half_range_.size(); ++f) {
+    const FaceIndex face(static_cast<std::int64_t>(f));
+    const double seen = seen_area(mesh_.area_normal(face), direction);
+    if (seen <= 0) continue;
+    const double* trace = traces + (1 + f) * face_length_;
+    const double factor = seen / mesh_.area(face) * directions_.weight(m);
+    for (std::size_t i = 0; i < face_length_; ++i) irradiance[f * face_length_ + i] += factor * trace[i];
+    if (mirror_row_[f] < 0) continue;
+    double* kept = mirrors.data() + mirror_at(static_cast<std::size_t>(mirror_row_[f]), m.value());
+    std::copy(trace, trace + face_length_, kept);
+  }
+}
+
+}  // namespace etendue
