@@ -93,6 +93,8 @@ void OutputFolder::publish(const std::vector<std::string>& outdated) {
   names_.clear();
 }
 
+void make_output_directory(const fs::path& directory) { make_directories(directory); }
+
 void check_output_directory(const fs::path& directory) {
   const std::vector<fs::path> made = make_directories(directory);
   const fs::path trial = directory / (".trial." + std::to_string(getpid()) + ".part");

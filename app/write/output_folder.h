@@ -37,6 +37,9 @@ class OutputFolder {
   std::vector<std::string> names_;
 };
 
+/// Makes a directory with its parents. Throws FileError.
+void make_output_directory(const std::filesystem::path& directory);
+
 /// Throws FileError where files could not be made in this directory, with the reason. Leaves nothing behind.
 void check_output_directory(const std::filesystem::path& directory);
 

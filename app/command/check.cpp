@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/case/build.h"
+#include "app/command/commands.h"
+#include "app/command/interruption.h"
+#include "app/command/probes.h"
+#include "app/command/text_table.h"
+#include "app/command/verbose_log.h"
+#include "mesh/tetrahedra/mesh_report.h"
+
+namespace etendue {
+namespace {
+
+std::string geometry_text(const MeshCase& mesh) {
+  if (mesh.file) return "tetrahedra of " + mesh.file->path.string();
+  if (mesh.surface) return "surface " + mesh.surface->path.string();
+  return fmt::format("{} primitives, {} patches", mesh.geometry.primitives.size(),
+                     mesh.geometry.patches.size());
+}
+
+template <class Entry>
+std::string names_of(const std::map<std::string, Entry>& entries) {
+  std::vector<std::string> names;
+  for (const auto& [name, entry] : entries) names.push_back(name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string probes_line(const std::vector<Probe>& probes) {
+  std::size_t points = 0;
+  for (const Probe& probe : probes) points += probe.points.size();
+  return fmt::format("{} with {} points", probes.size(), points);
+}
+
+std::string summary_of(const Case& input) {
+  TextTable table({"title", input.title}, {Align::left, Align::left});
+  table.add_row({"units", input.units.length + ", " + input.units.power});
+  table.add_row({"geometry", geometry_text(input.mesh)});
+  table.add_row({"bands", fmt::format("{}", fmt::join(input.bands.names, ", "))});
+  table.add_row({"media", names_of(input.media)});
+  table.add_row({"walls", names_of(input.walls)});
+  table.add_row(
+      {"directions", fmt::format("{} {}: {}", input.direction_set, input.direction_order,
+                                 make_directions(input.direction_set, input.direction_order).count())});
+  table.add_row({"solve", fmt::format("tolerance {}, at most {} sweeps", input.solve.tolerance,
+                                      input.solve.max_sweeps)});
+  table.add_row({"probes", probes_line(input.probes)});
+  table.add_row({"output", fmt::format("{} ({})", input.output.directory.string(),
+                                       fmt::join(input.output.fields, ", "))});
+  return table.text();
+}
+
+}  // namespace
+
+ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream& err) {
+  const Interruption interruption;
+  const Case input = read_case(request.file, request.overrides);
+  out << request.file.string() << " is a valid case\n" << summary_of(input);
+  if (!request.mesh) return ExitCode::done;
+  out << std::flush;
+  const TetrahedralMesh mesh = build_mesh(input, verbose_log(request, err));
+  build_problem(input, mesh);
+  place_probes(input.probes, mesh, CellLocator(mesh));
+  out << '\n' << to_string(mesh_report(mesh), mesh, input.units.length);
+  return ExitCode::done;
+}
+
+}  // namespace etendue

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/command.h"
+
+#include <exception>
+#include <new>
+
+#include "app/case/keys.h"
+#include "app/command/command_line.h"
+#include "app/command/commands.h"
+#include "app/command/memory.h"
+#include "mesh/base/errors.h"
+
+namespace etendue {
+namespace {
+
+/// Does what was asked.
+struct Dispatch {
+  std::ostream& out;
+  std::ostream& err;
+
+  ExitCode operator()(const RunRequest& request) const { return run_case(request, out, err); }
+  ExitCode operator()(const CheckRequest& request) const { return check_case(request, out, err); }
+  ExitCode operator()(const MeshRequest& request) const { return mesh_case(request, out, err); }
+  ExitCode operator()(const DirectionsRequest& request) const { return show_directions(request, out); }
+  ExitCode operator()(const KeysRequest&) const {
+    out << key_reference();
+    return ExitCode::done;
+  }
+  ExitCode operator()(const ShowText& show) const {
+    out << show.text;
+    return ExitCode::done;
+  }
+};
+
+/// Results that could not be printed are lost: a full disk or a closed pipe is a fault.
+ExitCode checked(ExitCode code, std::ostream& out) {
+  out.flush();
+  if (!out) throw FileError("standard output", "cannot be written");
+  return code;
+}
+
+}  // namespace
+
+ExitCode run_command(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  try {
+    return checked(std::visit(Dispatch{out, err}, parse_command_line(arguments)), out);
+  } catch (const InputError& error) {
+    err << error.what() << '\n';
+    return ExitCode::input_error;
+  } catch (const FileError& error) {
+    err << error.what() << '\n';
+    return ExitCode::file_error;
+  } catch (const std::bad_alloc&) {
+    err << out_of_memory_message() << '\n';
+    return ExitCode::input_error;
+  } catch (const std::exception& error) {
+    err << "internal error: " << error.what() << '\n';
+    return ExitCode::internal_error;
+  }
+}
+
+}  // namespace etendue

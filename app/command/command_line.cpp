@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/write/results.h"
+#include "mesh/base/errors.h"
+
+namespace etendue {
+namespace {
+
+const char* const examples = R"(Examples:
+  etendue run cases/smoke-room/case.toml
+  etendue run case.toml --set solve.tolerance=1e-8 --set directions.order=2 --output fine
+  etendue check case.toml --mesh
+  etendue mesh case.toml -o mesh.vtu
+  etendue directions --set ldfe-sq --order 2
+  etendue keys
+
+Exit codes: 0 done and converged; 1 not converged (results written and marked so); 2 the case, the
+mesh or the command line is wrong; 3 a file could not be read or written; 4 internal error;
+130 interrupted.)";
+
+const std::map<std::string, ProgressStyle> progress_styles = {
+    {"bar", ProgressStyle::bar}, {"plain", ProgressStyle::plain}, {"none", ProgressStyle::none}};
+
+/// The parser and the places that it fills.
+class Parser {
+ public:
+  Parser() : app_("Radiative transport by discrete ordinates on tetrahedra.", "etendue") {
+    app_.set_version_flag("--version", "etendue " + program_version());
+    app_.footer(examples);
+    app_.require_subcommand(1);
+    add_run();
+    add_check();
+    add_mesh();
+    add_directions();
+    app_.add_subcommand("keys", "Every key of the case file");
+    add_later_commands();
+  }
+
+  Request parse(std::vector<std::string> arguments) {
+    std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants a vector
+    try {
+      app_.parse(std::move(arguments));
+    } catch (const CLI::ParseError& error) {
+      if (error.get_exit_code() != 0) throw InputError(message_of(error));
+      std::ostringstream text;
+      app_.exit(error, text, text);
+      return ShowText{text.str()};
+    }
+    return request();
+  }
+
+ private:
+  void add_run() {
+    run_command_ = app_.add_subcommand("run", "Solve a case and write its results");
+    add_case(*run_command_, run_);
+    run_command_->add_option("--output", output_, "Directory of the results, in place of output.directory")
+        ->type_name("DIR");
+    run_command_->add_option("--threads", threads_, "Number of threads; 0: all cores")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("N");
+    run_command_->add_option("--progress", progress_, "bar (on a terminal), plain (lines) or none")
+        ->check(CLI::IsMember({"bar", "plain", "none"}))
+        ->type_name("STYLE");
+  }
+
+  void add_check() {
+    check_command_ = app_.add_subcommand("check", "Read and validate a case without solving it");
+    add_case(*check_command_, check_);
+    check_command_->add_flag("--mesh", check_.mesh, "Also mesh it: quality, areas and volumes");
+  }
+
+  void add_mesh() {
+    mesh_command_ = app_.add_subcommand("mesh", "Mesh a case and write the tetrahedra");
+    add_case(*mesh_command_, mesh_);
+    mesh_command_->add_option("-o,--output", mesh_.output, "The mesh to write (.vtu)")
+        ->required()
+        ->type_name("FILE");
+  }
+
+  void add_directions() {
+    directions_command_ =
+        app_.add_subcommand("directions", "The direction sets, their sizes and measured exactness");
+    CLI::Option* set = directions_command_->add_option("--set", directions_.set, "One set in full");
+    CLI::Option* order = directions_command_->add_option("--order", directions_.order, "Its order");
+    set->type_name("NAME")->needs(order);
+    order->type_name("N")->needs(set);
+  }
+
+  void add_later_commands() {
+    for (const char* name : {"study", "render", "compare"}) {
+      CLI::App* command = app_.add_subcommand(name, "Not in this version");
+      command->group("")->prefix_command();
+      later_.push_back(command);
+    }
+  }
+
+  static void add_case(CLI::App& command, CaseRequest& request) {
+    command.add_option("case", request.file, "The case file")->required()->type_name("CASE.toml");
+    command.add_option("--set", request.overrides, "Change a key of the case, e.g. solve.tolerance=1e-8")
+        ->allow_extra_args(false)
+        ->type_name("KEY=VALUE");
+    command.add_flag("--verbose", request.verbose, "Show the mesher's log on standard error");
+  }
+
+  std::string message_of(const CLI::ParseError& error) const {
+    std::string text = error.what();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    for (const CLI::App* command : app_.get_subcommands())
+      return "command line: " + command->get_name() + ": " + text + "; see etendue " + command->get_name() +
+             " --help";
+    return "command line: " + text + "; see etendue --help";
+  }
+
+  Request request() {
+    for (const CLI::App* command : later_)
+      if (command->parsed())
+        throw InputError("command line: " + command->get_name() +
+                         ": not in this version; use run, check, mesh, directions or keys");
+    if (run_command_->parsed()) return finished_run();
+    if (check_command_->parsed()) return check_;
+    if (mesh_command_->parsed()) return mesh_;
+    if (directions_command_->parsed()) return directions_;
+    return KeysRequest{};
+  }
+
+  /// Options that stand for keys become overrides, so that the resolved case holds them too.
+  RunRequest finished_run() {
+    if (output_) {
+      const std::string path = std::filesystem::absolute(*output_).string();
+      // A JSON string is a TOML string too.
+      run_.overrides.push_back("output.directory=" + nlohmann::json(path).dump());
+    }
+    if (threads_) run_.overrides.push_back("solve.threads=" + std::to_string(*threads_));
+    if (progress_) run_.progress = progress_styles.at(*progress_);
+    return run_;
+  }
+
+  CLI::App app_;
+  CLI::App* run_command_ = nullptr;
+  CLI::App* check_command_ = nullptr;
+  CLI::App* mesh_command_ = nullptr;
+  CLI::App* directions_command_ = nullptr;
+  std::vector<CLI::App*> later_;
+  RunRequest run_;
+  CheckRequest check_;
+  MeshRequest mesh_;
+  DirectionsRequest directions_;
+  std::optional<std::string> output_;
+  std::optional<int> threads_;
+  std::optional<std::string> progress_;
+};
+
+}  // namespace
+
+Request parse_command_line(const std::vector<std::string>& arguments) { return Parser().parse(arguments); }
+
+}  // namespace etendue

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/case/case.h"
+
+namespace etendue {
+
+/// How the progress of a solution is shown.
+enum class ProgressStyle { automatic, bar, plain, none };
+
+/// A case file and what the command line changes in it.
+struct CaseRequest {
+  std::filesystem::path file;
+  Overrides overrides;
+  bool verbose = false;
+};
+
+struct RunRequest : CaseRequest {
+  ProgressStyle progress = ProgressStyle::automatic;
+};
+
+struct CheckRequest : CaseRequest {
+  bool mesh = false;
+};
+
+struct MeshRequest : CaseRequest {
+  std::filesystem::path output;
+};
+
+/// Without a set: all of them.
+struct DirectionsRequest {
+  std::optional<std::string> set;
+  std::optional<int> order;
+};
+
+struct KeysRequest {};
+
+/// Help or version.
+struct ShowText {
+  std::string text;
+};
+
+using Request = std::variant<RunRequest, CheckRequest, MeshRequest, DirectionsRequest, KeysRequest, ShowText>;
+
+/// What the arguments (without the program's name) ask for. Throws InputError.
+Request parse_command_line(const std::vector<std::string>& arguments);
+
+}  // namespace etendue

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/probes.h"
+
+#include <fmt/format.h>
+
+#include "mesh/base/errors.h"
+
+namespace etendue {
+namespace {
+
+std::string text_of(const Vec3& point) {
+  return fmt::format("[{}, {}, {}]", point.x(), point.y(), point.z());
+}
+
+Fault outside(const Probe& probe, const Vec3& point, const TetrahedralMesh& mesh) {
+  Vec3 low = mesh.points().front();
+  Vec3 high = low;
+  for (const Vec3& p : mesh.points()) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return fault_at(
+      probe.origin, text_of(point),
+      fmt::format("the point of probe \"{}\" lies outside the mesh (which reaches from {} to {}); "
+                  "move it into a region",
+                  probe.name, text_of(low), text_of(high)));
+}
+
+}  // namespace
+
+std::vector<IrradianceMeter> place_probes(const std::vector<Probe>& probes, const TetrahedralMesh& mesh,
+                                          const CellLocator& locator) {
+  std::vector<IrradianceMeter> meters;
+  std::vector<Fault> faults;
+  for (const Probe& probe : probes)
+    for (const Vec3& point : probe.points) {
+      std::vector<CellPoint> cells = locator.find(point);
+      if (cells.empty()) faults.push_back(outside(probe, point, mesh));
+      if (probe.normal) meters.push_back({std::move(cells), *probe.normal});
+    }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return meters;
+}
+
+std::vector<ProbeRow> read_probes(const std::vector<Probe>& probes, const Problem& problem,
+                                  const Solution& solution, const CellLocator& locator) {
+  const auto bands = static_cast<std::ptrdiff_t>(problem.band_count());
+  std::vector<ProbeRow> rows;
+  auto meter = solution.meters.begin();
+  for (const Probe& place : probes)
+    for (std::size_t i = 0; i < place.points.size(); ++i) {
+      ProbeRow row{place.name, static_cast<int>(i), place.points[i], {}, {}};
+      row.values = probe(problem, solution, locator, row.point);
+      if (place.normal) {
+        row.irradiance.emplace(meter, meter + bands);
+        meter += bands;
+      }
+      rows.push_back(std::move(row));
+    }
+  return rows;
+}
+
+}  // namespace etendue

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/case/case.h"
+#include "app/write/results.h"
+#include "mesh/tetrahedra/cell_locator.h"
+#include "solver/ordinates/solve.h"
+
+namespace etendue {
+
+/// A meter for each point of the probes that have a normal, in the order of the case. Throws InputError with
+/// every point of a probe that lies outside the mesh.
+std::vector<IrradianceMeter> place_probes(const std::vector<Probe>& probes, const TetrahedralMesh& mesh,
+                                          const CellLocator& locator);
+
+/// The solution at all probes; its meters are those of place_probes.
+std::vector<ProbeRow> read_probes(const std::vector<Probe>& probes, const Problem& problem,
+                                  const Solution& solution, const CellLocator& locator);
+
+}  // namespace etendue

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <chrono>
+#include <thread>
+
+#include "app/case/build.h"
+#include "app/command/commands.h"
+#include "app/command/interruption.h"
+#include "app/command/memory.h"
+#include "app/command/probes.h"
+#include "app/command/progress.h"
+#include "app/command/run_report.h"
+#include "app/command/verbose_log.h"
+#include "app/write/output_folder.h"
+#include "app/write/results.h"
+#include "mesh/tetrahedra/mesh_report.h"
+
+namespace etendue {
+namespace {
+
+class Stopwatch {
+ public:
+  /// Since the last call, or since it was made.
+  double lap() {
+    const auto now = Clock::now();
+    return seconds_between(std::exchange(lap_, now), now);
+  }
+  double total() const { return seconds_between(start_, Clock::now()); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double seconds_between(Clock::time_point a, Clock::time_point b) {
+    return std::chrono::duration<double>(b - a).count();
+  }
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point lap_ = start_;
+};
+
+/// The solver's options as the case has them, with all that this run adds.
+SolveOptions solve_options(const Case& input, std::vector<IrradianceMeter> meters) {
+  SolveOptions options = input.solve;
+  if (options.threads == 0)
+    options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.keep_ordinates = input.output.radiance_ordinates;
+  options.meters = std::move(meters);
+  return options;
+}
+
+void check_ordinates(const Case& input, const DirectionSet& directions) {
+  for (const int ordinate : input.output.radiance_ordinates)
+    if (ordinate < 0 || ordinate >= directions.count())
+      throw InputError(fault_at(input.output.origin, "",
+                                fmt::format("fields: there is no ordinate {} (\"radiance:{}\"); use 0 to {}",
+                                            ordinate, ordinate, directions.count() - 1)));
+}
+
+std::string mesh_line(const TetrahedralMesh& mesh) {
+  return fmt::format("mesh: {} cells, {} vertices, {} faces on walls; {} regions, {} walls\n",
+                     mesh.cell_count(), mesh.vertex_count(), mesh.boundary_face_count(),
+                     mesh.region_names().size(), mesh.wall_names().size());
+}
+
+Solution solve_visibly(const Problem& problem, const DirectionSet& directions, const SolveOptions& options,
+                       ProgressDisplay& display, const Interruption& interruption) {
+  Solution solution = solve(problem, directions, options, [&](const SweepProgress& progress) {
+    display.show(progress);
+    return interruption.noted() ? SolveControl::stop : SolveControl::proceed;
+  });
+  display.finish();
+  return solution;
+}
+
+/// The line on standard error that goes with an exit code other than 0.
+ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) {
+  if (interrupted) {
+    err << "interrupted: the results are whole and are those of "
+        << (result.solution.converged() ? "the converged solution\n" : "the last sweep\n");
+    return ExitCode::interrupted;
+  }
+  if (result.solution.converged()) return ExitCode::done;
+  err << fmt::format(
+      "not converged to solve.tolerance = {} within solve.max_sweeps = {}; the results are marked\n",
+      result.input.solve.tolerance, result.input.solve.max_sweeps);
+  return ExitCode::not_converged;
+}
+
+}  // namespace
+
+ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err) {
+  Interruption interruption;
+  Stopwatch watch;
+  RunSeconds seconds;
+  const Case input = read_case(request.file, request.overrides);
+  check_output_directory(input.output.directory);
+  seconds.read = watch.lap();
+  out << "etendue " << program_version() << ": "
+      << (input.title.empty() ? request.file.string() : input.title) << std::endl;
+
+  const TetrahedralMesh mesh = build_mesh(input, verbose_log(request, err));
+  seconds.mesh = watch.lap();
+  out << mesh_line(mesh) << std::flush;
+  check_memory(mesh, input.bands.count());
+  const Problem problem = build_problem(input, mesh);
+  const DirectionSet directions = make_directions(input.direction_set, input.direction_order);
+  check_ordinates(input, directions);
+  const CellLocator locator(mesh);
+  const SolveOptions options = solve_options(input, place_probes(input.probes, mesh, locator));
+  out << fmt::format("directions: {} {}, {} of them; {} bands; {} threads\n", directions.name(),
+                     directions.order(), directions.count(), problem.band_count(), options.threads)
+      << std::flush;
+
+  interruption.note_the_first();
+  ProgressDisplay display(resolved_style(request.progress, out), out);
+  const Solution solution = solve_visibly(problem, directions, options, display, interruption);
+  interruption.note_all();
+  RunResult result{.input = input,
+                   .problem = problem,
+                   .solution = solution,
+                   .probes = read_probes(input.probes, problem, solution, locator),
+                   .balances = balances(problem, solution),
+                   .walls = wall_powers(problem, solution),
+                   .regions = region_powers(problem, solution),
+                   .seconds = seconds,
+                   .threads = options.threads};
+  result.seconds.total = watch.total();
+  const WrittenResults written = write_results(result);
+  out << convergence_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
+      << cautions_text(result) << closing_text(result, written);
+  return conclude(result, interruption.noted(), err);
+}
+
+}  // namespace etendue
