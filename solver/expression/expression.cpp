@@ -28,9 +28,10 @@ std::string what_is_accepted(const std::vector<std::string>& variables) {
 
 /// muParser's message in lower case, without its own count of characters, which starts at 0.
 std::string plain_message(std::string message) {
-  for (const char* ending : {" found at position", " at position"})
+  for (const char* ending : {" found at position", " at expression position", " at position"})
     if (const auto at = message.find(ending); at != std::string::npos) message.erase(at);
   while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
+  if (message.ends_with(" \"")) message.erase(message.size() - 2, 1);  // a blank that muParser appends
   if (!message.empty()) message[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
   return message;
 }
@@ -51,6 +52,7 @@ std::size_t find_assignment(const std::string& text) {
 
 struct Expression::Parser {
   Parser(const std::string& text, const std::vector<std::string>& variables) : values(variables.size(), 0.0) {
+    parser.ClearConst();  // muParser's own _pi has only 13 digits
     parser.DefineConst("pi", std::numbers::pi);
     parser.DefineConst("e", std::numbers::e);
     for (std::size_t i = 0; i < variables.size(); ++i) parser.DefineVar(variables[i], &values[i]);
@@ -73,8 +75,10 @@ Expression::Expression(std::string text, std::vector<std::string> variables)
   try {
     parser_ = std::make_unique<Parser>(text_, variables_);
   } catch (const mu::Parser::exception_type& error) {
+    const int last = static_cast<int>(text_.size());
     throw InputError(plain_message(error.GetMsg()) + " (character " +
-                     std::to_string(std::max(error.GetPos(), 0) + 1) + ")" + what_is_accepted(variables_));
+                     std::to_string(std::clamp(error.GetPos() + 1, 1, std::max(last, 1))) + ")" +
+                     what_is_accepted(variables_));
   }
   if (parser_->results != 1)
     throw InputError("several values (separated by commas)" + what_is_accepted(variables_));

@@ -3,11 +3,19 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "mesh/base/vec3.h"
 #include "solver/expression/expression.h"
 
 namespace etendue {
+
+/// What a coefficient is in one cell.
+struct CellSample {
+  double mean = 0;
+  double smallest = 0;        ///< at the points of the rule; not finite where a value is not
+  Vec3 where = Vec3::Zero();  ///< the point of the smallest value
+};
 
 /// A number or a formula in x, y, z.
 class Coefficient {
@@ -18,8 +26,11 @@ class Coefficient {
 
   bool is_constant() const { return !formula_; }
   double at(const Vec3& point) const;
-  /// Mean over a tetrahedron by an 11-point rule of degree 4 (Keast 1986).
-  double cell_mean(const std::array<Vec3, 4>& vertices) const;
+  /// Mean over a tetrahedron and smallest value by a 14-point rule of degree 5 (Walkington 2000) with
+  /// positive weights and points inside: the mean of a coefficient that is nowhere negative is not negative
+  /// either.
+  CellSample sample(const std::array<Vec3, 4>& vertices) const;
+  double cell_mean(const std::array<Vec3, 4>& vertices) const { return sample(vertices).mean; }
 
  private:
   double value_ = 0;

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/problem/problem.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "solver/problem/problem_checks.h"
+
+namespace etendue {
+namespace {
+
+using CellsByRegion = std::vector<std::vector<CellIndex>>;
+
+CellsByRegion cells_by_region(const TetrahedralMesh& mesh) {
+  CellsByRegion cells(mesh.region_names().size());
+  for (int c = 0; c < mesh.cell_count(); ++c)
+    cells[static_cast<std::size_t>(mesh.region(CellIndex(c)))].push_back(CellIndex(c));
+  return cells;
+}
+
+std::array<Vec3, 4> corners(const TetrahedralMesh& mesh, CellIndex cell) {
+  std::array<Vec3, 4> points;
+  for (std::size_t i = 0; i < 4; ++i) points[i] = mesh.point(VertexIndex(mesh.vertices(cell)[i]));
+  return points;
+}
+
+/// Lists that are not as long as the mesh and the bands ask are a mistake of the program, not of its user.
+void require_sizes(const TetrahedralMesh& mesh, const Bands& bands, const std::vector<Medium>& media,
+                   const std::vector<Wall>& walls) {
+  const std::size_t n = bands.names.size();
+  bool good = media.size() == mesh.region_names().size() && walls.size() == mesh.wall_names().size();
+  for (const Medium& medium : media)
+    good = good && medium.absorption.size() == n && medium.scattering.size() == n &&
+           medium.emission.size() == n && medium.phase.size() == n;
+  for (const Wall& wall : walls)
+    good = good && wall.radiance.size() == n && wall.diffuse.size() == n && wall.specular.size() == n;
+  if (!good)
+    throw std::invalid_argument("a problem needs a medium per region, a wall per wall, a value per band");
+}
+
+Fault bad_coefficient(const Origin& origin, const Coefficient& coefficient, const CellSample& sample,
+                      const std::string& band) {
+  const std::string where =
+      coefficient.is_constant()
+          ? ""
+          : fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", sample.where.x(), sample.where.y(), sample.where.z());
+  const char* what =
+      sample.smallest < 0 && std::isfinite(sample.smallest) ? "negative" : "not a finite number";
+  return fault_at(origin, fmt::format("{:.6g}", sample.smallest),
+                  fmt::format("{}{} (band {}); must be a finite number of at least 0 in the whole region",
+                              what, where, band));
+}
+
+/// A list of coefficients of media, and its key in the case.
+struct CoefficientKind {
+  std::vector<Coefficient> Medium::*list;
+  const char* key;
+};
+
+/// Cell means, [cell][band]; the first bad cell of each medium and band becomes a fault.
+std::vector<double> cell_means(const TetrahedralMesh& mesh, const CellsByRegion& cells, const Bands& bands,
+                               const std::vector<Medium>& media, const CoefficientKind& kind,
+                               std::vector<Fault>& faults) {
+  const std::size_t band_count = bands.names.size();
+  std::vector<double> means(static_cast<std::size_t>(mesh.cell_count()) * band_count);
+  for (std::size_t region = 0; region < media.size(); ++region)
+    for (std::size_t band = 0; band < band_count; ++band) {
+      const Coefficient& coefficient = (media[region].*kind.list)[band];
+      for (const CellIndex cell : cells[region]) {
+        const CellSample sample = coefficient.sample(corners(mesh, cell));
+        if (!(sample.smallest >= 0 && std::isfinite(sample.smallest))) {
+          faults.push_back(
+              bad_coefficient(origin_of(media[region], kind.key), coefficient, sample, bands.names[band]));
+          break;
+        }
+        means[cell.at() * band_count + band] = sample.mean;
+      }
+    }
+  return means;
+}
+
+}  // namespace
+
+Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls)
+    : mesh_(mesh), bands_(std::move(bands)), media_(std::move(media)), walls_(std::move(walls)) {
+  require_sizes(mesh_, bands_, media_, walls_);
+  std::vector<Fault> faults;
+  const CellsByRegion cells = cells_by_region(mesh_);
+  const auto means = [&](const CoefficientKind& kind) {
+    return cell_means(mesh_, cells, bands_, media_, kind, faults);
+  };
+  absorption_ = means({&Medium::absorption, "absorption"});
+  scattering_ = means({&Medium::scattering, "scattering"});
+  emission_ = means({&Medium::emission, "emission"});
+  for (const Medium& medium : media_) check_phase(medium, bands_, faults);
+  for (const Wall& wall : walls_) check_wall(wall, bands_, faults);
+  if (faults.empty()) check_steady_state(*this, faults);
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+}  // namespace etendue

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/problem/problem_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace etendue {
+namespace {
+
+// Reflectances like 0.7 and 0.3 may miss 1 by rounding.
+constexpr double rounding = 1e-12;
+
+Origin with_key(const Origin& origin, const std::string& table, const std::string& name,
+                const std::string& what) {
+  const std::string owner = origin.key.empty() ? table + "." + name : origin.key;
+  return {origin.file, origin.line, owner + "." + what};
+}
+
+std::string shown(double value) { return fmt::format("{:.6g}", value); }
+
+bool reflects_fully(const Wall& wall, std::size_t band) {
+  return wall.diffuse[band] + wall.specular[band] >= 1 - rounding;
+}
+
+/// One number of a wall that must lie in [0, most].
+void check_range(const Wall& wall, const std::string& what, double value, double most,
+                 const std::string& band, std::vector<Fault>& faults) {
+  if (value >= 0 && value <= most && std::isfinite(value)) return;
+  const std::string range = std::isinf(most) ? "a finite number of at least 0" : "a number from 0 to 1";
+  faults.push_back(fault_at(origin_of(wall, what), shown(value),
+                            fmt::format("out of range (band {}); give {}", band, range)));
+}
+
+/// Where what emits in this band came from; empty if nothing does.
+std::optional<Origin> emitter(const Problem& problem, std::size_t band) {
+  for (int c = 0; c < problem.mesh().cell_count(); ++c)
+    if (problem.emission(CellIndex(c), static_cast<int>(band)) > 0)
+      return origin_of(problem.medium(problem.mesh().region(CellIndex(c))), "emission");
+  for (const Wall& wall : problem.walls())
+    if (wall.radiance[band] > 0) return origin_of(wall, "radiance");
+  return {};
+}
+
+bool anything_absorbs(const Problem& problem, std::size_t band) {
+  for (int c = 0; c < problem.mesh().cell_count(); ++c)
+    if (problem.absorption(CellIndex(c), static_cast<int>(band)) > 0) return true;
+  return !std::all_of(problem.walls().begin(), problem.walls().end(),
+                      [band](const Wall& wall) { return reflects_fully(wall, band); });
+}
+
+}  // namespace
+
+Origin origin_of(const Medium& medium, const std::string& what) {
+  return with_key(medium.origin, "media", medium.name, what);
+}
+
+Origin origin_of(const Wall& wall, const std::string& what) {
+  return with_key(wall.origin, "walls", wall.name, what);
+}
+
+void check_phase(const Medium& medium, const Bands& bands, std::vector<Fault>& faults) {
+  for (std::size_t band = 0; band < bands.names.size(); ++band) {
+    const double g = phase_asymmetry(medium.phase[band]);
+    if (!(std::abs(g) < 1))
+      faults.push_back(fault_at(
+          origin_of(medium, "phase.g"), shown(g),
+          fmt::format("no phase function (band {}); give a mean cosine between -1 and 1, both excluded",
+                      bands.names[band])));
+  }
+}
+
+void check_wall(const Wall& wall, const Bands& bands, std::vector<Fault>& faults) {
+  for (std::size_t band = 0; band < bands.names.size(); ++band) {
+    const std::string& name = bands.names[band];
+    const std::size_t before = faults.size();
+    check_range(wall, "radiance", wall.radiance[band], HUGE_VAL, name, faults);
+    check_range(wall, "diffuse", wall.diffuse[band], 1, name, faults);
+    check_range(wall, "specular", wall.specular[band], 1, name, faults);
+    const double sum = wall.diffuse[band] + wall.specular[band];
+    if (faults.size() == before && sum > 1 + rounding)
+      faults.push_back(
+          fault_at(origin_of(wall, "diffuse + specular"), shown(sum),
+                   fmt::format("reflects more light than arrives (band {}); give at most 1 together", name)));
+  }
+}
+
+void check_steady_state(const Problem& problem, std::vector<Fault>& faults) {
+  const Bands& bands = problem.bands();
+  for (std::size_t band = 0; band < bands.names.size(); ++band) {
+    if (anything_absorbs(problem, band)) continue;
+    if (const std::optional<Origin> origin = emitter(problem, band))
+      faults.push_back(fault_at(*origin, "",
+                                fmt::format("no steady state in band {} (light is emitted, nothing absorbs "
+                                            "and every wall reflects fully); give a medium absorption or a "
+                                            "wall a reflectance below 1",
+                                            bands.names[band])));
+  }
+}
+
+}  // namespace etendue

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// Origin of one value of a medium or wall: `key` is `media.NAME.what` or `walls.NAME.what`.
+Origin origin_of(const Medium& medium, const std::string& what);
+Origin origin_of(const Wall& wall, const std::string& what);
+
+/// Faults of the asymmetries: -1 < g < 1.
+void check_phase(const Medium& medium, const Bands& bands, std::vector<Fault>& faults);
+
+/// Faults of a wall: radiance and reflectances not negative, reflectances at most 1 together.
+void check_wall(const Wall& wall, const Bands& bands, std::vector<Fault>& faults);
+
+/// Faults of bands in which something emits, nothing absorbs and every wall reflects fully.
+void check_steady_state(const Problem& problem, std::vector<Fault>& faults);
+
+}  // namespace etendue
