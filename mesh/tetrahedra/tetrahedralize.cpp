@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/tetrahedra/tetrahedralize.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "mesh/tetrahedra/mesh_faults.h"
+#include "mesh/tetrahedra/tetgen_call.h"
+
+namespace etendue {
+namespace {
+
+/// Below this TetGen's refinement need not end (Si 2015: it ends above 2, in practice above about 1.1).
+constexpr double kSmallestQuality = 1.1;
+
+std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+
+Origin with_key(Origin origin, const std::string& key) {
+  origin.key = origin.key.empty() ? key : origin.key + "." + key;
+  return origin;
+}
+
+/// p: a piecewise linear complex; z: from zero; A, a: attributes and bounds of regions; q: quality.
+std::string switches(const TetrahedraOptions& options) {
+  const bool bounded = std::any_of(options.max_volume.begin(), options.max_volume.end(),
+                                   [](double volume) { return volume > 0; });
+  return std::string("pzA") + (bounded ? "a" : "") + "q" + to_text(options.quality);
+}
+
+void check_options(const SurfaceComplex& surface, const TetrahedraOptions& options) {
+  if (!(options.quality >= kSmallestQuality))
+    throw InputError(
+        fault_at(with_key(options.origin, "quality"), to_text(options.quality),
+                 "is too small (refinement would not end); use " + to_text(kSmallestQuality) + " or more"));
+  if (surface.facets.empty() || surface.points.empty())
+    throw InputError(fault_at(options.origin, "", "the geometry has no surface; give a closed surface"));
+  if (surface.seeds.empty())
+    throw InputError(fault_at(options.origin, "", "the geometry has no region; give a region a volume"));
+}
+
+/// Where two facets meet that must not: TetGen's own search (-d) names two triangles.
+std::optional<std::string> find_intersection(const SurfaceComplex& surface, const Log& log) {
+  std::optional<std::string> found;
+  const Log look = [&](std::string_view line) {
+    if (log) log(line);
+    std::array<int, 6> v{};
+    const std::string text(line);
+    const auto start = text.find('(');
+    if (found || start == std::string::npos ||
+        std::sscanf(text.c_str() + start, "(%d,%d,%d) and (%d,%d,%d)", &v[0], &v[1], &v[2], &v[3], &v[4],
+                    &v[5]) != 6)
+      return;
+    if (std::any_of(v.begin(), v.end(), [&](int p) { return p < 0 || at(p) >= surface.points.size(); }))
+      return;
+    const auto corners = [&](std::size_t first) {
+      return to_text(surface.points[at(v[first])]) + " " + to_text(surface.points[at(v[first + 1])]) + " " +
+             to_text(surface.points[at(v[first + 2])]);
+    };
+    found = "triangle " + corners(0) + " meets triangle " + corners(3);
+  };
+  call_tetgen(surface, {}, "pzd", look);
+  return found;
+}
+
+std::string problem_of(const TetGenOutcome& outcome, const SurfaceComplex& surface, const Log& log) {
+  switch (outcome.end) {
+    case TetGenEnd::out_of_memory:
+      return "TetGen ran out of memory; use a larger max_volume or edge_length";
+    case TetGenEnd::self_intersection: {
+      const auto place = find_intersection(surface, log);
+      return "surfaces intersect each other (" + place.value_or("TetGen: " + outcome.last_words) +
+             "); parts may touch along whole facets only";
+    }
+    case TetGenEnd::small_feature:
+      return "a detail is too small to be meshed (TetGen: " + outcome.last_words +
+             "); remove points, edges or gaps below 1e-8 of the domain's size";
+    case TetGenEnd::close_facets:
+      return "two facets almost coincide (TetGen: " + outcome.last_words + "); join them or move them apart";
+    case TetGenEnd::input_error:
+      return "TetGen cannot use the surface (" + outcome.last_words + "); give a closed surface";
+    case TetGenEnd::interrupted:
+      return "TetGen was interrupted; run again";
+    case TetGenEnd::done:
+    case TetGenEnd::internal_error:
+    case TetGenEnd::killed:
+      break;
+  }
+  return "TetGen failed inside (last it said: " + outcome.last_words +
+         "); check that the surface is closed and has no needle-like facets, or change max_volume or "
+         "quality a little";
+}
+
+Vec3 centroid_of(const RawMesh& mesh, std::size_t cell) {
+  Vec3 sum = Vec3::Zero();
+  for (const int point : mesh.cells[cell]) sum += mesh.points[at(point)];
+  return sum / 4;
+}
+
+void check_regions(const RawMesh& mesh, const SurfaceComplex& surface, const Origin& origin) {
+  const auto lost = std::find(mesh.cell_regions.begin(), mesh.cell_regions.end(), -1);
+  if (lost != mesh.cell_regions.end())
+    throw InputError(
+        fault_at(origin, "",
+                 "the part around " +
+                     to_text(centroid_of(mesh, static_cast<std::size_t>(lost - mesh.cell_regions.begin()))) +
+                     " belongs to no region; give a point inside it for each closed part"));
+  for (const RegionSeed& seed : surface.seeds)
+    if (std::find(mesh.cell_regions.begin(), mesh.cell_regions.end(), seed.region) == mesh.cell_regions.end())
+      throw InputError(fault_at(origin, "",
+                                "region \"" + surface.region_names[at(seed.region)] +
+                                    "\" got no cells (its point " + to_text(seed.point) +
+                                    " lies outside, or in the same part as that of another region); give a "
+                                    "point inside a part of its own"));
+}
+
+RawMesh raw_mesh_of(const TetGenMesh& from, const SurfaceComplex& surface) {
+  RawMesh mesh;
+  mesh.region_names = surface.region_names;
+  mesh.wall_names = surface.wall_names;
+  for (std::size_t i = 0; i + 2 < from.coordinates.size(); i += 3)
+    mesh.points.emplace_back(from.coordinates[i], from.coordinates[i + 1], from.coordinates[i + 2]);
+  for (std::size_t i = 0; i + 3 < from.cells.size(); i += 4)
+    mesh.cells.push_back({from.cells[i], from.cells[i + 1], from.cells[i + 2], from.cells[i + 3]});
+  mesh.cell_regions = from.regions;
+  for (std::size_t t = 0; t < from.walls.size(); ++t) {
+    if (from.walls[t] < 0) continue;  // an interface
+    mesh.triangles.push_back({from.triangles[3 * t], from.triangles[3 * t + 1], from.triangles[3 * t + 2]});
+    mesh.triangle_walls.push_back(from.walls[t]);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+RawMesh tetrahedralize(const SurfaceComplex& surface, const TetrahedraOptions& options, const Log& log) {
+  check_options(surface, options);
+  const TetGenOutcome outcome = call_tetgen(surface, options.max_volume, switches(options), log);
+  if (outcome.end != TetGenEnd::done)
+    throw InputError(fault_at(options.origin, "", problem_of(outcome, surface, log)));
+  RawMesh mesh = raw_mesh_of(outcome.mesh, surface);
+  if (mesh.cells.empty())
+    throw InputError(fault_at(options.origin, "",
+                              "the surface holds no volume (it is not closed, or all of it is a hole); give "
+                              "a closed surface"));
+  check_regions(mesh, surface, options.origin);
+  return mesh;
+}
+
+}  // namespace etendue
