@@ -25,6 +25,8 @@ struct IrradianceMeter {
   Vec3 normal = Vec3::UnitZ();   ///< unit
 };
 
+class AngularInput;
+
 struct SolveOptions {
   SpaceOrder order = SpaceOrder::linear;
   Lumping lumping = Lumping::automatic;
@@ -34,6 +36,8 @@ struct SolveOptions {
   std::size_t order_memory = std::size_t{2} << 30;  ///< bytes that sweep orders may take; beyond, recomputed
   std::vector<int> keep_ordinates;                  ///< whose radiance the solution keeps
   std::vector<IrradianceMeter> meters;              ///< read while sweeping: the angular solution is not kept
+  /// Source and inflow by direction on top of the problem's; must outlive the solution. Null: none.
+  const AngularInput* angular_input = nullptr;
 };
 
 /// State of the iteration after a sweep.

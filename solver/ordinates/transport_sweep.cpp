@@ -62,6 +62,7 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
       directions_(directions),
       meters_(options.meters),
       keep_ordinates_(options.keep_ordinates),
+      angular_input_(options.angular_input),
       threads_(options.threads > 0 ? options.threads : omp_get_num_procs()),
       cells_(problem.mesh(), extinction, problem.band_count(),
              options.order == SpaceOrder::linear ? Basis::linear : Basis::constant, options.lumping),
@@ -89,6 +90,8 @@ TransportSweep::~TransportSweep() = default;
 
 std::vector<CellIndex> TransportSweep::observed_cells() const {
   std::vector<CellIndex> cells;
+  for (std::int32_t c = 0; angular_input_ != nullptr && c < problem_.mesh().cell_count(); ++c)
+    cells.push_back(CellIndex(c));
   for (const IrradianceMeter& meter : meters_)
     for (const CellPoint& point : meter.cells) cells.push_back(point.cell);
   return cells;
@@ -179,6 +182,8 @@ void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last,
     task.direction_rows = rows.data();
     task.last_row = scattering_.row_count();
     kernels_.moments_to_directions(task);
+    for (std::int32_t m = first; angular_input_ != nullptr && m < end; ++m)
+      add_angular_source(OrdinateIndex(m), angular_of(m));
   }
   for (std::int32_t m = first; m < end; m += 2) {
     const SweepOrder& order = orders_.of_pair(m / 2, work.scratch_order);
@@ -191,6 +196,7 @@ void TransportSweep::sweep_ordinate(OrdinateIndex m, const SweepOrder& order, co
                                     TransportState& next, SweepRecord* record, double* angular,
                                     Workspace& work) {
   walls_.send(m, last, work.traces.data(), work.exitance.span());
+  if (angular_input_ != nullptr) add_angular_inflow(m, work.traces.data(), work.exitance.span());
   exchange_lagged(m, order, last, work);
   run_kernel(m, order, record, angular, work);
   walls_.receive(m, work.traces.data(), work.irradiance.span(), next.mirrors());
@@ -264,6 +270,50 @@ void TransportSweep::keep_lagged(OrdinateIndex m, const SweepOrder& order, Trans
     const double* value = work.traces.data() + static_cast<std::size_t>(written) * length;
     std::copy(value, value + length,
               next.lagged().data() + (2 * (orders_.lagged_start(m.value() / 2) + i) + parity) * length);
+  }
+}
+
+void TransportSweep::add_angular_source(OrdinateIndex m, double* angular) const {
+  const auto bands = static_cast<std::size_t>(cells_.bands());
+  const auto stride = static_cast<std::size_t>(cells_.stride());
+  const auto nodes = static_cast<std::size_t>(cells_.nodes());
+  std::vector<double> values(4 * bands);
+  for (const std::int32_t c : scattering_.angular_cells()) {
+    const CellIndex cell(c);
+    std::fill(values.begin(), values.end(), 0.0);
+    angular_input_->add_source(m, cell, values);
+    double* right = angular + static_cast<std::size_t>(scattering_.row(cell)) * scattering_.row_length();
+    for (std::size_t b = 0; b < bands; ++b) {
+      const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, static_cast<int>(b));
+      const double total = values[b] + values[bands + b] + values[2 * bands + b] + values[3 * bands + b];
+      for (std::size_t i = 0; i < nodes; ++i) {
+        // A constant element has the mean of the four values.
+        const double own = nodes == 1 ? total / 4 : values[i * bands + b];
+        right[i * stride + b] += mass.sum * total + mass.own * own;
+      }
+    }
+  }
+}
+
+void TransportSweep::add_angular_inflow(OrdinateIndex m, double* traces, std::span<double> exitance) const {
+  const auto bands = static_cast<std::size_t>(cells_.bands());
+  const auto stride = static_cast<std::size_t>(cells_.stride());
+  const auto nodes = static_cast<std::size_t>(cells_.face_nodes());
+  std::vector<double> values(3 * bands);
+  for (std::int32_t f = 0; f < problem_.mesh().boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const double seen = seen_area(problem_.mesh().area_normal(face), directions_.direction(m));
+    if (seen >= 0) continue;
+    std::fill(values.begin(), values.end(), 0.0);
+    angular_input_->add_inflow(m, face, values);
+    const double factor = -seen / problem_.mesh().area(face) * directions_.weight(m);
+    for (std::size_t i = 0; i < nodes; ++i)
+      for (std::size_t b = 0; b < bands; ++b) {
+        const double value =
+            nodes == 1 ? (values[b] + values[bands + b] + values[2 * bands + b]) / 3 : values[i * bands + b];
+        traces[((1 + face.at()) * nodes + i) * stride + b] += value;
+        if (!exitance.empty()) exitance[(face.at() * nodes + i) * stride + b] += factor * value;
+      }
   }
 }
 

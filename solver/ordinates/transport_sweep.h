@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/ordinates/angular_input.h"
 #include "solver/ordinates/cell_coefficients.h"
 #include "solver/ordinates/scattering_moments.h"
 #include "solver/ordinates/sweep_kernel.h"
@@ -65,6 +66,8 @@ class TransportSweep {
                        Workspace& work) const;
   void keep_lagged(OrdinateIndex m, const SweepOrder& order, TransportState& next,
                    const Workspace& work) const;
+  void add_angular_source(OrdinateIndex m, double* angular) const;
+  void add_angular_inflow(OrdinateIndex m, double* traces, std::span<double> exitance) const;
   void read_meters(OrdinateIndex m, const double* angular, std::span<double> meters) const;
   void merge(std::int32_t first_batch, int batches, TransportState& next, SweepRecord* record);
   void merge_cells(std::int32_t first, std::int32_t last, int batches, TransportState& next,
@@ -78,6 +81,7 @@ class TransportSweep {
   const DirectionSet& directions_;
   std::vector<IrradianceMeter> meters_;
   std::vector<int> keep_ordinates_;
+  const AngularInput* angular_input_;
   int threads_;
   CellCoefficients cells_;
   ScatteringMoments scattering_;

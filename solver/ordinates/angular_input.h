@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "mesh/base/index.h"
+
+namespace etendue {
+
+/// A source in the cells and an inflow at the walls that depend on the direction and come on top of the
+/// problem's own: a manufactured solution, or the last step of a march in time.
+class AngularInput {
+ public:
+  virtual ~AngularInput() = default;
+  /// Adds the source at the four vertices of a cell along ordinate m to `values` [4][band]
+  /// [power/(length^3 sr)]. Called by several threads at a time.
+  virtual void add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const = 0;
+  /// Adds the radiance that enters at the three vertices of a boundary face to `values` [3][band]
+  /// [power/(length^2 sr)]. Called by several threads at a time.
+  virtual void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const = 0;
+};
+
+}  // namespace etendue
