@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solver/angle/direction_set.h"
+
+namespace etendue {
+
+/// A coarse, a usual and a fine set of each family.
+inline std::vector<DirectionSet> sets_to_test() {
+  return {directions_product(2),    directions_product(8),    directions_product(16),
+          directions_triangular(2), directions_triangular(8), directions_triangular(16),
+          directions_ldfe_sq(1),    directions_ldfe_sq(2),    directions_ldfe_sq(4)};
+}
+
+inline std::string label(const DirectionSet& set) { return set.name() + " " + std::to_string(set.order()); }
+
+}  // namespace etendue
