@@ -34,11 +34,16 @@ void check_range(const Wall& wall, const std::string& what, double value, double
                             fmt::format("out of range (band {}); give {}", band, range)));
 }
 
-/// Where what emits in this band came from; empty if nothing does.
+/// Where what emits in this band came from: the first such medium, else the first such wall; empty if
+/// nothing does.
 std::optional<Origin> emitter(const Problem& problem, std::size_t band) {
-  for (int c = 0; c < problem.mesh().cell_count(); ++c)
+  const TetrahedralMesh& mesh = problem.mesh();
+  std::vector<bool> emits(problem.media().size(), false);
+  for (int c = 0; c < mesh.cell_count(); ++c)
     if (problem.emission(CellIndex(c), static_cast<int>(band)) > 0)
-      return origin_of(problem.medium(problem.mesh().region(CellIndex(c))), "emission");
+      emits[static_cast<std::size_t>(mesh.region(CellIndex(c)))] = true;
+  for (std::size_t region = 0; region < emits.size(); ++region)
+    if (emits[region]) return origin_of(problem.media()[region], "emission");
   for (const Wall& wall : problem.walls())
     if (wall.radiance[band] > 0) return origin_of(wall, "radiance");
   return {};

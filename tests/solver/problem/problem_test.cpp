@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/problem/problem.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "tests/solver/problem/cube_mesh.h"
+
+namespace etendue {
+namespace {
+
+/// Two bands on the cube: an emitting, absorbing, scattering medium between black walls.
+struct Asked {
+  Bands bands{{"red", "blue"}, {}};
+  std::vector<Medium> media;
+  std::vector<Wall> walls;
+
+  Asked() {
+    int line = 10;
+    for (const char* name : {"left", "right"}) {
+      const std::string key = std::string("media.") + name;
+      media.push_back({name,
+                       {0.1, 0.2},
+                       {1.0, 2.0},
+                       {0.5, 0.0},
+                       {PhaseIsotropic{}, PhaseIsotropic{}},
+                       {"room.toml", line++, key}});
+    }
+    for (const char* name : {"floor", "rest"}) {
+      const std::string key = std::string("walls.") + name;
+      walls.push_back({name, {0, 0}, {0, 0}, {0, 0}, {"room.toml", line++, key}});
+    }
+  }
+};
+
+Coefficient formula(const std::string& text) { return Coefficient(Expression(text, {"x", "y", "z"})); }
+
+std::string message_of(const Asked& asked) {
+  const TetrahedralMesh mesh = cube_mesh();
+  try {
+    Problem(mesh, asked.bands, asked.media, asked.walls);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Problem, HoldsTheCoefficientsOfEveryCellAndBand) {
+  Asked asked;
+  asked.media[1].absorption[1] = formula("1 + x");
+  const TetrahedralMesh mesh = cube_mesh();
+  const Problem problem(mesh, asked.bands, asked.media, asked.walls);
+  ASSERT_EQ(problem.absorption().size(), 12u);
+  for (int c = 0; c < mesh.cell_count(); ++c) {
+    const CellIndex cell(c);
+    const bool right = problem.medium(mesh.region(cell)).name == "right";
+    EXPECT_EQ(problem.absorption(cell, 0), 0.1);
+    EXPECT_NEAR(problem.absorption(cell, 1), right ? 1 + mesh.centroid(cell).x() : 0.2, 1e-15);
+    EXPECT_EQ(problem.scattering(cell, 1), 2.0);
+    EXPECT_EQ(problem.emission(cell, 0), 0.5);
+  }
+  EXPECT_EQ(problem.wall(1).name, "rest");
+  EXPECT_EQ(problem.band_count(), 2);
+}
+
+TEST(Problem, NamesTheFirstNegativePointOfACoefficient) {
+  Asked asked;
+  asked.media[0].scattering[1] = formula("z < 2 ? -1 : 0");
+  const std::string message = message_of(asked);
+  EXPECT_EQ(message.find("room.toml:10: media.left.scattering = -1: negative at (0."), 0u) << message;
+  EXPECT_NE(message.find(") (band blue); must be a finite number of at least 0 in the whole region"),
+            std::string::npos)
+      << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+TEST(Problem, RefusesAFormulaThatIsNegativeInACornerThoughItsMeanIsNot) {
+  Asked asked;
+  asked.media[0].absorption[0] = formula("y - 0.12");
+  EXPECT_NE(message_of(asked).find("media.left.absorption"), std::string::npos);
+}
+
+TEST(Problem, RefusesNumbersThatAreNotFinite) {
+  Asked asked;
+  asked.media[1].absorption[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(message_of(asked),
+            "room.toml:11: media.right.absorption = nan: not a finite number (band red); must be a finite "
+            "number of "
+            "at least 0 in the whole region");
+  asked.media[1].absorption[0] = formula("1/(x-x)");
+  EXPECT_NE(message_of(asked).find("media.right.absorption = inf: not a finite number at ("),
+            std::string::npos);
+}
+
+TEST(Problem, RefusesNegativeConstantsOfEveryKindAtOnce) {
+  Asked asked;
+  asked.media[0].absorption[0] = -0.5;
+  asked.media[0].emission[1] = -2;
+  asked.media[1].scattering[0] = -1e-9;
+  EXPECT_EQ(message_of(asked),
+            "room.toml:10: media.left.absorption = -0.5: negative (band red); must be a finite number of at "
+            "least 0 "
+            "in the whole region\n"
+            "room.toml:10: media.left.emission = -2: negative (band blue); must be a finite number of at "
+            "least 0 in "
+            "the whole region\n"
+            "room.toml:11: media.right.scattering = -1e-09: negative (band red); must be a finite number of "
+            "at least "
+            "0 in the whole region");
+}
+
+TEST(Problem, RefusesAsymmetriesThatAreNoPhaseFunction) {
+  Asked asked;
+  asked.media[0].phase[1] = PhaseHenyeyGreenstein{1};
+  EXPECT_EQ(message_of(asked),
+            "room.toml:10: media.left.phase.g = 1: no phase function (band blue); give a mean cosine between "
+            "-1 and "
+            "1, both excluded");
+}
+
+TEST(Problem, RefusesWallsThatReflectMoreThanArrives) {
+  Asked asked;
+  asked.walls[0].diffuse[0] = 0.7;
+  asked.walls[0].specular[0] = 0.4;
+  EXPECT_EQ(message_of(asked),
+            "room.toml:12: walls.floor.diffuse + specular = 1.1: reflects more light than arrives (band "
+            "red); give at "
+            "most 1 together");
+  asked.walls[0].specular[0] = 0.3;
+  EXPECT_EQ(message_of(asked), "");
+}
+
+TEST(Problem, RefusesWallNumbersOutOfRange) {
+  Asked asked;
+  asked.walls[1].radiance[0] = -1;
+  asked.walls[1].diffuse[1] = 1.5;
+  EXPECT_EQ(
+      message_of(asked),
+      "room.toml:13: walls.rest.radiance = -1: out of range (band red); give a finite number of at least 0\n"
+      "room.toml:13: walls.rest.diffuse = 1.5: out of range (band blue); give a number from 0 to 1");
+}
+
+TEST(Problem, RefusesABandWithoutSteadyState) {
+  Asked asked;
+  for (Medium& medium : asked.media) medium.absorption[0] = 0;
+  for (Wall& wall : asked.walls) wall.specular[0] = 1;
+  EXPECT_EQ(
+      message_of(asked),
+      "room.toml:10: media.left.emission: no steady state in band red (light is emitted, nothing absorbs and "
+      "every wall reflects fully); give a medium absorption or a wall a reflectance below 1");
+  for (Medium& medium : asked.media) medium.emission[0] = 0;
+  EXPECT_EQ(message_of(asked), "");  // dark: zero is the solution
+  asked.walls[1].radiance[0] = 1;
+  EXPECT_EQ(message_of(asked).find("room.toml:13: walls.rest.radiance: no steady state in band red"), 0u);
+  asked.walls[0].specular[0] = 0.999;
+  EXPECT_EQ(message_of(asked), "");
+}
+
+TEST(Problem, AsksForAMediumPerRegionAndAWallPerWall) {
+  Asked asked;
+  asked.media.pop_back();
+  EXPECT_THROW(message_of(asked), std::invalid_argument);
+  asked = Asked();
+  asked.walls[0].diffuse.pop_back();
+  EXPECT_THROW(message_of(asked), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace etendue
