@@ -38,7 +38,7 @@ using File = std::unique_ptr<std::FILE, FileCloser>;
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
   close(output);
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  std::setvbuf(stdout, nullptr, _IONBF, 0);  // lines must come as they are, and survive an abort
   int code = kUnexpectedException;
   try {
     code = work(result);

@@ -97,11 +97,12 @@ void write_mesh_of(const tetgenio& out, const SurfaceComplex& surface, std::FILE
   const auto triangle_count = static_cast<std::size_t>(out.numberoftrifaces);
   const auto stride = static_cast<std::size_t>(out.numberoftetrahedronattributes);
   std::vector<std::int32_t> regions(cell_count, -1);
+  int last_region = -1;
+  for (const RegionSeed& seed : surface.seeds) last_region = std::max(last_region, seed.region);
   for (std::size_t c = 0; c < cell_count && stride > 0; ++c) {
     // TetGen numbers the parts that no seed has reached on from the largest attribute.
     const double attribute = out.tetrahedronattributelist[c * stride + stride - 1];
-    if (attribute >= 1 && attribute <= static_cast<double>(surface.region_names.size()))
-      regions[c] = static_cast<std::int32_t>(attribute) - 1;
+    if (attribute >= 1 && attribute <= last_region + 1) regions[c] = static_cast<std::int32_t>(attribute) - 1;
   }
   std::vector<std::int32_t> walls(triangle_count, -1);
   for (std::size_t t = 0; t < triangle_count && out.trifacemarkerlist; ++t) {

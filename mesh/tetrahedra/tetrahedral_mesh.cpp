@@ -30,16 +30,20 @@ Vec3 centroid_of(const RawMesh& raw, const std::array<int, 4>& cell) {
   return centroid;
 }
 
-/// Cells along the curve, vertices as the cells meet them; points that no cell uses are left out.
+/// Cells along the curve, vertices as the cells meet them, each cell by the points' own order, so that the
+/// order within a cell does not matter; points that no cell uses are left out.
 MeshNumbering number_along_curve(const RawMesh& raw) {
   std::vector<Vec3> centroids;
   centroids.reserve(raw.cells.size());
   for (const auto& cell : raw.cells) centroids.push_back(centroid_of(raw, cell));
   MeshNumbering numbering{curve_order(centroids), {}};
   std::vector<char> met(raw.points.size(), 0);
-  for (const std::int32_t cell : numbering.cells)
-    for (const int point : raw.cells[at(cell)])
+  for (const std::int32_t cell : numbering.cells) {
+    std::array<int, 4> points = raw.cells[at(cell)];
+    std::sort(points.begin(), points.end());
+    for (const int point : points)
       if (!std::exchange(met[at(point)], 1)) numbering.vertices.push_back(point);
+  }
   return numbering;
 }
 

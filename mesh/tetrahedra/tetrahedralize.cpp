@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include <Eigen/Geometry>
+
 #include "mesh/tetrahedra/mesh_faults.h"
 #include "mesh/tetrahedra/tetgen_call.h"
 
@@ -23,11 +25,18 @@ Origin with_key(Origin origin, const std::string& key) {
   return origin;
 }
 
-/// p: a piecewise linear complex; z: from zero; A, a: attributes and bounds of regions; q: quality.
-std::string switches(const TetrahedraOptions& options) {
-  const bool bounded = std::any_of(options.max_volume.begin(), options.max_volume.end(),
-                                   [](double volume) { return volume > 0; });
-  return std::string("pzA") + (bounded ? "a" : "") + "q" + to_text(options.quality);
+/// p: a piecewise linear complex; z: from zero; A, a: attributes and bounds of regions; q: quality. Where
+/// all regions are bounded, the largest bound is also given for the whole: TetGen then cuts the edges of
+/// the surface first, and its closing optimisation exceeds the bounds by a few percent instead of by half.
+std::string switches(const SurfaceComplex& surface, const TetrahedraOptions& options) {
+  const auto& bounds = options.max_volume;
+  const auto is_bound = [](double volume) { return volume > 0; };
+  std::string text = "pzA";
+  if (std::any_of(bounds.begin(), bounds.end(), is_bound)) text += "a";
+  if (!bounds.empty() && bounds.size() == surface.region_names.size() &&
+      std::all_of(bounds.begin(), bounds.end(), is_bound))
+    text += "a" + to_text(*std::max_element(bounds.begin(), bounds.end()));
+  return text + "q" + to_text(options.quality);
 }
 
 void check_options(const SurfaceComplex& surface, const TetrahedraOptions& options) {
@@ -37,6 +46,12 @@ void check_options(const SurfaceComplex& surface, const TetrahedraOptions& optio
                  "is too small (refinement would not end); use " + to_text(kSmallestQuality) + " or more"));
   if (surface.facets.empty() || surface.points.empty())
     throw InputError(fault_at(options.origin, "", "the geometry has no surface; give a closed surface"));
+  Eigen::AlignedBox3d extent;
+  for (const Vec3& point : surface.points) extent.extend(point);
+  if (!(extent.sizes().minCoeff() > 0))
+    throw InputError(fault_at(options.origin, "",
+                              "the geometry is flat (from " + to_text(extent.min()) + " to " +
+                                  to_text(extent.max()) + "); give a closed surface"));
   if (surface.seeds.empty())
     throw InputError(fault_at(options.origin, "", "the geometry has no region; give a region a volume"));
 }
@@ -65,6 +80,22 @@ std::optional<std::string> find_intersection(const SurfaceComplex& surface, cons
   return found;
 }
 
+/// TetGen 1.5.0 stops on a region's or a hole's point that is not within the surface.
+std::optional<std::string> find_outside_point(const TetGenOutcome& outcome, const SurfaceComplex& surface) {
+  int number = 0;
+  if (std::sscanf(outcome.last_words.c_str(), "Warning: The %d-th region point lies outside", &number) == 1 &&
+      number >= 1 && at(number) <= surface.seeds.size()) {
+    const RegionSeed& seed = surface.seeds[at(number - 1)];
+    return "the point " + to_text(seed.point) + " of region \"" + surface.region_names[at(seed.region)] +
+           "\" lies outside the surface; give a point inside";
+  }
+  if (std::sscanf(outcome.last_words.c_str(), "Warning: The %d-th hole point lies outside", &number) == 1 &&
+      number >= 1 && at(number) <= surface.holes.size())
+    return "the point " + to_text(surface.holes[at(number - 1)]) +
+           " of a hole lies outside the surface; give a point inside";
+  return std::nullopt;
+}
+
 std::string problem_of(const TetGenOutcome& outcome, const SurfaceComplex& surface, const Log& log) {
   switch (outcome.end) {
     case TetGenEnd::out_of_memory:
@@ -88,6 +119,7 @@ std::string problem_of(const TetGenOutcome& outcome, const SurfaceComplex& surfa
     case TetGenEnd::killed:
       break;
   }
+  if (const auto outside = find_outside_point(outcome, surface)) return *outside;
   return "TetGen failed inside (last it said: " + outcome.last_words +
          "); check that the surface is closed and has no needle-like facets, or change max_volume or "
          "quality a little";
@@ -137,7 +169,7 @@ RawMesh raw_mesh_of(const TetGenMesh& from, const SurfaceComplex& surface) {
 
 RawMesh tetrahedralize(const SurfaceComplex& surface, const TetrahedraOptions& options, const Log& log) {
   check_options(surface, options);
-  const TetGenOutcome outcome = call_tetgen(surface, options.max_volume, switches(options), log);
+  const TetGenOutcome outcome = call_tetgen(surface, options.max_volume, switches(surface, options), log);
   if (outcome.end != TetGenEnd::done)
     throw InputError(fault_at(options.origin, "", problem_of(outcome, surface, log)));
   RawMesh mesh = raw_mesh_of(outcome.mesh, surface);

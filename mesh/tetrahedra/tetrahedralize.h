@@ -11,9 +11,11 @@
 namespace etendue {
 
 struct TetrahedraOptions {
-  std::vector<double> max_volume;  ///< [region] largest cell [length^3]; 0: no bound; empty: no bounds
-  double quality = 1.4;            ///< largest ratio of circumradius to shortest edge
-  Origin origin;                   ///< of the mesh in the case, for messages
+  /// [region] largest cell [length^3]; 0: no bound; empty: no bounds. TetGen's closing optimisation may
+  /// exceed it by some percent.
+  std::vector<double> max_volume;
+  double quality = 1.4;  ///< largest ratio of circumradius to shortest edge
+  Origin origin;         ///< of the mesh in the case, for messages
 };
 
 /// Fills a surface with tetrahedra by TetGen (Si 2015). Throws InputError where TetGen cannot mesh the
