@@ -52,6 +52,7 @@ struct MeshCase {
 struct MediumCase {
   std::optional<BandValues> absorption, scattering, extinction, albedo;
   std::optional<BandValues> emission, power_density;
+  std::optional<BandValues> power;   ///< of the whole region; numbers [power]
   std::vector<PhaseFunction> phase;  ///< one for all bands or one for each
   Origin origin;
 };

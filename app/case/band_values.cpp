@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/band_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "solver/expression/expression.h"
+
+namespace etendue {
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// The parser's complaint; empty where the text is a formula in these variables.
+std::string formula_problem(const std::string& text, std::vector<std::string> variables) {
+  try {
+    Expression(text, std::move(variables));
+    return "";
+  } catch (const InputError& error) {
+    return error.faults().front().text;
+  }
+}
+
+void check_formula(TomlNode& node, Faults& faults) {
+  const std::string problem = formula_problem(node.text(), {"x", "y", "z"});
+  if (problem.empty()) return;
+  if (formula_problem(node.text(), {"x", "y", "z", "wx", "wy", "wz"}).empty())
+    report(node, "the direction of travel (wx, wy, wz) in a formula is not in this version; use x, y, z",
+           faults);
+  else
+    report(node, fmt::format("is not a formula ({}); use a number or a formula in x, y, z", problem), faults);
+}
+
+Value value_in(const TomlNode& node) {
+  if (node.is_text()) return node.text();
+  return node.number();
+}
+
+BandValues values_in(const TomlNode& node) {
+  BandValues result;
+  result.origin = node.origin;
+  if (!node.is_array()) {
+    result.values = {value_in(node)};
+    return result;
+  }
+  for (const auto& item : node.array()) result.values.push_back(value_in(*item));
+  return result;
+}
+
+void check_edges(Section& section, const TomlNode& edges, std::size_t band_count) {
+  std::vector<double> values;
+  for (const auto& item : edges.array()) values.push_back(item->number());
+  const bool rising = std::ranges::is_sorted(values, std::less_equal<>{});
+  const bool falling = std::ranges::is_sorted(values, std::greater_equal<>{});
+  if (!rising && !falling) section.fault("edges", "must rise or fall throughout; use wavelengths in order");
+  if (band_count > 0 && values.size() != band_count + 1)
+    section.fault("edges", fmt::format("has {} entries for {} bands; use one more than names", values.size(),
+                                       band_count));
+}
+
+}  // namespace
+
+Bands read_bands(Section section) {
+  Bands bands;
+  bands.names = section.texts("names");
+  if (section.node().find("names")->faulty) bands.names.clear();
+  if (std::set(bands.names.begin(), bands.names.end()).size() != bands.names.size())
+    section.fault("names", "has a name twice; give each band its own");
+  if (const TomlNode* edges = section.find("edges")) {
+    check_edges(section, *edges, bands.names.size());
+    for (const auto& item : edges->array()) bands.edges.push_back(item->number());
+  }
+  return bands;
+}
+
+bool check_band_count(Section& section, std::string_view name, std::size_t count, const Bands& bands) {
+  const std::size_t band_count = bands.names.size();
+  if (band_count == 0 || count == band_count) return true;
+  section.fault(name, fmt::format("has {} {} for {} {} ({}); use one value, or a list with one for each band",
+                                  count, count == 1 ? "entry" : "entries", band_count,
+                                  band_count == 1 ? "band" : "bands", joined(bands.names)));
+  return false;
+}
+
+std::optional<BandValues> read_band_values(Section& section, std::string_view name, const Bands& bands) {
+  TomlNode* node = section.find(name);
+  if (node == nullptr) return std::nullopt;
+  if (node->is_array() && !check_band_count(section, name, node->array().size(), bands)) return std::nullopt;
+  if (node->is_text()) check_formula(*node, section.faults());
+  if (node->is_array())
+    for (auto& item : node->array())
+      if (item->is_text()) check_formula(*item, section.faults());
+  return values_in(*node);
+}
+
+BandValues read_band_values_or_default(Section& section, std::string_view name, const Bands& bands) {
+  if (auto values = read_band_values(section, name, bands)) return *values;
+  return values_in(section.value(name));
+}
+
+const Value& value_of(const BandValues& values, int band) {
+  return values.values.size() == 1 ? values.values.front() : values.values[static_cast<std::size_t>(band)];
+}
+
+}  // namespace etendue

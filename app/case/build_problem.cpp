@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <numbers>
+
+#include "app/case/band_values.h"
+#include "app/case/build.h"
+#include "app/case/medium_coefficients.h"
+#include "app/case/mesh_names.h"
+
+namespace etendue {
+namespace {
+
+Coefficient coefficient(const Value& value) {
+  if (const double* number = std::get_if<double>(&value)) return *number;
+  return Coefficient(Expression(std::get<std::string>(value), {"x", "y", "z"}));
+}
+
+std::vector<double> region_volumes(const TetrahedralMesh& mesh) {
+  std::vector<double> volumes(mesh.region_names().size());
+  for (int c = 0; c < mesh.cell_count(); ++c)
+    volumes[static_cast<std::size_t>(mesh.region(CellIndex(c)))] += mesh.volume(CellIndex(c));
+  return volumes;
+}
+
+// The entry of a name, else that of "*". An empty one for names in the mesh's list that nothing carries.
+template <class Entry>
+Entry entry_of(const std::map<std::string, Entry>& entries, const std::string& name) {
+  for (const std::string& key : {name, std::string("*")})
+    if (const auto found = entries.find(key); found != entries.end()) return found->second;
+  return {};
+}
+
+Medium medium_of(const MediumCase& entry, const std::string& region, double volume, int bands) {
+  Medium medium;
+  medium.name = region;
+  medium.origin = entry.origin;
+  for (int band = 0; band < bands; ++band) {
+    const MatterValues matter = matter_values(entry, band);
+    medium.absorption.push_back(coefficient(matter.absorption));
+    medium.scattering.push_back(coefficient(matter.scattering));
+    // q = P / (4 pi V) with the volume that is meshed, so that the power comes out whatever the facets.
+    if (entry.power)
+      medium.emission.emplace_back(std::get<double>(value_of(*entry.power, band)) /
+                                   (4 * std::numbers::pi * volume));
+    else
+      medium.emission.push_back(coefficient(emission_value(entry, band)));
+    const bool common = entry.phase.size() == 1;
+    medium.phase.push_back(entry.phase.empty() ? PhaseFunction{}
+                                               : entry.phase[common ? 0 : static_cast<std::size_t>(band)]);
+  }
+  return medium;
+}
+
+std::vector<double> band_numbers(const BandValues& values, int bands) {
+  std::vector<double> numbers;
+  for (int band = 0; band < bands; ++band)
+    numbers.push_back(values.values.empty() ? 0 : std::get<double>(value_of(values, band)));
+  return numbers;
+}
+
+Wall wall_of(const WallCase& entry, const std::string& name, int bands) {
+  return {name, band_numbers(entry.radiance, bands), band_numbers(entry.diffuse, bands),
+          band_numbers(entry.specular, bands), entry.origin};
+}
+
+}  // namespace
+
+Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
+  check_names(input, names_of(mesh));
+  const int bands = input.bands.count();
+  const std::vector<double> volumes = region_volumes(mesh);
+  std::vector<Medium> media;
+  for (std::size_t region = 0; region < volumes.size(); ++region) {
+    const std::string& name = mesh.region_names()[region];
+    media.push_back(medium_of(entry_of(input.media, name), name, volumes[region], bands));
+  }
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names())
+    walls.push_back(wall_of(entry_of(input.walls, name), name, bands));
+  return Problem(mesh, input.bands, std::move(media), std::move(walls));
+}
+
+}  // namespace etendue

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace etendue {
+
+/// What a key takes.
+enum class KeyType {
+  any,           ///< not looked into
+  text,          ///< "…"
+  number,        ///< integer or float
+  integer,       ///< without a decimal point
+  boolean,       ///< true or false
+  switch_,       ///< "auto", true or false
+  point,         ///< [x, y, z]
+  points,        ///< list of points
+  texts,         ///< list of text
+  numbers,       ///< list of numbers
+  band_numbers,  ///< a number, or a list with one for each band
+  band_values,   ///< a number or a formula in x, y, z, or a list of such with one for each band
+  size_bound,    ///< a number, or a table NAME = number
+  named_points,  ///< a table NAME = [x, y, z]
+  named_sides    ///< a table of xmin … zmax = text
+};
+
+/// Numbers that a key accepts.
+struct Range {
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+  bool lowest_excluded = false;
+  bool highest_excluded = false;
+
+  bool holds(double number) const;
+  /// "at least 0", "above 0", "from 0 to 1", …; empty where every number will do.
+  std::string text() const;
+};
+
+enum class Need { optional, required };
+
+/// Whether this version can honour what is documented.
+enum class Support { here, later };
+
+/// What is said of a key besides its type.
+struct KeyDetails {
+  std::string_view unit = "";
+  std::string_view default_value = "";  ///< as TOML; empty: none
+  std::string_view default_note = "";   ///< where the default is not a fixed value
+  Range range = {};
+  std::vector<std::string> choices = {};  ///< of text or integers; empty: any
+  std::vector<std::string> later = {};    ///< documented choices that this version does not have
+  Need need = Need::optional;
+  Support support = Support::here;
+  std::string_view help = "";
+};
+
+/// A key of the case file. `table` is its place: names that the user chooses are written NAME.
+struct KeyDeclaration : KeyDetails {
+  KeyDeclaration(std::string_view in_table, std::string_view key, KeyType key_type, KeyDetails details)
+      : KeyDetails(std::move(details)), table(in_table), name(key), type(key_type) {}
+
+  std::string_view table;
+  std::string_view name;
+  KeyType type;
+};
+
+/// How a table is written: `[name]`, `[[name]]`, or an inline table or a list of them.
+enum class TableForm { table, list, table_or_list };
+
+struct TableDeclaration {
+  std::string_view path;
+  TableForm form = TableForm::table;
+  Need need = Need::optional;
+  Support support = Support::here;
+  std::string_view help = "";
+};
+
+/// All keys, in the order of the reference page.
+std::span<const KeyDeclaration> key_declarations();
+std::span<const TableDeclaration> table_declarations();
+
+/// Null where there is none. A NAME in `table` stands for any name.
+const KeyDeclaration* find_key(std::string_view table, std::string_view name);
+const TableDeclaration* find_table(std::string_view path);
+
+/// Names of the keys and tables that may stand in a table; without NAME.
+std::vector<std::string> names_in(std::string_view table);
+/// `[table]` or `[[table]]`.
+std::string table_header(std::string_view path);
+
+/// "a number above 0", "\"auto\" or \"none\"", …
+std::string accepted_text(const KeyDeclaration& key);
+
+/// The reference page of all keys, in Markdown.
+std::string key_reference();
+
+}  // namespace etendue

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "app/case/case.h"
+#include "mesh/geometry/surface_complex.h"
+#include "mesh/tetrahedra/tetrahedral_mesh.h"
+
+namespace etendue {
+
+/// Names that a geometry or mesh really has: some cell or boundary facet carries each.
+struct MeshNames {
+  std::set<std::string> regions;
+  std::set<std::string> walls;
+};
+
+MeshNames names_of(const SurfaceComplex& surface);
+MeshNames names_of(const TetrahedralMesh& mesh);
+
+/// Throws InputError with every name in the case that nothing carries, and every region or wall that has no
+/// entry while there is no "*".
+void check_names(const Case& input, const MeshNames& names);
+
+}  // namespace etendue

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/band_values.h"
+#include "app/case/case.h"
+#include "app/case/key_check.h"
+#include "app/case/override.h"
+#include "app/case/read_matter.h"
+#include "app/case/read_mesh.h"
+#include "app/case/read_report.h"
+#include "app/case/read_solve.h"
+#include "app/case/render_toml.h"
+#include "app/case/section.h"
+#include "app/case/toml_document.h"
+
+namespace etendue {
+namespace {
+
+Units read_units(Section units) { return {units.text("length"), units.text("power")}; }
+
+Case read_tables(Section& top, const std::filesystem::path& file) {
+  Case result;
+  result.file = file;
+  result.title = top.text("title");
+  result.units = read_units(top.section("units"));
+  result.mesh = read_mesh_section(top.section("mesh"), file.parent_path());
+  result.bands = read_bands(top.section("bands"));
+  result.media = read_media(top.section("media"), result.bands);
+  result.walls = read_walls(top.section("walls"), result.bands);
+  read_directions(top.section("directions"), result);
+  read_space(top.section("space"), result.solve);
+  read_solve(top.section("solve"), result.solve);
+  result.probes = read_probes(top);
+  result.output = read_output(top.section("output"), file);
+  result.solve.keep_ordinates = result.output.radiance_ordinates;
+  return result;
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
+  TomlNode root = read_toml(file);
+  Faults faults;
+  for (const std::string& assignment : overrides) apply_override(root, assignment, faults);
+  check_keys(root, faults);
+  Section top(root, "", faults);
+  Case result = read_tables(top, file);
+  // Only a sound direction set can be counted.
+  if (faults.empty()) check_ordinates(top.section("output"), result);
+  report_unused(root, faults);
+  if (!faults.empty()) throw InputError(std::move(faults));
+  result.resolved_toml = render_toml(root);
+  return result;
+}
+
+}  // namespace etendue

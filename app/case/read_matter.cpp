@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read_matter.h"
+
+#include <fmt/format.h>
+
+#include "app/case/band_values.h"
+#include "app/case/medium_coefficients.h"
+
+namespace etendue {
+namespace {
+
+// What a person computed with a few digits may exceed 1 by its rounding.
+constexpr double reflectance_rounding = 1e-12;
+
+std::string band_prefix(const Bands& bands, int band) {
+  return bands.count() == 1 ? "" : "band " + bands.names[static_cast<std::size_t>(band)] + ": ";
+}
+
+PhaseFunction read_phase(Section phase) {
+  const std::string model = phase.text_if("model").value_or("");
+  if (model == "isotropic") phase.unused("g", "an isotropic phase function has none");
+  const auto g = phase.number_if("g");
+  if (model != "henyey-greenstein") return PhaseIsotropic{};
+  if (!phase.has("g")) phase.fault("g", "missing; use a number above -1 and below 1");
+  return PhaseHenyeyGreenstein{g.value_or(0)};
+}
+
+bool scatters(const Section& section) {
+  return section.has("scattering") || section.has("albedo") ||
+         (section.has("extinction") && section.has("absorption"));
+}
+
+std::vector<PhaseFunction> read_phases(Section& section, const Bands& bands) {
+  if (!scatters(section)) {
+    section.unused("phase", "nothing scatters in this region");
+    return {PhaseIsotropic{}};
+  }
+  if (!section.has("phase")) section.section("phase").resolve("model", "isotropic");
+  const TomlNode* node = section.find("phase");
+  if (node == nullptr) return {PhaseIsotropic{}};
+  if (node->is_table()) return {read_phase(section.section("phase"))};
+  check_band_count(section, "phase", node->array().size(), bands);
+  std::vector<PhaseFunction> phases;
+  for (Section& phase : section.list("phase")) phases.push_back(read_phase(std::move(phase)));
+  return phases;
+}
+
+// Only values that are all sound can be compared.
+void check_medium(Section& section, const MediumCase& medium, const Bands& bands) {
+  if (section.node().faulty) return;
+  for (int band = 0; band < bands.count(); ++band)
+    for (const std::string& problem : {matter_problem(medium, band), emission_problem(medium, band)})
+      if (!problem.empty()) return section.fault(band_prefix(bands, band) + problem);
+}
+
+bool any_faulty(const TomlNode& table) {
+  for (const auto& [name, node] : table.table().entries)
+    if (node->faulty) return true;
+  return table.faulty;
+}
+
+MediumCase read_medium(Section section, const Bands& bands) {
+  MediumCase medium;
+  medium.origin = section.origin();
+  medium.extinction = read_band_values(section, "extinction", bands);
+  medium.albedo = read_band_values(section, "albedo", bands);
+  medium.absorption = read_band_values(section, "absorption", bands);
+  medium.scattering = read_band_values(section, "scattering", bands);
+  medium.emission = read_band_values(section, "emission", bands);
+  medium.power_density = read_band_values(section, "power_density", bands);
+  medium.power = read_band_values(section, "power", bands);
+  medium.phase = read_phases(section, bands);
+  section.value("uncollided");
+  if (!any_faulty(section.node())) check_medium(section, medium, bands);
+  if (!medium.extinction && !medium.albedo)
+    for (const char* name : {"absorption", "scattering"}) section.value(name);
+  if (!medium.power_density && !medium.power) section.value("emission");
+  return medium;
+}
+
+void check_reflectances(Section& section, const WallCase& wall, const Bands& bands) {
+  for (int band = 0; band < bands.count(); ++band) {
+    const double diffuse = std::get<double>(value_of(wall.diffuse, band));
+    const double specular = std::get<double>(value_of(wall.specular, band));
+    if (diffuse + specular <= 1 + reflectance_rounding) continue;
+    return section.fault(
+        fmt::format("{}diffuse + specular = {} (more light would leave than arrives); use at most 1",
+                    band_prefix(bands, band), diffuse + specular));
+  }
+}
+
+WallCase read_wall(Section section, const Bands& bands) {
+  WallCase wall;
+  wall.origin = section.origin();
+  wall.diffuse = read_band_values_or_default(section, "diffuse", bands);
+  wall.specular = read_band_values_or_default(section, "specular", bands);
+  wall.radiance = read_band_values_or_default(section, "radiance", bands);
+  section.value("uncollided");
+  if (!any_faulty(section.node())) check_reflectances(section, wall, bands);
+  return wall;
+}
+
+template <class Entry, class Reader>
+std::map<std::string, Entry> read_entries(Section section, const Bands& bands, Reader reader) {
+  std::map<std::string, Entry> entries;
+  for (auto& [name, table] : section.named()) entries.emplace(name, reader(std::move(table), bands));
+  const bool given = section.origin().line > 0 || !section.node().table().entries.empty();
+  if (given && section.node().table().entries.empty() && !section.node().faulty)
+    section.fault("has no entry; add one for each name, or \"*\"");
+  return entries;
+}
+
+}  // namespace
+
+std::map<std::string, MediumCase> read_media(Section media, const Bands& bands) {
+  return read_entries<MediumCase>(std::move(media), bands, read_medium);
+}
+
+std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands) {
+  return read_entries<WallCase>(std::move(walls), bands, read_wall);
+}
+
+}  // namespace etendue

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read_mesh.h"
+
+#include <fmt/format.h>
+
+#include <initializer_list>
+
+#include "app/case/override.h"
+
+namespace etendue {
+namespace {
+
+constexpr std::initializer_list<const char*> primitive_lists = {"box", "sphere", "cylinder"};
+constexpr std::initializer_list<const char*> geometries = {"file", "surface", "box", "sphere", "cylinder"};
+
+bool has_primitives(const Section& mesh) {
+  for (const char* list : primitive_lists)
+    if (mesh.has(list)) return true;
+  return false;
+}
+
+// Boxes, spheres and cylinders are one geometry together.
+void check_one_geometry(Section& mesh) {
+  const char* first = nullptr;
+  bool first_primitive = false;
+  for (const char* name : geometries) {
+    if (!mesh.has(name)) continue;
+    const bool primitive = name != geometries.begin()[0] && name != geometries.begin()[1];
+    if (first == nullptr) {
+      first = name;
+      first_primitive = primitive;
+    } else if (!primitive || !first_primitive) {
+      const Origin origin = mesh.origin(name);
+      mesh.faults().push_back(
+          fault_at(origin, "",
+                   fmt::format("a second geometry (mesh.{} is at line {}); use exactly one of file, "
+                               "surface or primitives",
+                               first, mesh.origin(first).line)));
+    }
+  }
+  if (first == nullptr && !mesh.node().faulty)
+    mesh.fault("no geometry; use exactly one of file, surface or primitives (box, sphere, cylinder)");
+}
+
+std::optional<InputFile> read_file(Section& mesh, const char* name,
+                                   const std::filesystem::path& case_folder) {
+  const TomlNode* node = mesh.find(name);
+  if (node == nullptr) return std::nullopt;
+  return InputFile{resolve_path(*node, case_folder), node->origin};
+}
+
+std::optional<SizeBound> read_size_bound(Section& mesh, const char* name) {
+  const TomlNode* node = mesh.find(name);
+  if (node == nullptr) return std::nullopt;
+  SizeBound bound;
+  bound.origin = node->origin;
+  if (node->is_number()) bound.by_region["*"] = node->number();
+  if (node->is_table())
+    for (const auto& [region, size] : node->table().entries) bound.by_region[region] = size->number();
+  return bound;
+}
+
+void read_sizes(Section& section, MeshCase& mesh) {
+  mesh.max_volume = read_size_bound(section, "max_volume");
+  mesh.edge_length = read_size_bound(section, "edge_length");
+  if (section.has("max_volume") && section.has("edge_length"))
+    section.fault("edge_length", "given beside max_volume (both bound the cells' size); use one of the two");
+}
+
+void read_regions(Section& section, MeshCase& mesh) {
+  const TomlNode* node = section.find("regions");
+  if (node == nullptr) return;
+  for (const auto& [region, point] : node->table().entries) mesh.regions[region] = to_vec3(*point);
+}
+
+void reject_unused(Section& mesh) {
+  if (mesh.has("file"))
+    for (const char* name : {"max_volume", "edge_length", "quality"})
+      mesh.unused(name, "the cells of a mesh file stay as they are");
+  if (!mesh.has("surface")) mesh.unused("regions", "only a surface takes it");
+  if (!mesh.has("file") && !mesh.has("surface"))
+    mesh.unused("scale", "it multiplies coordinates read from a file");
+  if (!has_primitives(mesh)) mesh.unused("patch", "patches lie on boxes");
+}
+
+}  // namespace
+
+std::filesystem::path resolve_path(const TomlNode& node, const std::filesystem::path& case_folder) {
+  const std::filesystem::path path(node.text());
+  return node.origin.file == override_file ? path : (case_folder / path).lexically_normal();
+}
+
+MeshCase read_mesh_section(Section section, const std::filesystem::path& case_folder) {
+  MeshCase mesh;
+  mesh.origin = section.origin();
+  check_one_geometry(section);
+  reject_unused(section);
+  mesh.file = read_file(section, "file", case_folder);
+  mesh.surface = read_file(section, "surface", case_folder);
+  mesh.geometry = read_geometry(section);
+  read_regions(section, mesh);
+  if (section.has("file") || section.has("surface")) mesh.scale = section.number("scale");
+  if (section.has("file")) return mesh;
+  read_sizes(section, mesh);
+  mesh.quality = section.number("quality");
+  return mesh;
+}
+
+}  // namespace etendue

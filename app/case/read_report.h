@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "app/case/case.h"
+#include "app/case/section.h"
+
+namespace etendue {
+
+std::vector<Probe> read_probes(Section& top);
+
+/// The table [output]; the directory is by default the case's name, in the working directory.
+OutputCase read_output(Section output, const std::filesystem::path& case_file);
+
+/// Reports ordinates to be kept that the direction set does not have.
+void check_ordinates(Section output, const Case& result);
+
+}  // namespace etendue

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read_solve.h"
+
+#include "solver/angle/direction_set.h"
+
+namespace etendue {
+
+void read_directions(Section directions, Case& result) {
+  result.direction_set = directions.text("set");
+  result.direction_order = directions.integer("order");
+  result.directions_origin = directions.origin("order");
+  for (const char* name : {"set", "order"})
+    if (directions.node().find(name)->faulty) return;  // nothing to say about their combination
+  const std::string problem = check_direction_order(result.direction_set, result.direction_order);
+  if (!problem.empty()) directions.fault("order", problem);
+}
+
+void read_space(Section space, SolveOptions& options) {
+  options.order = space.integer("order") == 0 ? SpaceOrder::constant : SpaceOrder::linear;
+  const std::string lumping = space.text("lumping");
+  options.lumping = lumping == "none"   ? Lumping::none
+                    : lumping == "mass" ? Lumping::mass
+                                        : Lumping::automatic;
+}
+
+void read_solve(Section solve, SolveOptions& options) {
+  // Each has one meaning in this version, whichever accepted word stands there.
+  for (const char* name : {"method", "acceleration"}) solve.text(name);
+  options.tolerance = solve.number("tolerance");
+  options.max_sweeps = solve.integer("max_sweeps");
+  options.threads = solve.integer("threads");
+}
+
+}  // namespace etendue

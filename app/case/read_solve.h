@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "app/case/case.h"
+#include "app/case/section.h"
+
+namespace etendue {
+
+/// The tables [directions], [space] and [solve].
+void read_directions(Section directions, Case& result);
+void read_space(Section space, SolveOptions& options);
+void read_solve(Section solve, SolveOptions& options);
+
+}  // namespace etendue
