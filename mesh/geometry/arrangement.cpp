@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "mesh/geometry/body_arrangement.h"
 #include "mesh/geometry/box_arrangement.h"
 #include "mesh/geometry/primitive_checks.h"
 
@@ -34,7 +35,10 @@ void drop_empty_regions(SurfaceComplex& surface, const Log& log) {
 
 SurfaceComplex arrange(const Geometry& geometry, const Log& log) {
   check_primitives(geometry);
-  SurfaceComplex surface = arrange_boxes(geometry);
+  const bool only_boxes =
+      std::all_of(geometry.primitives.begin(), geometry.primitives.end(),
+                  [](const Primitive& primitive) { return std::holds_alternative<BoxPrimitive>(primitive); });
+  SurfaceComplex surface = only_boxes ? arrange_boxes(geometry) : arrange_bodies(geometry);
   if (surface.seeds.empty())
     throw InputError(fault_at(base_of(geometry.primitives.back()).origin, "",
                               "the holes leave no region (there is nothing to mesh)"));

@@ -95,15 +95,9 @@ int BoxFacets::find_wall(const Geometry& geometry, const std::vector<NamedRectan
     if (candidate->outward == -outward || !may_name(*candidate, beyond) || !covers(*candidate, low, high))
       continue;
     if (candidate->patch >= 0) patch_used_[n(candidate->patch)] = true;
-    return wall_number(candidate->wall);
+    return wall_names_.number(candidate->wall);
   }
-  return wall_number(default_name(geometry, beyond, axis, outward));
-}
-
-int BoxFacets::wall_number(const std::string& name) {
-  const auto known = std::find(wall_names_.begin(), wall_names_.end(), name);
-  if (known == wall_names_.end()) wall_names_.push_back(name);
-  return static_cast<int>(std::find(wall_names_.begin(), wall_names_.end(), name) - wall_names_.begin());
+  return wall_names_.number(default_name(geometry, beyond, axis, outward));
 }
 
 void BoxFacets::gather(int axis) {

@@ -23,7 +23,7 @@ class BoxFacets {
   BoxFacets(const Geometry& geometry, const ElementaryBoxes& grid);
 
   const std::vector<BoxFacet>& facets() const { return facets_; }
-  const std::vector<std::string>& wall_names() const { return wall_names_; }
+  const std::vector<std::string>& wall_names() const { return wall_names_.all(); }
   /// The facet that a rectangle belongs to; -1: none, also beyond the grid.
   int facet(int axis, const GridIndex& rectangle) const;
   /// Whether facets end or change at an elementary edge.
@@ -45,12 +45,11 @@ class BoxFacets {
                 const GridIndex& rectangle);
   void gather(int axis);
   void grow(int axis, const GridIndex& start);
-  int wall_number(const std::string& name);
 
   const ElementaryBoxes& grid_;
   std::array<Sheet, 3> sheets_;  ///< [axis of the normal]
   std::vector<BoxFacet> facets_;
-  std::vector<std::string> wall_names_;
+  WallNames wall_names_;
   std::vector<bool> patch_used_;
   std::vector<Fault> faults_;
 };

@@ -54,6 +54,13 @@ std::vector<SpaceLabel> primitive_labels(const Geometry& geometry, std::vector<s
   return labels;
 }
 
+int WallNames::number(const std::string& name) {
+  const auto known = std::find(names_.begin(), names_.end(), name);
+  const auto number = known - names_.begin();
+  if (known == names_.end()) names_.push_back(name);
+  return static_cast<int>(number);
+}
+
 std::string side_name(int axis, int outward) {
   return std::string(1, "xyz"[axis]) + (outward < 0 ? "min" : "max");
 }

@@ -33,6 +33,16 @@ std::vector<NamedRectangle> named_rectangles(const Geometry& geometry);
 /// The label of each primitive; `region_names` gets the names in order of first use.
 std::vector<SpaceLabel> primitive_labels(const Geometry& geometry, std::vector<std::string>& region_names);
 
+/// Names of walls, each numbered when it is first met.
+class WallNames {
+ public:
+  int number(const std::string& name);
+  const std::vector<std::string>& all() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+};
+
 /// "xmin" … "zmax".
 std::string side_name(int axis, int outward);
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mesh/geometry/arrangement.h"
+#include "tests/mesh/geometry/scene.h"
 #include "tests/mesh/geometry/surface_measures.h"
 
 namespace etendue {
@@ -13,31 +14,6 @@ namespace {
 using Areas = std::map<std::string, double>;
 using Counts = std::map<std::string, int>;
 
-BoxPrimitive box(const std::string& region, const Vec3& min, const Vec3& max) {
-  BoxPrimitive primitive;
-  primitive.region = region;
-  primitive.origin = {"case.toml", 7, "mesh.box"};
-  primitive.min = min;
-  primitive.max = max;
-  return primitive;
-}
-
-BoxPrimitive hole(const std::string& name, const Vec3& min, const Vec3& max) {
-  BoxPrimitive primitive = box("", min, max);
-  primitive.hole = true;
-  primitive.name = name;
-  return primitive;
-}
-
-BoxPrimitive named(BoxPrimitive primitive, const std::map<std::string, std::string>& walls) {
-  primitive.walls = walls;
-  return primitive;
-}
-
-Patch patch(const std::string& wall, const Vec3& min, const Vec3& max) {
-  return {wall, min, max, {"case.toml", 30, "mesh.patch"}};
-}
-
 void expect_areas(const SurfaceComplex& surface, const Areas& expected) {
   const Areas areas = wall_areas(surface);
   ASSERT_EQ(areas.size(), expected.size());
@@ -45,15 +21,6 @@ void expect_areas(const SurfaceComplex& surface, const Areas& expected) {
     ASSERT_TRUE(areas.contains(name)) << name;
     EXPECT_NEAR(areas.at(name), area, 1e-12 * area) << name;
   }
-}
-
-std::string fault_of(const Geometry& geometry) {
-  try {
-    arrange(geometry);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no fault";
 }
 
 TEST(BoxArrangement, OneBoxHasSixSidesNamedByOutwardAxis) {
@@ -154,7 +121,7 @@ TEST(BoxArrangement, BoxesThatTouchInAVertexShareIt) {
 
 TEST(BoxArrangement, HoleLeavesWallsOfItsNameAndAHolePoint) {
   const SurfaceComplex surface =
-      arrange({{box("air", {0, 0, 0}, {3, 3, 3}), hole("crate", {1, 1, 1}, {2, 2, 2})}, {}});
+      arrange({{box("air", {0, 0, 0}, {3, 3, 3}), box_hole("crate", {1, 1, 1}, {2, 2, 2})}, {}});
   expect_areas(surface, {{"xmin", 9},
                          {"xmax", 9},
                          {"ymin", 9},
@@ -178,9 +145,9 @@ TEST(BoxArrangement, HoleLeavesWallsOfItsNameAndAHolePoint) {
 }
 
 TEST(BoxArrangement, HoleOnTheFloorRemovesThatPartOfTheFloor) {
-  const SurfaceComplex surface = arrange(
-      {{named(box("air", {0, 0, 0}, {3, 3, 3}), {{"zmin", "floor"}}), hole("crate", {1, 1, 0}, {2, 2, 1})},
-       {}});
+  const SurfaceComplex surface = arrange({{named(box("air", {0, 0, 0}, {3, 3, 3}), {{"zmin", "floor"}}),
+                                           box_hole("crate", {1, 1, 0}, {2, 2, 1})},
+                                          {}});
   expect_areas(surface, {{"xmin", 9},
                          {"xmax", 9},
                          {"ymin", 9},
@@ -207,7 +174,7 @@ TEST(BoxArrangement, VoidShutInByBoxesHasAHolePoint) {
 
 TEST(BoxArrangement, RegionInsideAHoleIsADomainOfItsOwn) {
   const SurfaceComplex surface =
-      arrange({{box("air", {0, 0, 0}, {5, 5, 5}), hole("crate", {1, 1, 1}, {4, 4, 4}),
+      arrange({{box("air", {0, 0, 0}, {5, 5, 5}), box_hole("crate", {1, 1, 1}, {4, 4, 4}),
                 box("inside", {2, 2, 2}, {3, 3, 3})},
                {}});
   EXPECT_EQ(seed_counts(surface), (Counts{{"air", 1}, {"inside", 1}}));
@@ -225,7 +192,7 @@ TEST(BoxArrangement, LastBoxThatNamesASideCounts) {
 
 TEST(BoxArrangement, LaterOfHoleAndNamedSideNamesTheirCommonFacet) {
   const BoxPrimitive glass = named(box("air", {0, 0, 0}, {1, 1, 1}), {{"xmax", "glass"}});
-  const BoxPrimitive stone = hole("stone", {1, 0, 0}, {2, 1, 1});
+  const BoxPrimitive stone = box_hole("stone", {1, 0, 0}, {2, 1, 1});
   EXPECT_TRUE(wall_areas(arrange({{glass, stone}, {}})).contains("stone.xmin"));
   EXPECT_TRUE(wall_areas(arrange({{stone, glass}, {}})).contains("glass"));
 }
@@ -244,7 +211,7 @@ TEST(BoxArrangement, LastPatchCounts) {
 }
 
 TEST(BoxArrangement, PatchMayNameTheSurfaceOfAHole) {
-  const Geometry geometry{{box("air", {0, 0, 0}, {3, 3, 3}), hole("crate", {1, 1, 1}, {2, 2, 2})},
+  const Geometry geometry{{box("air", {0, 0, 0}, {3, 3, 3}), box_hole("crate", {1, 1, 1}, {2, 2, 2})},
                           {patch("screen", {1, 1, 1}, {1, 2, 1.5})}};
   const Areas areas = wall_areas(arrange(geometry));
   EXPECT_NEAR(areas.at("screen"), 0.5, 1e-13);
@@ -279,7 +246,8 @@ TEST(BoxArrangement, RefusesUnknownSides) {
 
 TEST(BoxArrangement, RefusesNamelessPrimitives) {
   EXPECT_THAT(fault_of({{box("", {0, 0, 0}, {1, 1, 1})}, {}}), testing::HasSubstr("needs a `region`"));
-  EXPECT_THAT(fault_of({{hole("", {0, 0, 0}, {1, 1, 1})}, {}}), testing::HasSubstr("a hole needs a `name`"));
+  EXPECT_THAT(fault_of({{box_hole("", {0, 0, 0}, {1, 1, 1})}, {}}),
+              testing::HasSubstr("a hole needs a `name`"));
 }
 
 TEST(BoxArrangement, RefusesAPatchThatIsNotARectangle) {
@@ -309,8 +277,9 @@ TEST(BoxArrangement, RefusesPlanesThatNearlyCoincide) {
 
 TEST(BoxArrangement, RefusesASceneWithoutRegion) {
   EXPECT_EQ(fault_of({}), "no primitive has a region (there is nothing to mesh); add a box with a region");
-  EXPECT_THAT(fault_of({{hole("crate", {0, 0, 0}, {1, 1, 1})}, {}}), testing::HasSubstr("nothing to mesh"));
-  EXPECT_EQ(fault_of({{box("air", {0, 0, 0}, {1, 1, 1}), hole("crate", {0, 0, 0}, {1, 1, 1})}, {}}),
+  EXPECT_THAT(fault_of({{box_hole("crate", {0, 0, 0}, {1, 1, 1})}, {}}),
+              testing::HasSubstr("nothing to mesh"));
+  EXPECT_EQ(fault_of({{box("air", {0, 0, 0}, {1, 1, 1}), box_hole("crate", {0, 0, 0}, {1, 1, 1})}, {}}),
             "case.toml:7: mesh.box: the holes leave no region (there is nothing to mesh)");
 }
 

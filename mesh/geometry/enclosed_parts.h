@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesh/base/vec3.h"
+
+namespace etendue {
+
+/// A flat facet whose two sides are told apart.
+struct SidedFacet {
+  std::vector<std::array<int, 2>> edges;  ///< points; the facet is on their left, seen from the normal's tip
+  Vec3 normal;                            ///< unit
+  Vec3 inside;                            ///< a point of the facet, off its edges
+};
+
+/// A side of a facet: `above` is where its normal points.
+struct FacetSide {
+  int facet;
+  bool above;
+};
+
+/// A part of space that facets shut in, as seen from its outermost surface.
+struct EnclosedPart {
+  Vec3 point;                     ///< inside
+  std::vector<FacetSide> around;  ///< the sides of its outermost surface
+};
+
+/// All of them. Facets must meet in whole edges only. Surfaces are told inside from outside by the solid
+/// angle that they fill (van Oosterom & Strackee 1983, eq. 8).
+std::vector<EnclosedPart> enclosed_parts(const std::vector<Vec3>& points,
+                                         const std::vector<SidedFacet>& facets);
+
+}  // namespace etendue
