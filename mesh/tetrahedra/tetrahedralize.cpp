@@ -80,7 +80,7 @@ std::optional<std::string> find_intersection(const SurfaceComplex& surface, cons
   return found;
 }
 
-/// TetGen 1.5.0 stops on a region's or a hole's point that is not within the surface.
+/// TetGen 1.5.0 stops on a region's point that is not within the convex hull.
 std::optional<std::string> find_outside_point(const TetGenOutcome& outcome, const SurfaceComplex& surface) {
   int number = 0;
   if (std::sscanf(outcome.last_words.c_str(), "Warning: The %d-th region point lies outside", &number) == 1 &&
@@ -89,10 +89,6 @@ std::optional<std::string> find_outside_point(const TetGenOutcome& outcome, cons
     return "the point " + to_text(seed.point) + " of region \"" + surface.region_names[at(seed.region)] +
            "\" lies outside the surface; give a point inside";
   }
-  if (std::sscanf(outcome.last_words.c_str(), "Warning: The %d-th hole point lies outside", &number) == 1 &&
-      number >= 1 && at(number) <= surface.holes.size())
-    return "the point " + to_text(surface.holes[at(number - 1)]) +
-           " of a hole lies outside the surface; give a point inside";
   return std::nullopt;
 }
 
