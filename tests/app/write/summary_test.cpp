@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/write/summary.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/write/sample_run.h"
+
+namespace etendue {
+namespace {
+
+using nlohmann::json;
+using test::ScratchFolder;
+using test::write_text;
+using Names = std::vector<std::string>;
+
+TEST(Summary, HoldsWhatTheContractNames) {
+  test::SampleRun run({"red", "green"});
+  run.solution.seconds = {0.25, 2, 0, 0};
+  const json summary = json::parse(summary_json(run.result(), {"fields.vtu", "summary.json"}, 0.75));
+  EXPECT_EQ(summary["title"], "Sample");
+  EXPECT_EQ(summary["version"], program_version());
+  EXPECT_EQ(summary["cells"], 6);
+  EXPECT_EQ(summary["directions"], 24);
+  EXPECT_EQ(summary["bands"], (json{"red", "green"}));
+  EXPECT_EQ(summary["threads"], 2);
+  EXPECT_EQ(summary["converged"], true);
+  EXPECT_EQ(summary["sweeps"], (json{7, 7}));
+  EXPECT_EQ(summary["residual"], (json{1e-9, 1e-9}));
+  EXPECT_EQ(summary["balance"][1]["inflow"], 2);
+  EXPECT_EQ(summary["negative"].size(), 2U);
+  EXPECT_EQ(summary["kernels"][0]["backend"], "moments, degree 3");
+  EXPECT_EQ(summary["seconds"], (json{{"read", 0.5},
+                                      {"mesh", 1.5},
+                                      {"orders", 0.25},
+                                      {"sweep", 2},
+                                      {"low_order", 0},
+                                      {"lights", 0},
+                                      {"write", 0.75},
+                                      {"total", 4.75}}));
+  EXPECT_EQ(summary["sweep_cost"], 0);
+  EXPECT_GT(summary["peak_memory"], 1 << 20);
+  EXPECT_EQ(summary["case"], "title = \"Sample\"\n");
+}
+
+TEST(Summary, HasArraysForOneBandToo) {
+  const test::SampleRun run({"grey"});
+  const json summary = json::parse(summary_json(run.result(), {}, 0));
+  for (const char* key : {"bands", "sweeps", "residual", "balance", "negative"})
+    EXPECT_EQ(summary[key].size(), 1U) << key;
+}
+
+TEST(Summary, MarksAnInterruptedSolutionAsNotConverged) {
+  test::SampleRun run({"grey"});
+  run.solution.interrupted = true;
+  const json summary = json::parse(summary_json(run.result(), {}, 0));
+  EXPECT_EQ(summary["converged"], false);
+  EXPECT_EQ(summary["interrupted"], true);
+}
+
+TEST(Summary, ListsTheFilesOfAnEarlierRun) {
+  const ScratchFolder scratch;
+  const test::SampleRun run({"grey"});
+  write_text(scratch.path() / "summary.json", summary_json(run.result(), {"a.csv", "summary.json"}, 0));
+  EXPECT_EQ(files_of_earlier_run(scratch.path()), (Names{"a.csv", "summary.json"}));
+}
+
+TEST(Summary, OfAnotherProgramListsNothing) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(files_of_earlier_run(scratch.path()), Names{});
+  for (const char* text :
+       {"", "not JSON", "[1, 2]", R"({"files": ["a.csv"]})", R"({"program": "etendue", "files": 3})",
+        R"({"program": 1, "files": ["a.csv"]})"}) {
+    write_text(scratch.path() / "summary.json", text);
+    EXPECT_EQ(files_of_earlier_run(scratch.path()), Names{}) << text;
+  }
+}
+
+TEST(Summary, NamesNoFileOutsideItsDirectory) {
+  const ScratchFolder scratch;
+  write_text(scratch.path() / "summary.json",
+             R"({"program": "etendue", "files": ["../a", "/b", "..", ".", "", "c.csv"]})");
+  EXPECT_EQ(files_of_earlier_run(scratch.path()), Names{"c.csv"});
+}
+
+}  // namespace
+}  // namespace etendue

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <Eigen/Geometry>
+
+#include "app/write/color.h"
+#include "app/write/vtk_files.h"
+#include "mesh/base/errors.h"
+#include "tests/app/write/sample_run.h"
+
+namespace etendue {
+namespace {
+
+using test::SampleRun;
+using test::ScratchFolder;
+
+const std::vector<std::string> primaries = {"red", "green", "blue"};
+
+template <class Reader, class Data>
+vtkSmartPointer<Data> read_back(const std::filesystem::path& path) {
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> fields_of(const SampleRun& run) {
+  const ScratchFolder scratch;
+  const std::filesystem::path path = scratch.path() / "fields.vtu";
+  write_fields(run.result(), path, path);
+  return read_back<vtkXMLUnstructuredGridReader, vtkUnstructuredGrid>(path);
+}
+
+vtkSmartPointer<vtkPolyData> walls_of(const SampleRun& run) {
+  const ScratchFolder scratch;
+  const std::filesystem::path path = scratch.path() / "walls.vtp";
+  write_walls(run.result(), path, path);
+  return read_back<vtkXMLPolyDataReader, vtkPolyData>(path);
+}
+
+std::vector<double> values_of(vtkDataArray& array) {
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i)
+    for (int c = 0; c < array.GetNumberOfComponents(); ++c) values.push_back(array.GetComponent(i, c));
+  return values;
+}
+
+std::vector<Vec3> corners_of(vtkCell& cell) {
+  std::vector<Vec3> corners(static_cast<std::size_t>(cell.GetNumberOfPoints()));
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    cell.GetPoints()->GetPoint(static_cast<vtkIdType>(i), corners[i].data());
+  return corners;
+}
+
+std::vector<std::string> component_names(vtkDataArray& array) {
+  std::vector<std::string> names;
+  for (int c = 0; c < array.GetNumberOfComponents(); ++c) names.emplace_back(array.GetComponentName(c));
+  return names;
+}
+
+std::string unit_of(vtkDataArray& array) {
+  const char* unit = array.GetInformation()->Get(vtkDataArray::UNITS_LABEL());
+  return unit == nullptr ? "" : unit;
+}
+
+std::vector<std::string> names_in(vtkFieldData& fields, const char* array) {
+  auto* strings = vtkStringArray::SafeDownCast(fields.GetAbstractArray(array));
+  std::vector<std::string> names;
+  for (vtkIdType i = 0; strings != nullptr && i < strings->GetNumberOfValues(); ++i)
+    names.push_back(strings->GetValue(i));
+  return names;
+}
+
+TEST(FieldsFile, GivesEachCellItsOwnPoints) {
+  const SampleRun run({"grey"});
+  const auto grid = fields_of(run);
+  ASSERT_EQ(grid->GetNumberOfCells(), 6);
+  ASSERT_EQ(grid->GetNumberOfPoints(), 24);
+  for (int c = 0; c < 6; ++c)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3& vertex = run.mesh.point(VertexIndex(run.mesh.vertices(CellIndex(c))[i]));
+      const double* point = grid->GetPoint(4 * c + static_cast<vtkIdType>(i));
+      EXPECT_EQ(Vec3(point[0], point[1], point[2]), vertex);
+    }
+}
+
+TEST(FieldsFile, HasTetrahedraOfPositiveVolume) {
+  const auto grid = fields_of(SampleRun({"grey"}));
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c) {
+    const std::vector<Vec3> p = corners_of(*grid->GetCell(c));
+    EXPECT_NEAR((p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]) / 6, 1.0 / 6, 1e-15);
+  }
+}
+
+TEST(FieldsFile, KeepsEveryDigitOfTheFluence) {
+  const SampleRun run(primaries);
+  const auto grid = fields_of(run);
+  vtkDataArray* fluence = grid->GetPointData()->GetArray("fluence");
+  ASSERT_NE(fluence, nullptr);
+  EXPECT_EQ(values_of(*fluence), run.solution.fluence);
+  EXPECT_EQ(component_names(*fluence), primaries);
+  EXPECT_EQ(unit_of(*fluence), "W/m^2");
+}
+
+TEST(FieldsFile, HasCellMeansOfTheFluence) {
+  const SampleRun run({"red", "green"});
+  const auto grid = fields_of(run);
+  vtkDataArray* mean = grid->GetCellData()->GetArray("fluence_mean");
+  ASSERT_NE(mean, nullptr);
+  const std::vector<double>& f = run.solution.fluence;
+  for (std::size_t c = 0; c < 6; ++c)
+    for (std::size_t b = 0; b < 2; ++b)
+      EXPECT_NEAR(mean->GetComponent(static_cast<vtkIdType>(c), static_cast<int>(b)),
+                  (f[8 * c + b] + f[8 * c + 2 + b] + f[8 * c + 4 + b] + f[8 * c + 6 + b]) / 4, 1e-15);
+}
+
+TEST(FieldsFile, HasANetFluxVectorForEachBand) {
+  const SampleRun run(primaries);
+  const auto grid = fields_of(run);
+  EXPECT_EQ(grid->GetPointData()->GetArray("net_flux"), nullptr);
+  for (std::size_t b = 0; b < 3; ++b) {
+    vtkDataArray* flux = grid->GetPointData()->GetArray(("net_flux_" + primaries[b]).c_str());
+    ASSERT_NE(flux, nullptr);
+    ASSERT_EQ(flux->GetNumberOfComponents(), 3);
+    for (vtkIdType point = 0; point < 24; ++point)
+      for (int axis = 0; axis < 3; ++axis)
+        EXPECT_EQ(flux->GetComponent(point, axis),
+                  run.solution.net_flux[static_cast<std::size_t>((point * 3 + axis) * 3) + b]);
+  }
+}
+
+TEST(FieldsFile, NamesTheFluxOfASingleBandWithoutSuffix) {
+  const SampleRun run({"grey"});
+  const auto grid = fields_of(run);
+  vtkDataArray* flux = grid->GetPointData()->GetArray("net_flux");
+  ASSERT_NE(flux, nullptr);
+  EXPECT_EQ(values_of(*flux), run.solution.net_flux);
+}
+
+TEST(FieldsFile, ShowsDisplayPrimariesAsColours) {
+  const SampleRun run(primaries);
+  const auto grid = fields_of(run);
+  vtkDataArray* color = grid->GetPointData()->GetArray("color");
+  ASSERT_NE(color, nullptr);
+  EXPECT_EQ(color->GetDataType(), VTK_UNSIGNED_CHAR);
+  const Exposure exposure = exposure_of(run.solution.fluence, run.mesh.volumes(), 4);
+  const std::vector<std::uint8_t> expected = display_colors(run.solution.fluence, exposure);
+  EXPECT_EQ(values_of(*color), std::vector<double>(expected.begin(), expected.end()));
+  EXPECT_NE(unit_of(*color).find("sRGB, white = "), std::string::npos);
+}
+
+TEST(FieldsFile, HasNoColoursForOtherBands) {
+  EXPECT_EQ(fields_of(SampleRun({"a", "b", "c"}))->GetPointData()->GetArray("color"), nullptr);
+}
+
+TEST(FieldsFile, NamesRegions) {
+  const SampleRun run({"grey"});
+  const auto grid = fields_of(run);
+  vtkDataArray* region = grid->GetCellData()->GetArray("region");
+  ASSERT_NE(region, nullptr);
+  for (int c = 0; c < 6; ++c) EXPECT_EQ(region->GetComponent(c, 0), run.mesh.region(CellIndex(c)));
+  EXPECT_EQ(names_in(*grid->GetFieldData(), "region_names"), run.mesh.region_names());
+}
+
+TEST(FieldsFile, HoldsOnlyTheFieldsAskedFor) {
+  SampleRun run(primaries);
+  run.input.output.fields = {"media"};
+  const auto grid = fields_of(run);
+  EXPECT_EQ(grid->GetPointData()->GetNumberOfArrays(), 0);
+  for (const char* name : {"absorption", "scattering", "emission"}) {
+    vtkDataArray* array = grid->GetCellData()->GetArray(name);
+    ASSERT_NE(array, nullptr) << name;
+    EXPECT_EQ(component_names(*array), primaries);
+  }
+  EXPECT_EQ(grid->GetCellData()->GetArray("fluence_mean"), nullptr);
+  EXPECT_EQ(grid->GetCellData()->GetArray("absorption")->GetComponent(0, 1),
+            run.problem.absorption(CellIndex(0), 1));
+}
+
+TEST(FieldsFile, HoldsKeptOrdinates) {
+  SampleRun run({"grey"});
+  run.solution.radiance = {{5, run.solution.fluence}};
+  const auto grid = fields_of(run);
+  vtkDataArray* radiance = grid->GetPointData()->GetArray("radiance_5");
+  ASSERT_NE(radiance, nullptr);
+  EXPECT_EQ(values_of(*radiance), run.solution.fluence);
+  EXPECT_EQ(unit_of(*radiance), "W/(m^2 sr)");
+}
+
+TEST(FieldsFile, HasTheSameBytesEachTime) {
+  const ScratchFolder scratch;
+  const SampleRun run(primaries);
+  for (const char* name : {"first", "second"}) write_fields(run.result(), scratch.path() / name, name);
+  EXPECT_EQ(test::text_of(scratch.path() / "first"), test::text_of(scratch.path() / "second"));
+}
+
+TEST(FieldsFile, SaysWhyItCannotBeWritten) {
+  const SampleRun run({"grey"});
+  try {
+    write_fields(run.result(), "/nowhere/fields.vtu", "results/fields.vtu");
+    FAIL() << "written";
+  } catch (const FileError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("results/fields.vtu: cannot be written (", 0), 0U)
+        << error.what();
+  }
+}
+
+TEST(WallsFile, KeepsWhatArrivesAndLeaves) {
+  const SampleRun run({"red", "green"});
+  const auto surface = walls_of(run);
+  ASSERT_EQ(surface->GetNumberOfCells(), 12);
+  ASSERT_EQ(surface->GetNumberOfPoints(), 36);
+  vtkPointData* data = surface->GetPointData();
+  EXPECT_EQ(values_of(*data->GetArray("irradiance")), run.solution.irradiance);
+  EXPECT_EQ(values_of(*data->GetArray("exitance")), run.solution.exitance);
+  EXPECT_EQ(data->GetArray("net_flux")->GetComponent(0, 0),
+            run.solution.irradiance[0] - run.solution.exitance[0]);
+  EXPECT_EQ(unit_of(*data->GetArray("exitance")), "W/m^2");
+}
+
+TEST(WallsFile, NamesWalls) {
+  const SampleRun run({"grey"});
+  const auto surface = walls_of(run);
+  vtkDataArray* wall = surface->GetCellData()->GetArray("wall");
+  ASSERT_NE(wall, nullptr);
+  for (int f = 0; f < 12; ++f) EXPECT_EQ(wall->GetComponent(f, 0), run.mesh.wall(FaceIndex(f)));
+  EXPECT_EQ(names_in(*surface->GetFieldData(), "wall_names"), run.mesh.wall_names());
+}
+
+TEST(WallsFile, HasTrianglesThatFaceOutwards) {
+  const SampleRun run({"grey"});
+  const auto surface = walls_of(run);
+  for (int f = 0; f < 12; ++f) {
+    const std::vector<Vec3> p = corners_of(*surface->GetCell(f));
+    const Vec3 area_normal = (p[1] - p[0]).cross(p[2] - p[0]) / 2;
+    EXPECT_LT((area_normal - run.mesh.area_normal(FaceIndex(f))).norm(), 1e-15);
+  }
+}
+
+TEST(WallsFile, ShowsDisplayPrimariesAsColours) {
+  const auto surface = walls_of(SampleRun(primaries));
+  ASSERT_NE(surface->GetPointData()->GetArray("color"), nullptr);
+  EXPECT_EQ(surface->GetPointData()->GetArray("color")->GetDataType(), VTK_UNSIGNED_CHAR);
+}
+
+}  // namespace
+}  // namespace etendue
