@@ -6,8 +6,8 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
-#include <Eigen/Geometry>
 
+#include <Eigen/Geometry>
 #include <array>
 
 #include "app/write/color.h"
