@@ -18,6 +18,8 @@ constexpr double kSmallestGap = 1e-8;
 
 std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
+std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
 struct ByCoordinates {
   bool operator()(const ExactPoint& a, const ExactPoint& b) const {
     return CGAL::compare_xyz(a, b) == CGAL::SMALLER;
@@ -41,6 +43,7 @@ class Corners {
   }
 
   const std::vector<Vec3>& points() const { return rounded_; }
+  const ExactPoint& exact(int corner) const { return exact_[n(corner)]; }
 
   /// The edge in the pieces that the corners of other facets on it cut it into.
   std::vector<std::array<int, 2>> pieces(const std::array<ExactPoint, 2>& edge) const {
@@ -80,6 +83,24 @@ std::vector<SidedFacet> sided(const std::vector<ExactFacet>& facets, const Corne
     result.push_back(std::move(own));
   }
   return result;
+}
+
+/// Corners that others touch the inside of a facet with.
+std::vector<int> touching_corners(const ExactFacet& facet, const SidedFacet& own, const Corners& corners) {
+  const std::vector<Vec3>& points = corners.points();
+  std::set<int> known;
+  double size = 0;
+  for (const auto& edge : own.edges) {
+    known.insert(edge.begin(), edge.end());
+    size = std::max(size, (points[n(edge[0])] - own.inside).norm());
+  }
+  std::vector<int> touching;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    const double height = std::abs(own.normal.dot(points[n(i)] - own.inside));
+    if (height > 1e-9 * size || known.contains(i) || !foot_is_inside(points[n(i)], points, own)) continue;
+    if (facet.plane.has_on(corners.exact(i))) touching.push_back(i);
+  }
+  return touching;
 }
 
 BodyScene scene_of(const Geometry& geometry, std::vector<std::string>& region_names) {
@@ -146,7 +167,11 @@ SurfaceComplex arrange_bodies(const Geometry& geometry) {
   surface.wall_names = walls.all();
   for (std::size_t f = 0; f < facets.size(); ++f) {
     SurfaceFacet facet{{}, {}, facets[f].wall};
-    for (const auto& [from, to] : sided_facets[f].edges) facet.polygons.push_back({from, to});
+    std::set<std::array<int, 2>> written;
+    for (const auto& [from, to] : sided_facets[f].edges)
+      if (written.insert(sorted(from, to)).second) facet.polygons.push_back({from, to});
+    for (const int corner : touching_corners(facets[f], sided_facets[f], corners))
+      facet.polygons.push_back({corner});
     for (const ExactPoint& opening : facets[f].openings) facet.openings.push_back(rounded(opening));
     surface.facets.push_back(std::move(facet));
   }

@@ -77,21 +77,6 @@ double distance_to_segment(const Vec3& x, const Vec3& p, const Vec3& q) {
   return (x - p - t * (q - p)).norm();
 }
 
-/// Whether the foot of a point on the facet's plane lies in the facet: a ray in the plane leaves it.
-bool foot_is_inside(const Vec3& x, const std::vector<Vec3>& points, const SidedFacet& facet) {
-  int axis = 0;
-  facet.normal.cwiseAbs().maxCoeff(&axis);
-  const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-  const Vec3 foot = x - facet.normal * facet.normal.dot(x - facet.inside);
-  bool is_inside = false;
-  for (const auto& [from, to] : facet.edges) {
-    const Vec3 &p = points[n(from)], &q = points[n(to)];
-    if ((p[b] > foot[b]) == (q[b] > foot[b])) continue;
-    if (foot[c] < p[c] + (foot[b] - p[b]) / (q[b] - p[b]) * (q[c] - p[c])) is_inside = !is_inside;
-  }
-  return is_inside;
-}
-
 double distance_to_facet(const Vec3& x, const std::vector<Vec3>& points, const SidedFacet& facet) {
   if (foot_is_inside(x, points, facet)) return std::abs(facet.normal.dot(x - facet.inside));
   double distance = std::numeric_limits<double>::infinity();
@@ -100,16 +85,41 @@ double distance_to_facet(const Vec3& x, const std::vector<Vec3>& points, const S
   return distance;
 }
 
-/// A point off the facet on one side, nearer to it than anything else is.
-Vec3 point_beside(const FacetSide& side, const std::vector<Vec3>& points,
+/// How far the facet's own point is from its edges.
+double width(const SidedFacet& facet, const std::vector<Vec3>& points) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& [from, to] : facet.edges)
+    nearest = std::min(nearest, distance_to_segment(facet.inside, points[n(from)], points[n(to)]));
+  return nearest;
+}
+
+/// How far the facet's own point is from its edges and from all other facets.
+double clearance(int facet, const std::vector<Vec3>& points, const std::vector<SidedFacet>& facets) {
+  double nearest = width(facets[n(facet)], points);
+  for (int other = 0; other < static_cast<int>(facets.size()); ++other)
+    if (other != facet)
+      nearest = std::min(nearest, distance_to_facet(facets[n(facet)].inside, points, facets[n(other)]));
+  return nearest;
+}
+
+/// A point that a surface looks at: beside one of its facets, nearer to it than anything else is.
+Vec3 point_before(std::vector<FacetSide> surface, const std::vector<Vec3>& points,
                   const std::vector<SidedFacet>& facets) {
-  const SidedFacet& own = facets[n(side.facet)];
-  double clearance = std::numeric_limits<double>::infinity();
-  for (const auto& [from, to] : own.edges)
-    clearance = std::min(clearance, distance_to_segment(own.inside, points[n(from)], points[n(to)]));
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    if (f != n(side.facet)) clearance = std::min(clearance, distance_to_facet(own.inside, points, facets[f]));
-  return own.inside + (side.above ? 0.5 : -0.5) * clearance * own.normal;
+  constexpr std::size_t kTried = 8;  // something may touch the widest facet in just this point
+  const auto tried = surface.begin() + static_cast<std::ptrdiff_t>(std::min(kTried, surface.size()));
+  std::partial_sort(surface.begin(), tried, surface.end(), [&](const FacetSide& a, const FacetSide& b) {
+    return width(facets[n(a.facet)], points) > width(facets[n(b.facet)], points);
+  });
+  double most_room = -1;
+  Vec3 point = Vec3::Zero();
+  for (auto side = surface.begin(); side != tried; ++side) {
+    const double room = clearance(side->facet, points, facets);
+    if (room <= most_room) continue;
+    most_room = room;
+    const SidedFacet& facet = facets[n(side->facet)];
+    point = facet.inside + (side->above ? 0.5 : -0.5) * room * facet.normal;
+  }
+  return point;
 }
 
 /// Half the solid angle of a triangle, signed: positive where its corners run clockwise as seen from x.
@@ -129,21 +139,21 @@ double winding(const Vec3& x, const std::vector<FacetSide>& surface, const std::
   return sum / (2 * std::numbers::pi);
 }
 
-/// The side whose facet is widest, where a point beside it has most room.
-FacetSide widest(const std::vector<FacetSide>& surface, const std::vector<Vec3>& points,
-                 const std::vector<SidedFacet>& facets) {
-  const auto width = [&](const FacetSide& side) {
-    const SidedFacet& facet = facets[n(side.facet)];
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& [from, to] : facet.edges)
-      nearest = std::min(nearest, distance_to_segment(facet.inside, points[n(from)], points[n(to)]));
-    return nearest;
-  };
-  return *std::max_element(surface.begin(), surface.end(),
-                           [&](const FacetSide& a, const FacetSide& b) { return width(a) < width(b); });
-}
-
 }  // namespace
+
+bool foot_is_inside(const Vec3& x, const std::vector<Vec3>& points, const SidedFacet& facet) {
+  int axis = 0;
+  facet.normal.cwiseAbs().maxCoeff(&axis);
+  const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+  const Vec3 foot = x - facet.normal * facet.normal.dot(x - facet.inside);
+  bool is_inside = false;  // changes with each edge that a ray in the plane crosses
+  for (const auto& [from, to] : facet.edges) {
+    const Vec3 &p = points[n(from)], &q = points[n(to)];
+    if ((p[b] > foot[b]) == (q[b] > foot[b])) continue;
+    if (foot[c] < p[c] + (foot[b] - p[b]) / (q[b] - p[b]) * (q[c] - p[c])) is_inside = !is_inside;
+  }
+  return is_inside;
+}
 
 std::vector<EnclosedPart> enclosed_parts(const std::vector<Vec3>& points,
                                          const std::vector<SidedFacet>& facets) {
@@ -153,7 +163,7 @@ std::vector<EnclosedPart> enclosed_parts(const std::vector<Vec3>& points,
     surfaces[groups.find(side)].push_back(side_of(side));
   std::vector<EnclosedPart> parts;
   for (const auto& [group, surface] : surfaces) {
-    const Vec3 point = point_beside(widest(surface, points, facets), points, facets);
+    const Vec3 point = point_before(surface, points, facets);
     // Seen from the space around it, a surface fills no solid angle.
     if (winding(point, surface, points, facets) > 0.5) parts.push_back({point, surface});
   }

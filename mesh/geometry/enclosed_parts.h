@@ -10,10 +10,15 @@ namespace etendue {
 
 /// A flat facet whose two sides are told apart.
 struct SidedFacet {
-  std::vector<std::array<int, 2>> edges;  ///< points; the facet is on their left, seen from the normal's tip
-  Vec3 normal;                            ///< unit
-  Vec3 inside;                            ///< a point of the facet, off its edges
+  /// Points; the facet is on their left, seen from the normal's tip. Edges inside it stand in both
+  /// directions.
+  std::vector<std::array<int, 2>> edges;
+  Vec3 normal;  ///< unit
+  Vec3 inside;  ///< a point of the facet, off its edges
 };
+
+/// Whether the foot of a point on the facet's plane lies in the facet.
+bool foot_is_inside(const Vec3& x, const std::vector<Vec3>& points, const SidedFacet& facet);
 
 /// A side of a facet: `above` is where its normal points.
 struct FacetSide {

@@ -30,6 +30,8 @@ class PlaneArrangement {
  public:
   PlaneArrangement(const FacePlane& plane, const BodyScene& scene, WallNames& walls, std::set<int>& used)
       : plane_(plane), scene_(scene), walls_(walls), used_patches_(used) {
+    for (int body = 0; body < static_cast<int>(scene.bodies.size()); ++body)
+      contacts_.push_back(contact(body));
     const std::array<ExactNumber, 3> normal{plane.plane.a(), plane.plane.b(), plane.plane.c()};
     const std::size_t a = n(plane.axis);
     if (normal[(a + 1) % 3] != 0 || normal[(a + 2) % 3] != 0) return;
@@ -70,6 +72,19 @@ class PlaneArrangement {
     return own == plane_.faces.end() ? nullptr : &*own;
   }
 
+  enum class Contact { kNone, kTouch, kFace, kCut };
+
+  /// What a body has to do with the plane. A touch is a single edge in it; single points are added at the
+  /// end.
+  Contact contact(int body) const {
+    if (face_of(body)) return Contact::kFace;
+    std::array<int, 3> count{};
+    for (const ExactPoint& point : scene_.bodies[n(body)].points)
+      ++count[n(1 + plane_.plane.oriented_side(point))];
+    if (count[0] > 0 && count[2] > 0) return Contact::kCut;
+    return count[1] > 1 ? Contact::kTouch : Contact::kNone;
+  }
+
   /// Whether a body fills the side of the plane at a point of it.
   bool fills(int body, const ExactPoint& point, int side) const {
     const ConvexBody& shape = scene_.bodies[n(body)];
@@ -78,6 +93,8 @@ class PlaneArrangement {
                          CGAL::to_double(shape.planes[n(own->face)].b()),
                          CGAL::to_double(shape.planes[n(own->face)].c()));
       if ((outward[plane_.axis] > 0) == (side > 0)) return false;
+    } else if (contacts_[n(body)] != Contact::kCut) {
+      return false;
     }
     return contains(shape, point);
   }
@@ -147,6 +164,7 @@ class PlaneArrangement {
   /// The quick way for most faces of a round body: alone in the plane, unnamed and cut by nothing.
   std::optional<std::vector<ExactFacet>> whole_face() {
     if (plane_.faces.size() != 1 || !named_.empty()) return std::nullopt;
+    if (std::count(contacts_.begin(), contacts_.end(), Contact::kTouch) > 0) return std::nullopt;
     const BodyFace& own = plane_.faces.front();
     std::vector<ExactPoint> ring = corners(own);
     for (int body = 0; body < static_cast<int>(scene_.bodies.size()); ++body)
@@ -156,7 +174,7 @@ class PlaneArrangement {
     if (!key) return std::vector<ExactFacet>{};
     const Exact::Vector_3 turn = CGAL::cross_product(ring[1] - ring[0], ring[2] - ring[0]);
     if (turn[plane_.axis] < 0) std::reverse(ring.begin(), ring.end());
-    ExactFacet facet{{}, {}, middle, plane_.normal, key->below, key->above, key->wall};
+    ExactFacet facet{plane_.plane, plane_.normal, {}, {}, middle, key->below, key->above, key->wall};
     for (std::size_t i = 0; i < ring.size(); ++i)
       facet.edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
     return std::vector<ExactFacet>{facet};
@@ -172,8 +190,14 @@ class PlaneArrangement {
       const std::vector<ExactPoint> ring = corners(face);
       for (std::size_t i = 0; i < ring.size(); ++i) add(ring[i], ring[(i + 1) % ring.size()]);
     }
-    for (int body = 0; body < static_cast<int>(scene_.bodies.size()); ++body)
-      if (!face_of(body)) add_section(scene_.bodies[n(body)], add);
+    for (int body = 0; body < static_cast<int>(scene_.bodies.size()); ++body) {
+      const std::size_t first = segments.size();
+      const Contact contact = contacts_[n(body)];
+      if (contact == Contact::kCut || contact == Contact::kTouch) add_section(scene_.bodies[n(body)], add);
+      if (contact == Contact::kTouch)
+        touches_.insert(touches_.end(), segments.begin() + static_cast<std::ptrdiff_t>(first),
+                        segments.end());
+    }
     for (const NamedRectangle* rectangle : named_) {
       const int c = (plane_.axis + 2) % 3;
       Vec3 low_high = rectangle->min, high_low = rectangle->max;
@@ -243,17 +267,26 @@ class PlaneArrangement {
     return middle + *nearest / 2 * across;
   }
 
+  /// Whether a body touches the plane along an edge: it must stay an edge, also inside a facet.
+  bool is_touched(const Arrangement::Halfedge& edge) const {
+    const Point2 middle = CGAL::midpoint(edge.source()->point(), edge.target()->point());
+    return std::any_of(touches_.begin(), touches_.end(),
+                       [&](const Exact::Segment_2& touch) { return touch.has_on(middle); });
+  }
+
   void merge_equal_faces() {
     std::vector<Arrangement::Halfedge_handle> needless;
     for (auto edge = arrangement_.edges_begin(); edge != arrangement_.edges_end(); ++edge)
-      if (edge->face()->data() == edge->twin()->face()->data()) needless.push_back(edge);
+      if (edge->face()->data() == edge->twin()->face()->data() &&
+          (edge->face()->data() < 0 || !is_touched(*edge)))
+        needless.push_back(edge);
     for (const Arrangement::Halfedge_handle& edge : needless) arrangement_.remove_edge(edge);
   }
 
   ExactFacet facet(FaceHandle face) {
     const FacetKey& key = keys_[n(face->data())];
-    ExactFacet result{{},        openings(face), lifted(inside(face)), plane_.normal, key.below,
-                      key.above, key.wall};
+    ExactFacet result{plane_.plane,         plane_.normal, {},        openings(face),
+                      lifted(inside(face)), key.below,     key.above, key.wall};
     const auto add_ring = [&](Arrangement::Ccb_halfedge_circulator start) {
       std::vector<Point2> ring;
       auto edge = start;
@@ -274,20 +307,20 @@ class PlaneArrangement {
 
   /// A point in each neighbour that the facet shuts in.
   std::vector<ExactPoint> openings(FaceHandle face) {
-    std::set<const Arrangement::Face*> open{&*arrangement_.unbounded_face()};
+    std::set<const Arrangement::Face*> open{&*face, &*arrangement_.unbounded_face()};
     std::vector<FaceHandle> front{arrangement_.unbounded_face()};
     while (!front.empty()) {
       const FaceHandle next = front.back();
       front.pop_back();
       for_each_edge(next, [&](const auto& edge) {
         const FaceHandle other = edge->twin()->face();
-        if (other != face && open.insert(&*other).second) front.push_back(other);
+        if (open.insert(&*other).second) front.push_back(other);
       });
     }
     std::vector<ExactPoint> points;
     for_each_edge(face, [&](const auto& edge) {
       const FaceHandle other = edge->twin()->face();
-      if (other != face && open.insert(&*other).second) points.push_back(lifted(inside(other)));
+      if (open.insert(&*other).second) points.push_back(lifted(inside(other)));
     });
     return points;
   }
@@ -297,6 +330,8 @@ class PlaneArrangement {
   WallNames& walls_;
   std::set<int>& used_patches_;
   std::vector<const NamedRectangle*> named_;  ///< in this plane
+  std::vector<Contact> contacts_;             ///< [body]
+  std::vector<Exact::Segment_2> touches_;
   std::vector<FacetKey> keys_;
   Arrangement arrangement_;
 };

@@ -38,10 +38,11 @@ std::vector<FacePlane> face_planes(const BodyScene& scene);
 
 /// A facet of the arrangement with exact corners.
 struct ExactFacet {
+  ExactPlane plane;
+  Vec3 normal;                                   ///< unit, rounded
   std::vector<std::array<ExactPoint, 2>> edges;  ///< the facet is on their left, seen from the normal's tip
   std::vector<ExactPoint> openings;
   ExactPoint inside;
-  Vec3 normal;
   SpaceLabel below, above;  ///< region or kOutside on the two sides; above is where the normal points
   int wall;                 ///< -1: an interface
 };

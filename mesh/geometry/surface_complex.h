@@ -8,9 +8,10 @@
 
 namespace etendue {
 
-/// A flat piece of surface: closed outlines and single segments in one plane, with a point in each opening.
+/// A flat piece of surface: closed outlines, single segments and lone points in one plane, with a point in
+/// each opening.
 struct SurfaceFacet {
-  std::vector<std::vector<int>> polygons;  ///< indices of points; two of them make a segment
+  std::vector<std::vector<int>> polygons;  ///< indices of points; two make a segment, one a lone point
   std::vector<Vec3> openings;              ///< a point in each hole of the facet
   int wall = -1;                           ///< index into wall_names; -1: an interface between two regions
 };

@@ -126,7 +126,7 @@ TEST(BodyArrangement, SphereOutsideTheBoxBelongsToTheDomain) {
   EXPECT_EQ(surface.wall_names.size(), 6u);
 }
 
-TEST(BodyArrangement, OblongScenesOfCrossingBodiesAreClosed) {
+TEST(BodyArrangement, CrossingBodiesHaveAClosedSurface) {
   // Every edge of the boundary bounds an even number of wall facets.
   const Geometry geometry{
       {box("air", {0, 0, 0}, {4, 4, 4}), sphere("fog", {2, 2, 2}, 1.2, 80),
@@ -139,7 +139,7 @@ TEST(BodyArrangement, OblongScenesOfCrossingBodiesAreClosed) {
     for (const std::vector<int>& edge : facet.polygons)
       if (facet.wall >= 0) ++walls_at[std::minmax(edge[0], edge[1])];
   for (const auto& [edge, walls] : walls_at) EXPECT_EQ(walls % 2, 0);
-  EXPECT_EQ(surface.holes.size(), 1u);
+  EXPECT_EQ(surface.holes.size(), 2u);  // the slab fills the middle of the stone
 }
 
 TEST(BodyArrangement, PatchCutsAWallThatASphereCrosses) {
@@ -166,10 +166,28 @@ TEST(BodyArrangement, RefusesRoundBodiesWithoutVolume) {
 }
 
 TEST(BodyArrangement, RefusesBodiesThatNearlyTouch) {
-  EXPECT_THAT(fault_of({{box("air", {0, 0, 0}, {2, 2, 2}), cylinder("a", {1, 1, 1e-12}, {1, 1, 1}, 0.5, 8),
-                         cylinder("b", {1, 1, 0}, {1, 1, 1}, 0.5, 8)},
-                        {}}),
-              testing::HasSubstr("nothing"));
+  EXPECT_THAT(
+      fault_of({{box("air", {0, 0, 0}, {2, 2, 2}), cylinder("a", {1, 1, -1e-12}, {1, 1, 1}, 0.5, 8)}, {}}),
+      testing::MatchesRegex("case.toml:7: mesh.cylinder: primitives cross within 1e-12 of each other near .* "
+                            "\\(too close to be "
+                            "meshed\\); let them overlap, part them or make their coordinates equal"));
+}
+
+TEST(BodyArrangement, VertexThatTouchesAWallIsAPointOfTheWall) {
+  const SurfaceComplex surface =
+      arrange({{box("air", {0, 0, 0}, {3, 3, 2}), sphere("ball", {1.5, 1.5, 1}, 1, 80)}, {}});
+  std::size_t lone = 0;
+  for (const SurfaceFacet& facet : surface.facets)
+    for (const std::vector<int>& polygon : facet.polygons) lone += polygon.size() == 1;
+  EXPECT_EQ(lone, 2u);
+  EXPECT_EQ(seed_counts(surface), (Counts{{"air", 1}, {"ball", 1}}));
+}
+
+TEST(BodyArrangement, CylinderBetweenFloorAndCeilingPartsTheAir) {
+  // It touches both in a line and reaches from wall to wall.
+  const SurfaceComplex surface =
+      arrange({{box("air", {0, 0, 0}, {4, 4, 2}), cylinder("pipe", {2, 0, 1}, {2, 4, 1}, 1, 8)}, {}});
+  EXPECT_EQ(seed_counts(surface), (Counts{{"air", 2}, {"pipe", 1}}));
 }
 
 TEST(BodyArrangement, RefusesAPatchOffTheBoundary) {

@@ -15,6 +15,7 @@ using Segment = std::array<Vec3, 2>;
 std::vector<Segment> segments_of(const SurfaceComplex& surface, const SurfaceFacet& facet) {
   std::vector<Segment> segments;
   for (const std::vector<int>& polygon : facet.polygons) {
+    if (polygon.size() == 1) continue;
     const std::size_t count = polygon.size() == 2 ? 1 : polygon.size();
     for (std::size_t i = 0; i < count; ++i)
       segments.push_back({surface.points[static_cast<std::size_t>(polygon[i])],
