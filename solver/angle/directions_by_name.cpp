@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -12,19 +14,19 @@ namespace {
 struct Family {
   const char* name;
   DirectionSet (*make)(int);
-  long (*count)(long order);
-  bool even;  ///< only even orders
+  double (*count)(double order);  ///< a double, since squares of orders overflow
+  bool even;                      ///< only even orders
 };
 
 constexpr std::array<Family, 3> families = {{
-    {"product", directions_product, [](long n) { return 2 * n * n; }, true},
-    {"triangular", directions_triangular, [](long n) { return n * (n + 2); }, true},
-    {"ldfe-sq", directions_ldfe_sq, [](long n) { return 96 * n * n; }, false},
+    {"product", directions_product, [](double n) { return 2 * n * n; }, true},
+    {"triangular", directions_triangular, [](double n) { return n * (n + 2); }, true},
+    {"ldfe-sq", directions_ldfe_sq, [](double n) { return 96 * n * n; }, false},
 }};
 
 // Every direction costs a sweep in every iteration: beyond this a run takes days even on small meshes, and
 // an order like 1000 is a slip of the keyboard.
-constexpr long most_directions = 100000;
+constexpr int most_directions = 100000;
 
 const Family* find_family(const std::string& name) {
   const auto found = std::find_if(families.begin(), families.end(),
@@ -66,7 +68,7 @@ std::string check_direction_order(const std::string& name, int order) {
     return "must be even (the levels of a " + name + " set lie in pairs above and below the equator)" +
            accepted(*family);
   if (order > largest_order(*family))
-    return "too large (" + std::to_string(family->count(order)) + " directions, more than " +
+    return "too large (" + fmt::format("{:.0f}", family->count(order)) + " directions, more than " +
            std::to_string(most_directions) + ": each costs a sweep in every iteration)" + accepted(*family);
   return {};
 }

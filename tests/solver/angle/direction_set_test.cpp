@@ -151,7 +151,7 @@ TEST(DirectionSet, SaysWhichOrdersAreAccepted) {
   EXPECT_EQ(message_of("triangular", 1000),
             "directions.order = 1000: too large (1002000 directions, more than 100000: each costs a sweep in "
             "every iteration); use 2, 4, 6 … 314");
-  EXPECT_EQ(message_of("ldfe-sq", 2147483647).substr(0, 42), "directions.order = 2147483647: too large (");
+  EXPECT_NE(message_of("ldfe-sq", 2147483647).find("too large (442721857"), std::string::npos);
   EXPECT_EQ(message_of("ldfe", 1),
             "directions.set = \"ldfe\": unknown in this version; use product, triangular, ldfe-sq");
   EXPECT_EQ(check_direction_order("ldfe", 1),
