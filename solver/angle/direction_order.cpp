@@ -44,6 +44,7 @@ std::vector<std::int32_t> upper_directions_along_curve(std::span<const Vec3> dir
       places.emplace_back(place_on_curve(directions[m]), static_cast<std::int32_t>(m));
   std::sort(places.begin(), places.end());
   std::vector<std::int32_t> order;
+  order.reserve(places.size());
   for (const auto& [place, m] : places) order.push_back(m);
   return order;
 }

@@ -56,6 +56,7 @@ std::string accepted_names() {
 
 std::vector<std::string> direction_set_names() {
   std::vector<std::string> names;
+  names.reserve(families.size());
   for (const Family& family : families) names.emplace_back(family.name);
   return names;
 }

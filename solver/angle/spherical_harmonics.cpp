@@ -9,7 +9,10 @@
 namespace etendue {
 namespace {
 
-std::size_t at(int degree, int order) { return static_cast<std::size_t>(degree * degree + degree + order); }
+std::size_t at(int degree, int order) {
+  const int index = degree * degree + degree + order;
+  return static_cast<std::size_t>(index);
+}
 
 /// Factor of the step from degrees l-1 and l-2 to l at order m: Q_l = a_l (z Q_{l-1} - Q_{l-2} / a_{l-1}).
 double step_factor(int l, int m) { return std::sqrt((4.0 * l * l - 1) / (double(l) * l - double(m) * m)); }
