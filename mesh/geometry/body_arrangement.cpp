@@ -7,6 +7,7 @@
 #include <map>
 
 #include "mesh/geometry/enclosed_parts.h"
+#include "mesh/geometry/facet_triangles.h"
 #include "mesh/geometry/plane_arrangement.h"
 #include "mesh/geometry/primitive_checks.h"
 
@@ -142,6 +143,32 @@ void add_seeds(const std::vector<ExactFacet>& facets, const std::vector<SidedFac
   }
 }
 
+bool is_along_axes(const ExactPlane& plane) {
+  return (plane.a() == 0) + (plane.b() == 0) + (plane.c() == 0) == 2;
+}
+
+/// A facet along the axes as a whole: rounding keeps it flat. Another one in triangles, which stay flat;
+/// TetGen fails on many-sided facets that are flat only to rounding.
+void add_facet(const ExactFacet& facet, const SidedFacet& own, const Corners& corners,
+               SurfaceComplex& surface) {
+  const std::vector<int> lone = touching_corners(facet, own, corners);
+  if (is_along_axes(facet.plane)) {
+    SurfaceFacet whole{{}, {}, facet.wall};
+    std::set<std::array<int, 2>> written;
+    for (const auto& [from, to] : own.edges)
+      if (written.insert(sorted(from, to)).second) whole.polygons.push_back({from, to});
+    for (const int corner : lone) whole.polygons.push_back({corner});
+    for (const ExactPoint& opening : facet.openings) whole.openings.push_back(rounded(opening));
+    surface.facets.push_back(std::move(whole));
+    return;
+  }
+  int axis = 0;
+  facet.normal.maxCoeff(&axis);
+  const auto point = [&](int corner) -> const ExactPoint& { return corners.exact(corner); };
+  for (const auto& [a, b, c] : facet_triangles(own.edges, lone, axis, point))
+    surface.facets.push_back({{{a, b, c}}, {}, facet.wall});
+}
+
 }  // namespace
 
 SurfaceComplex arrange_bodies(const Geometry& geometry) {
@@ -165,16 +192,7 @@ SurfaceComplex arrange_bodies(const Geometry& geometry) {
   check_gaps(geometry, corners.points(), sided_facets);
   surface.points = corners.points();
   surface.wall_names = walls.all();
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    SurfaceFacet facet{{}, {}, facets[f].wall};
-    std::set<std::array<int, 2>> written;
-    for (const auto& [from, to] : sided_facets[f].edges)
-      if (written.insert(sorted(from, to)).second) facet.polygons.push_back({from, to});
-    for (const int corner : touching_corners(facets[f], sided_facets[f], corners))
-      facet.polygons.push_back({corner});
-    for (const ExactPoint& opening : facets[f].openings) facet.openings.push_back(rounded(opening));
-    surface.facets.push_back(std::move(facet));
-  }
+  for (std::size_t f = 0; f < facets.size(); ++f) add_facet(facets[f], sided_facets[f], corners, surface);
   add_seeds(facets, sided_facets, surface);
   return surface;
 }
