@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/command_line.h"
+
+#include <gtest/gtest.h>
+
+#include "mesh/base/errors.h"
+
+namespace etendue {
+namespace {
+
+template <class Wanted>
+Wanted parsed(const std::vector<std::string>& arguments) {
+  return std::get<Wanted>(parse_command_line(arguments));
+}
+
+std::string fault_of(const std::vector<std::string>& arguments) {
+  try {
+    parse_command_line(arguments);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CommandLine, TakesEachOverrideAsOneArgument) {
+  const auto run = parsed<RunRequest>({"run", "--set", "a=1", "--set", "b=[1, 2]", "case.toml"});
+  EXPECT_EQ(run.file, "case.toml");
+  EXPECT_EQ(run.overrides, (Overrides{"a=1", "b=[1, 2]"}));
+}
+
+TEST(CommandLine, TurnsOutputAndThreadsIntoOverrides) {
+  const auto run = parsed<RunRequest>({"run", "case.toml", "--output", "/tmp/a \"b\"", "--threads", "3"});
+  EXPECT_EQ(run.overrides, (Overrides{R"(output.directory="/tmp/a \"b\"")", "solve.threads=3"}));
+}
+
+TEST(CommandLine, TakesTheOutputRelativeToTheWorkingDirectory) {
+  const auto run = parsed<RunRequest>({"run", "cases/case.toml", "--output", "out"});
+  const std::string path = (std::filesystem::current_path() / "out").string();
+  EXPECT_EQ(run.overrides, Overrides{"output.directory=\"" + path + "\""});
+}
+
+TEST(CommandLine, KnowsTheStylesOfProgress) {
+  EXPECT_EQ(parsed<RunRequest>({"run", "c"}).progress, ProgressStyle::automatic);
+  EXPECT_EQ(parsed<RunRequest>({"run", "c", "--progress", "none"}).progress, ProgressStyle::none);
+  EXPECT_EQ(parsed<RunRequest>({"run", "c", "--progress", "bar"}).progress, ProgressStyle::bar);
+  EXPECT_NE(fault_of({"run", "c", "--progress", "disco"}).find("disco"), std::string::npos);
+}
+
+TEST(CommandLine, ReadsTheOtherCommands) {
+  EXPECT_TRUE(parsed<CheckRequest>({"check", "c", "--mesh"}).mesh);
+  EXPECT_EQ(parsed<MeshRequest>({"mesh", "c", "-o", "m.vtu"}).output, "m.vtu");
+  EXPECT_EQ(parsed<DirectionsRequest>({"directions", "--set", "product", "--order", "4"}).order, 4);
+  EXPECT_FALSE(parsed<DirectionsRequest>({"directions"}).set);
+  EXPECT_TRUE(std::holds_alternative<KeysRequest>(parse_command_line({"keys"})));
+}
+
+TEST(CommandLine, ShowsHelpWithExamplesAndTheVersion) {
+  EXPECT_NE(parsed<ShowText>({"--help"}).text.find("etendue run cases/"), std::string::npos);
+  EXPECT_NE(parsed<ShowText>({"run", "--help"}).text.find("--threads"), std::string::npos);
+  EXPECT_EQ(parsed<ShowText>({"--version"}).text.rfind("etendue 0.", 0), 0U);
+}
+
+TEST(CommandLine, SaysInOneLineWhatIsWrong) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
+                                                    {"dance"},
+                                                    {"run"},
+                                                    {"run", "c", "--frames", "3"},
+                                                    {"run", "c", "--threads", "-1"},
+                                                    {"run", "c", "--threads", "two"},
+                                                    {"mesh", "c"},
+                                                    {"directions", "--set", "product"}}) {
+    const std::string fault = fault_of(arguments);
+    EXPECT_EQ(fault.rfind("command line: ", 0), 0U) << fault;
+    EXPECT_EQ(fault.find('\n'), std::string::npos) << fault;
+    EXPECT_NE(fault.find("--help"), std::string::npos) << fault;
+  }
+}
+
+TEST(CommandLine, RefusesCommandsOfLaterVersions) {
+  for (const char* command : {"study", "render", "compare"})
+    EXPECT_NE(fault_of({command, "case.toml", "--levels", "3"}).find("not in this version"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace etendue

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/command.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/app/command/small_case.h"
+
+namespace etendue {
+namespace {
+
+using test::CaseFolder;
+using test::etendue_says;
+using test::Outcome;
+using test::ScratchFolder;
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Command, HelpAndVersionGoToStandardOutput) {
+  const Outcome help = etendue_says({"--help"});
+  EXPECT_EQ(help.code, ExitCode::done);
+  EXPECT_TRUE(has(help.out, "Examples:"));
+  EXPECT_EQ(help.err, "");
+  EXPECT_EQ(etendue_says({"--version"}).code, ExitCode::done);
+}
+
+TEST(Command, WrongArgumentsAreInputErrors) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
+                                                    {"dance"},
+                                                    {"study", "case.toml"},
+                                                    {"directions", "--set", "product", "--order", "3"},
+                                                    {"directions", "--set", "square", "--order", "2"}}) {
+    const Outcome outcome = etendue_says(arguments);
+    EXPECT_EQ(outcome.code, ExitCode::input_error);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
+TEST(Command, ACaseThatIsNotThereIsAFileError) {
+  for (const char* command : {"run", "check"}) {
+    const Outcome outcome = etendue_says({command, "/nowhere/case.toml"});
+    EXPECT_EQ(outcome.code, ExitCode::file_error);
+    EXPECT_TRUE(has(outcome.err, "/nowhere/case.toml")) << outcome.err;
+  }
+}
+
+TEST(Command, AFaultyCaseIsAnInputErrorWithFileAndLine) {
+  const CaseFolder folder(test::small_case() + "[solve]\ntolerance = -1\n");
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "case.toml:28: solve.tolerance = -1")) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.results()));
+}
+
+TEST(Command, CheckDescribesACaseAndMakesNothing) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says({"check", folder.file()});
+  EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "product 2: 8")) << outcome.out;
+  EXPECT_EQ(ScratchFolder::names_in(folder.path()), std::vector<std::string>{"case.toml"});
+}
+
+TEST(Command, CheckWithMeshReportsVolumesAndAreas) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says({"check", folder.file(), "--mesh"});
+  EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "smoke")) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "floor")) << outcome.out;
+}
+
+TEST(Command, CheckWithMeshFindsProbesOutside) {
+  const CaseFolder outside(test::small_case() + "[[probe]]\nname = \"out\"\npoints = [[2, 0, 0]]\n");
+  const Outcome refused = etendue_says({"check", outside.file(), "--mesh"});
+  EXPECT_EQ(refused.code, ExitCode::input_error);
+  EXPECT_TRUE(has(refused.err, "[2, 0, 0]: the point of probe \"out\" lies outside")) << refused.err;
+}
+
+TEST(Command, MeshWritesTetrahedra) {
+  const CaseFolder folder;
+  const std::string mesh = (folder.path() / "deep" / "mesh.vtu").string();
+  const Outcome outcome = etendue_says({"mesh", folder.file(), "-o", mesh});
+  EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_GT(std::filesystem::file_size(mesh), 1000U);
+  EXPECT_TRUE(has(outcome.out, mesh));
+}
+
+TEST(Command, MeshRefusesOtherKindsOfFiles) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says({"mesh", folder.file(), "-o", "mesh.stl"});
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "ends in .vtu")) << outcome.err;
+}
+
+TEST(Command, DirectionsShowsAllSetsOrOneInFull) {
+  const Outcome all = etendue_says({"directions"});
+  EXPECT_EQ(all.code, ExitCode::done);
+  for (const char* set : {"product", "triangular", "ldfe-sq"}) EXPECT_TRUE(has(all.out, set)) << set;
+  const Outcome one = etendue_says({"directions", "--set", "product", "--order", "2"});
+  EXPECT_TRUE(has(one.out, "ordinate,x,y,z,weight\n0,")) << one.out;
+  EXPECT_TRUE(has(one.out, "\n7,"));
+}
+
+TEST(Command, KeysShowsTheReference) {
+  const Outcome keys = etendue_says({"keys"});
+  EXPECT_EQ(keys.code, ExitCode::done);
+  EXPECT_TRUE(has(keys.out, "max_sweeps"));
+}
+
+}  // namespace
+}  // namespace etendue

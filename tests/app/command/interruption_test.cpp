@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/app/command/small_case.h"
+
+namespace etendue {
+namespace {
+
+using nlohmann::json;
+using test::CaseFolder;
+using test::ScratchFolder;
+using test::text_of;
+
+/// The program as a process of its own; what it says goes to the file `said`.
+class Process {
+ public:
+  Process(const std::vector<std::string>& arguments, const std::filesystem::path& said) : said_(said) {
+    id_ = fork();
+    if (id_ == 0) become(arguments);
+  }
+  ~Process() {
+    if (!ended_) kill(id_, SIGKILL), wait();
+  }
+
+  void send(int signal) const { kill(id_, signal); }
+
+  /// The exit code; minus the signal where one killed it.
+  int wait() {
+    int status = 0;
+    waitpid(id_, &status, 0);
+    ended_ = true;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+  /// Waits until the program has said this.
+  bool says(const std::string& part) const {
+    for (int i = 0; i < 3000; ++i) {
+      if (text_of(said_).find(part) != std::string::npos) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
+
+ private:
+  void become(const std::vector<std::string>& arguments) const {
+    const int file = open(said_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    dup2(file, STDOUT_FILENO);
+    dup2(file, STDERR_FILENO);
+    std::vector<std::string> words = {ETENDUE_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    execv(ETENDUE_PROGRAM, pointers.data());
+    _exit(127);
+  }
+
+  std::filesystem::path said_;
+  pid_t id_ = 0;
+  bool ended_ = false;
+};
+
+/// A case whose iteration does not end within the test.
+std::vector<std::string> endless_run(const CaseFolder& folder) {
+  return {"run",        folder.file(),
+          "--progress", "plain",
+          "--set",      "solve.tolerance=1e-15",
+          "--set",      "solve.max_sweeps=100000000",
+          "--set",      "media.smoke.absorption=0.0001",
+          "--set",      "media.smoke.scattering=3000",
+          "--set",      "walls.'*'.diffuse=1"};
+}
+
+std::filesystem::path said_in(const CaseFolder& folder) { return folder.path() / "said"; }
+
+TEST(Interruption, WhileSolvingLeavesWholeResultsThatAreMarked) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const CaseFolder folder;
+    Process run(endless_run(folder), said_in(folder));
+    ASSERT_TRUE(run.says("sweep    1")) << text_of(said_in(folder));
+    run.send(signal);
+    EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
+    EXPECT_EQ(ScratchFolder::names_in(folder.results()),
+              (std::vector<std::string>{"fields.vtu", "history.csv", "probes.csv", "regions.csv",
+                                        "summary.json", "walls.csv", "walls.vtp"}));
+    const json summary = json::parse(text_of(std::filesystem::path(folder.results()) / "summary.json"));
+    EXPECT_EQ(summary["converged"], false);
+    EXPECT_EQ(summary["interrupted"], true);
+  }
+}
+
+TEST(Interruption, WhileMeshingLeavesNothing) {
+  const CaseFolder folder;
+  std::vector<std::string> arguments = endless_run(folder);
+  arguments.insert(arguments.end(), {"--set", "mesh.max_volume=1e-7"});  // some minutes of meshing
+  Process run(arguments, said_in(folder));
+  ASSERT_TRUE(run.says("Small")) << text_of(said_in(folder));
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
+  EXPECT_EQ(ScratchFolder::names_in(folder.path()), (std::vector<std::string>{"case.toml", "said"}));
+}
+
+TEST(Interruption, KilledRunLeavesNoFileUnderItsName) {
+  const CaseFolder folder;
+  Process run(endless_run(folder), said_in(folder));
+  ASSERT_TRUE(run.says("sweep    1")) << text_of(said_in(folder));
+  run.send(SIGKILL);
+  EXPECT_EQ(run.wait(), -SIGKILL);
+  EXPECT_EQ(ScratchFolder::names_in(folder.path()), (std::vector<std::string>{"case.toml", "said"}));
+}
+
+}  // namespace
+}  // namespace etendue

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command/small_case.h"
+
+namespace etendue {
+namespace {
+
+using nlohmann::json;
+using test::CaseFolder;
+using test::etendue_says;
+using test::Outcome;
+using test::ScratchFolder;
+using test::text_of;
+
+const std::vector<std::string> all_files = {"fields.vtu",   "history.csv", "probes.csv", "regions.csv",
+                                            "summary.json", "walls.csv",   "walls.vtp"};
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+json summary_in(const std::filesystem::path& results) {
+  return json::parse(text_of(results / "summary.json"));
+}
+
+TEST(Run, WritesAllFilesAndSaysWhere) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(ScratchFolder::names_in(folder.results()), all_files);
+  EXPECT_TRUE(has(outcome.out, "paraview " + folder.results() + "/fields.vtu")) << outcome.out;
+}
+
+TEST(Run, ClosesTheBalanceOfEachBand) {
+  const CaseFolder folder;
+  ASSERT_EQ(etendue_says({"run", folder.file(), "--set", "solve.tolerance=1e-12"}).code, ExitCode::done);
+  const json summary = summary_in(folder.results());
+  ASSERT_EQ(summary["balance"].size(), 3U);
+  for (const json& balance : summary["balance"]) {
+    EXPECT_GT(balance["inflow"], 0.1);
+    EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-10);
+  }
+}
+
+TEST(Run, HasTheSameBitsForAnyNumberOfThreads) {
+  const CaseFolder folder;
+  const auto results_with = [&](int threads) {
+    return folder.path() / ("threads-" + std::to_string(threads));
+  };
+  for (const int threads : {1, 2, 3, 4})
+    ASSERT_EQ(etendue_says({"run", folder.file(), "--threads", std::to_string(threads), "--output",
+                            results_with(threads).string()})
+                  .code,
+              ExitCode::done);
+  for (const int threads : {2, 3, 4})
+    for (const std::string& name : all_files)
+      if (name != "summary.json") {
+        EXPECT_EQ(text_of(results_with(1) / name), text_of(results_with(threads) / name)) << name << threads;
+      }
+  EXPECT_EQ(summary_in(results_with(3))["threads"], 3);
+}
+
+TEST(Run, ThatDoesNotConvergeWritesItsResultsMarked) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says({"run", folder.file(), "--set", "solve.max_sweeps=2"});
+  EXPECT_EQ(outcome.code, ExitCode::not_converged);
+  EXPECT_TRUE(has(outcome.err, "not converged")) << outcome.err;
+  EXPECT_EQ(summary_in(folder.results())["converged"], false);
+  EXPECT_EQ(ScratchFolder::names_in(folder.results()), all_files);
+}
+
+TEST(Run, RefusesAnOutputDirectoryThatIsAFileBeforeItMeshes) {
+  const CaseFolder folder;
+  test::write_text(folder.results(), "mine");
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  EXPECT_EQ(outcome.code, ExitCode::file_error);
+  EXPECT_TRUE(has(outcome.err, folder.results())) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(text_of(folder.results()), "mine");
+}
+
+TEST(Run, RefusesAProbeOutsideTheMeshBeforeItSolves) {
+  const CaseFolder folder(test::small_case() + "[[probe]]\nname = \"out\"\npoints = [[2, 0, 0]]\n");
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "case.toml:")) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "probe \"out\" lies outside")) << outcome.err;
+  EXPECT_EQ(ScratchFolder::names_in(folder.path()), std::vector<std::string>{"case.toml"});
+}
+
+TEST(Run, RefusesAnOrdinateThatTheSetDoesNotHave) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says({"run", folder.file(), "--set", "output.fields=['radiance:8']"});
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "there is no ordinate 8")) << outcome.err;
+}
+
+TEST(Run, MeasuresTheIrradianceOfAProbeWithANormal) {
+  const CaseFolder folder;
+  ASSERT_EQ(etendue_says({"run", folder.file()}).code, ExitCode::done);
+  const std::string table = text_of(std::filesystem::path(folder.results()) / "probes.csv");
+  const std::string row = table.substr(table.find("\nmiddle,0,0.5,0.5,0.5,red,") + 1);
+  const double irradiance = std::stod(row.substr(row.substr(0, row.find('\n')).rfind(',') + 1));
+  EXPECT_GT(irradiance, 0);  // the walls above reflect
+  EXPECT_LT(irradiance, 1);  // and less than the floor emits
+}
+
+}  // namespace
+}  // namespace etendue

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/text_table.h"
+
+#include <gtest/gtest.h>
+
+namespace etendue {
+namespace {
+
+TEST(TextTable, AlignsItsColumns) {
+  TextTable table({"name", "value"}, {Align::left, Align::right});
+  table.add_row({"a", "1"});
+  table.add_row({"longer", "123456"});
+  EXPECT_EQ(table.text(),
+            "  name     value\n"
+            "  a            1\n"
+            "  longer  123456\n");
+}
+
+TEST(TextTable, CountsCharactersRatherThanBytes) {
+  TextTable table({"n", "v"}, {Align::left, Align::right});
+  table.add_row({"\xC3\xA9t", "1"});
+  EXPECT_EQ(table.text(), "  n   v\n  \xC3\xA9t  1\n");
+}
+
+TEST(TextTable, LeavesNoBlanksAtTheEndOfALine) {
+  TextTable table({"n", ""}, {Align::left, Align::left});
+  table.add_row({"a", ""});
+  EXPECT_EQ(table.text(), "  n\n  a\n");
+}
+
+TEST(TextTable, NumbersHaveSixDigits) { EXPECT_EQ(number(3.14159265), "3.14159"); }
+
+}  // namespace
+}  // namespace etendue
