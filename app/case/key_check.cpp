@@ -108,19 +108,12 @@ class KeyCheck {
     }
   }
 
-  void later(TomlNode& node) {
-    node.faulty = true;
-    const std::string value = node.is_table() || node.is_array() ? "" : brief_toml(node);
-    faults_.push_back(fault_at(node.origin, value, "not in this version; remove it"));
-  }
+  void later(TomlNode& node) { report(node, "not in this version; remove it", faults_); }
 
   void required(const TomlNode& node, std::string_view path) {
     for (const KeyDeclaration& key : key_declarations())
       if (key.table == path && key.need == Need::required && node.find(key.name) == nullptr)
         missing(node, key.name, accepted_text(key));
-    for (const TableDeclaration& declared : table_declarations())
-      if (path.empty() && declared.need == Need::required && node.find(declared.path) == nullptr)
-        missing(node, declared.path, "a case needs geometry, media and walls");
   }
 
   void missing(const TomlNode& node, std::string_view name, std::string_view accepted) {

@@ -25,14 +25,11 @@ std::vector<std::string> later_direction_sets() {
 
 std::vector<TableDeclaration> make_tables() {
   using enum TableForm;
-  constexpr auto required = Need::required;
   constexpr auto later = Support::later;
   return {
       {.path = "", .help = "Above the first table."},
       {.path = "units", .help = "One consistent system of units; nothing is converted."},
-      {.path = "mesh",
-       .need = required,
-       .help = "The geometry: exactly one of `file`, `surface` or primitives."},
+      {.path = "mesh", .help = "The geometry: exactly one of `file`, `surface` or primitives."},
       {.path = "mesh.box",
        .form = list,
        .help = "An axis-aligned box. Later primitives overwrite earlier ones, boxes, spheres and cylinders "
@@ -44,12 +41,13 @@ std::vector<TableDeclaration> make_tables() {
        .help = "An axis-aligned rectangle on the outside that gets a wall name of its own."},
       {.path = "mesh.sheet", .form = table_or_list, .support = later, .help = "A surface inside the domain."},
       {.path = "bands", .help = "The spectral bands, solved side by side."},
-      {.path = "media", .need = required, .help = "Every region has an entry; \"*\" stands for the rest."},
+      {.path = "media", .help = "Every region has an entry; \"*\" stands for the rest."},
       {.path = "media.NAME", .help = "The matter in the region NAME; an empty entry is a void."},
       {.path = "media.NAME.phase",
        .form = table_or_list,
-       .help = "How light turns when it scatters: one table, or a list with one for each band."},
-      {.path = "walls", .need = required, .help = "Every wall has an entry; \"*\" stands for the rest."},
+       .help = "How light turns when it scatters: one table, or a list with one for each band; without it "
+               "isotropic."},
+      {.path = "walls", .help = "Every wall has an entry; \"*\" stands for the rest."},
       {.path = "walls.NAME", .help = "What the wall NAME does; an empty entry is black and cold."},
       {.path = "walls.NAME.beam", .support = later, .help = "Collimated light that enters here."},
       {.path = "light", .form = list, .support = later, .help = "A light whose uncollided part is exact."},

@@ -74,7 +74,6 @@ enum class TableForm { table, list, table_or_list };
 struct TableDeclaration {
   std::string_view path;
   TableForm form = TableForm::table;
-  Need need = Need::optional;
   Support support = Support::here;
   std::string_view help = "";
 };

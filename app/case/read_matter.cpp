@@ -35,7 +35,6 @@ std::vector<PhaseFunction> read_phases(Section& section, const Bands& bands) {
     section.unused("phase", "nothing scatters in this region");
     return {PhaseIsotropic{}};
   }
-  if (!section.has("phase")) section.section("phase").resolve("model", "isotropic");
   const TomlNode* node = section.find("phase");
   if (node == nullptr) return {PhaseIsotropic{}};
   if (node->is_table()) return {read_phase(section.section("phase"))};
@@ -59,6 +58,15 @@ bool any_faulty(const TomlNode& table) {
   return table.faulty;
 }
 
+// Writes what an absent key means into the resolved case.
+void fill_in(Section& section, const MediumCase& medium) {
+  section.value("uncollided");
+  if (!medium.extinction && !medium.albedo)
+    for (const char* name : {"absorption", "scattering"}) section.value(name);
+  if (!medium.power_density && !medium.power) section.value("emission");
+  if (scatters(section) && !section.has("phase")) section.section("phase").resolve("model", "isotropic");
+}
+
 MediumCase read_medium(Section section, const Bands& bands) {
   MediumCase medium;
   medium.origin = section.origin();
@@ -70,11 +78,8 @@ MediumCase read_medium(Section section, const Bands& bands) {
   medium.power_density = read_band_values(section, "power_density", bands);
   medium.power = read_band_values(section, "power", bands);
   medium.phase = read_phases(section, bands);
-  section.value("uncollided");
   if (!any_faulty(section.node())) check_medium(section, medium, bands);
-  if (!medium.extinction && !medium.albedo)
-    for (const char* name : {"absorption", "scattering"}) section.value(name);
-  if (!medium.power_density && !medium.power) section.value("emission");
+  fill_in(section, medium);
   return medium;
 }
 
@@ -101,23 +106,23 @@ WallCase read_wall(Section section, const Bands& bands) {
 }
 
 template <class Entry, class Reader>
-std::map<std::string, Entry> read_entries(Section section, const Bands& bands, Reader reader) {
+std::map<std::string, Entry> read_entries(Section section, const Bands& bands, std::string_view kind,
+                                          Reader reader) {
   std::map<std::string, Entry> entries;
   for (auto& [name, table] : section.named()) entries.emplace(name, reader(std::move(table), bands));
-  const bool given = section.origin().line > 0 || !section.node().table().entries.empty();
-  if (given && section.node().table().entries.empty() && !section.node().faulty)
-    section.fault("has no entry; add one for each name, or \"*\"");
+  if (section.node().table().entries.empty() && !section.node().faulty)
+    section.fault("no entry; add one for each " + std::string(kind) + ", or \"*\" for all");
   return entries;
 }
 
 }  // namespace
 
 std::map<std::string, MediumCase> read_media(Section media, const Bands& bands) {
-  return read_entries<MediumCase>(std::move(media), bands, read_medium);
+  return read_entries<MediumCase>(std::move(media), bands, "region", read_medium);
 }
 
 std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands) {
-  return read_entries<WallCase>(std::move(walls), bands, read_wall);
+  return read_entries<WallCase>(std::move(walls), bands, "wall", read_wall);
 }
 
 }  // namespace etendue

@@ -3,42 +3,41 @@
 
 #include <fmt/format.h>
 
-#include <initializer_list>
+#include <algorithm>
+#include <array>
 
 #include "app/case/override.h"
 
 namespace etendue {
 namespace {
 
-constexpr std::initializer_list<const char*> primitive_lists = {"box", "sphere", "cylinder"};
-constexpr std::initializer_list<const char*> geometries = {"file", "surface", "box", "sphere", "cylinder"};
+constexpr std::array<std::string_view, 3> primitive_lists = {"box", "sphere", "cylinder"};
+constexpr std::array<std::string_view, 5> geometries = {"file", "surface", "box", "sphere", "cylinder"};
 
 bool has_primitives(const Section& mesh) {
-  for (const char* list : primitive_lists)
+  for (const std::string_view list : primitive_lists)
     if (mesh.has(list)) return true;
   return false;
 }
 
 // Boxes, spheres and cylinders are one geometry together.
 void check_one_geometry(Section& mesh) {
-  const char* first = nullptr;
+  std::string_view first;
   bool first_primitive = false;
-  for (const char* name : geometries) {
+  for (const std::string_view name : geometries) {
     if (!mesh.has(name)) continue;
-    const bool primitive = name != geometries.begin()[0] && name != geometries.begin()[1];
-    if (first == nullptr) {
+    const bool primitive = std::ranges::count(primitive_lists, name) > 0;
+    if (first.empty()) {
       first = name;
       first_primitive = primitive;
     } else if (!primitive || !first_primitive) {
-      const Origin origin = mesh.origin(name);
-      mesh.faults().push_back(
-          fault_at(origin, "",
-                   fmt::format("a second geometry (mesh.{} is at line {}); use exactly one of file, "
-                               "surface or primitives",
-                               first, mesh.origin(first).line)));
+      mesh.fault(name,
+                 fmt::format("a second geometry (mesh.{} is at line {}); use exactly one of file, surface or "
+                             "primitives",
+                             first, mesh.origin(first).line));
     }
   }
-  if (first == nullptr && !mesh.node().faulty)
+  if (first.empty() && !mesh.node().faulty)
     mesh.fault("no geometry; use exactly one of file, surface or primitives (box, sphere, cylinder)");
 }
 

@@ -2,6 +2,7 @@
 #include "app/case/section.h"
 
 #include <cassert>
+#include <limits>
 
 #include "app/case/keys.h"
 #include "app/case/toml_document.h"
@@ -88,6 +89,7 @@ Section Section::section(std::string_view name) {
     TomlNode empty;
     empty.value = TomlTable{};
     empty.origin = origin(name);
+    empty.position = std::numeric_limits<std::int64_t>::max();  // after all that the file has
     node = &table_.add(std::string(name), std::move(empty));
   }
   // One that is not a table has been reported; its reader sees an empty one.

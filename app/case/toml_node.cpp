@@ -57,6 +57,11 @@ std::string table_text(const TomlTable& table) {
 
 }  // namespace
 
+bool TomlNode::is_table_list() const {
+  return is_array() && !array().empty() &&
+         std::all_of(array().begin(), array().end(), [](const auto& item) { return item->is_table(); });
+}
+
 double TomlNode::number() const {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
   return std::get<double>(value);
@@ -102,6 +107,7 @@ std::string to_toml(const TomlNode& node) {
 
 std::string brief_toml(const TomlNode& node) {
   constexpr std::size_t longest = 60;  // a message stays on a line
+  if (node.is_table() || node.is_table_list()) return "";
   std::string text = to_toml(node);
   if (text.size() <= longest) return text;
   std::size_t end = longest;

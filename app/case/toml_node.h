@@ -52,6 +52,7 @@ struct TomlNode {
   TomlArray& array() { return std::get<TomlArray>(value); }
   const TomlArray& array() const { return std::get<TomlArray>(value); }
   const std::string& text() const { return std::get<std::string>(value); }
+  bool is_table_list() const;
   double number() const;  ///< of an integer too
 
   /// The value of a key of this table; null where there is none.
@@ -65,7 +66,7 @@ struct TomlNode {
 std::string kind_of(const TomlNode& node);
 /// As TOML on one line.
 std::string to_toml(const TomlNode& node);
-/// The same, shortened to be quoted in a message.
+/// The same, shortened to be quoted in a message; empty for tables and lists of them.
 std::string brief_toml(const TomlNode& node);
 /// A key as TOML writes it: bare or quoted.
 std::string toml_key(std::string_view key);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/keys.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "app/case/toml_document.h"
+#include "app/case/value_check.h"
+
+namespace etendue {
+namespace {
+
+TEST(Keys, AreDeclaredOnce) {
+  std::set<std::pair<std::string_view, std::string_view>> seen;
+  for (const KeyDeclaration& key : key_declarations())
+    EXPECT_TRUE(seen.insert({key.table, key.name}).second) << key.table << "." << key.name;
+}
+
+TEST(Keys, StandInDeclaredTables) {
+  for (const KeyDeclaration& key : key_declarations())
+    EXPECT_NE(find_table(key.table), nullptr) << key.table << "." << key.name;
+}
+
+TEST(Keys, HaveHelp) {
+  for (const KeyDeclaration& key : key_declarations()) EXPECT_FALSE(key.help.empty()) << key.name;
+  for (const TableDeclaration& table : table_declarations()) EXPECT_FALSE(table.help.empty()) << table.path;
+}
+
+TEST(Keys, HaveDefaultsThatTheyAccept) {
+  for (const KeyDeclaration& key : key_declarations()) {
+    if (key.default_value.empty()) continue;
+    auto value = parse_toml_value(key.default_value, {"", 0, std::string(key.name)});
+    ASSERT_TRUE(value) << key.name;
+    Faults faults;
+    check_value(*value, key, faults);
+    EXPECT_TRUE(faults.empty()) << faults.front().text;
+  }
+}
+
+TEST(Range, SaysWhatItHolds) {
+  const Range open{.lowest = -1, .highest = 1, .lowest_excluded = true, .highest_excluded = true};
+  EXPECT_TRUE(open.holds(0.999));
+  EXPECT_FALSE(open.holds(1));
+  EXPECT_FALSE(open.holds(-1));
+  EXPECT_EQ(open.text(), "above -1 and below 1");
+  EXPECT_EQ((Range{.lowest = 0, .highest = 1}.text()), "from 0 to 1");
+  EXPECT_EQ(Range{.lowest = 0}.text(), "at least 0");
+  EXPECT_EQ(Range{}.text(), "");
+}
+
+// Renew it with: etendue keys > docs/keys.md
+TEST(KeyReference, IsTheCommittedPage) {
+  std::ifstream page(ETENDUE_SOURCE_DIR "/docs/keys.md");
+  const std::string committed((std::istreambuf_iterator<char>(page)), std::istreambuf_iterator<char>());
+  EXPECT_TRUE(key_reference() == committed);
+}
+
+}  // namespace
+}  // namespace etendue
