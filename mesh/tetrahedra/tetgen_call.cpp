@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <new>
-#include <stdexcept>
 
 #define TETLIBRARY
 #include <tetgen.h>
 
+#include "mesh/tetrahedra/array_bytes.h"
 #include "mesh/tetrahedra/child_process.h"
 #include "mesh/tetrahedra/tetgen_termination.h"
 
@@ -68,28 +67,6 @@ void set_regions(tetgenio& in, const SurfaceComplex& surface, const std::vector<
     *value++ = seed.region + 1;
     *value++ = region < max_volume.size() && max_volume[region] > 0 ? max_volume[region] : kNoVolumeBound;
   }
-}
-
-template <class T>
-void write_array(std::FILE* file, const std::vector<T>& values) {
-  const std::size_t count = values.size();
-  if (std::fwrite(&count, sizeof count, 1, file) != 1 ||
-      std::fwrite(values.data(), sizeof(T), count, file) != count)
-    throw std::runtime_error("cannot write the temporary file of the mesh");
-}
-
-template <class T>
-std::vector<T> take_array(std::string_view& bytes) {
-  std::size_t count = 0;
-  if (bytes.size() < sizeof count) throw std::runtime_error("the temporary file of the mesh is cut short");
-  std::memcpy(&count, bytes.data(), sizeof count);
-  bytes.remove_prefix(sizeof count);
-  if (bytes.size() / sizeof(T) < count)
-    throw std::runtime_error("the temporary file of the mesh is cut short");
-  std::vector<T> values(count);
-  std::memcpy(values.data(), bytes.data(), count * sizeof(T));
-  bytes.remove_prefix(count * sizeof(T));
-  return values;
 }
 
 void write_mesh_of(const tetgenio& out, const SurfaceComplex& surface, std::FILE* file) {

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "mesh/tetrahedra/raw_mesh.h"
+
+namespace etendue {
+
+/// Reads a VTK unstructured grid by VTK's own reader, which trusts the file: a corrupt one can take the
+/// process along. Throws InputError where it, or what is read, is wrong.
+RawMesh read_vtu_grid(const std::filesystem::path& path);
+
+}  // namespace etendue
