@@ -14,7 +14,6 @@
 #include "app/command/verbose_log.h"
 #include "app/write/output_folder.h"
 #include "app/write/results.h"
-#include "mesh/tetrahedra/mesh_report.h"
 
 namespace etendue {
 namespace {
@@ -47,16 +46,8 @@ SolveOptions solve_options(const Case& input, std::vector<IrradianceMeter> meter
   return options;
 }
 
-void check_ordinates(const Case& input, const DirectionSet& directions) {
-  for (const int ordinate : input.output.radiance_ordinates)
-    if (ordinate < 0 || ordinate >= directions.count())
-      throw InputError(fault_at(input.output.origin, "",
-                                fmt::format("fields: there is no ordinate {} (\"radiance:{}\"); use 0 to {}",
-                                            ordinate, ordinate, directions.count() - 1)));
-}
-
 std::string mesh_line(const TetrahedralMesh& mesh) {
-  return fmt::format("mesh: {} cells, {} vertices, {} faces on walls; {} regions, {} walls\n",
+  return fmt::format("mesh: {} cells, {} vertices, {} faces on walls (regions: {}, walls: {})\n",
                      mesh.cell_count(), mesh.vertex_count(), mesh.boundary_face_count(),
                      mesh.region_names().size(), mesh.wall_names().size());
 }
@@ -103,11 +94,10 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   check_memory(mesh, input.bands.count());
   const Problem problem = build_problem(input, mesh);
   const DirectionSet directions = make_directions(input.direction_set, input.direction_order);
-  check_ordinates(input, directions);
   const CellLocator locator(mesh);
   const SolveOptions options = solve_options(input, place_probes(input.probes, mesh, locator));
-  out << fmt::format("directions: {} {}, {} of them; {} bands; {} threads\n", directions.name(),
-                     directions.order(), directions.count(), problem.band_count(), options.threads)
+  out << fmt::format("directions: {} ({} {}); bands: {}; threads: {}\n", directions.count(),
+                     directions.name(), directions.order(), problem.band_count(), options.threads)
       << std::flush;
 
   interruption.note_the_first();

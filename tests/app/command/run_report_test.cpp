@@ -22,8 +22,11 @@ TEST(RunReport, GivesChoicesAndConvergenceOfEachBand) {
 }
 
 TEST(RunReport, GivesTheBalanceOfEachBand) {
-  EXPECT_TRUE(has(balance_text(SampleRun({"red", "green"}).result()),
-                  "  red         1       2       1.5      1.5   0.0e+00\n"));
+  EXPECT_EQ(balance_text(SampleRun({"red", "green"}).result()),
+            "\nbalance [W]: emitted + inflow = absorbed + outflow\n"
+            "  band   emitted  inflow  absorbed  outflow  residual\n"
+            "  red          1       2       1.5      1.5   0.0e+00\n"
+            "  green        1       2       1.5      1.5   0.0e+00\n");
 }
 
 TEST(RunReport, SaysWhereEmittedPowerDiffersFromPi) {

@@ -95,7 +95,7 @@ TEST(Run, RefusesAnOrdinateThatTheSetDoesNotHave) {
   const CaseFolder folder;
   const Outcome outcome = etendue_says({"run", folder.file(), "--set", "output.fields=['radiance:8']"});
   EXPECT_EQ(outcome.code, ExitCode::input_error);
-  EXPECT_TRUE(has(outcome.err, "there is no ordinate 8")) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "\"radiance:8\"")) << outcome.err;
 }
 
 TEST(Run, MeasuresTheIrradianceOfAProbeWithANormal) {
