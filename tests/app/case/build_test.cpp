@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/build.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "mesh/files/mesh_file.h"
+#include "tests/app/case/case_text.h"
+
+namespace etendue {
+namespace {
+
+// A lit room of air with a block of smoke in it.
+const std::string room = R"([mesh]
+max_volume = { "*" = 0.05, smoke = 0.002 }
+[[mesh.box]]
+region = "air"
+min = [0, 0, 0]
+max = [1, 1, 1]
+walls = { zmin = "floor" }
+[[mesh.box]]
+region = "smoke"
+min = [0.25, 0.25, 0.25]
+max = [0.75, 0.75, 0.75]
+[[mesh.patch]]
+wall = "lamp"
+min = [0.25, 0.25, 1]
+max = [0.75, 0.75, 1]
+[bands]
+names = ["red", "blue"]
+[media.smoke]
+extinction = [2, 4]
+albedo = 0.75
+phase = { model = "henyey-greenstein", g = 0.6 }
+power = 3
+[media."*"]
+absorption = ["x", 0.5]
+power_density = 2
+[walls.floor]
+diffuse = [0.5, 0.25]
+[walls.lamp]
+radiance = 3
+[walls."*"]
+specular = 1
+)";
+
+int index_of(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<int>(std::ranges::find(names, name) - names.begin());
+}
+
+std::string build_faults(const Case& input) {
+  try {
+    build_problem(input, build_mesh(input));
+    return "";
+  } catch (const InputError& error) {
+    std::string faults;
+    for (const Fault& fault : error.faults()) faults += std::to_string(fault.line) + ": " + fault.text + "\n";
+    return faults;
+  }
+}
+
+TEST(BuildMesh, FillsThePrimitivesWithinTheirVolumeBounds) {
+  const TetrahedralMesh mesh = build_mesh(case_of(room));
+  double smoke_volume = 0;
+  for (int c = 0; c < mesh.cell_count(); ++c) {
+    const CellIndex cell(c);
+    const bool smoke = mesh.region_names()[static_cast<std::size_t>(mesh.region(cell))] == "smoke";
+    EXPECT_LE(mesh.volume(cell), (smoke ? 0.002 : 0.05) * (1 + 1e-9));
+    if (smoke) smoke_volume += mesh.volume(cell);
+  }
+  EXPECT_NEAR(smoke_volume, 0.125, 1e-12);
+}
+
+TEST(BuildMesh, BoundsVolumesByAnEdgeLength) {
+  const TetrahedralMesh mesh = build_mesh(case_of(cube, {"mesh.edge_length=0.5"}));
+  for (int c = 0; c < mesh.cell_count(); ++c)
+    EXPECT_LE(mesh.volume(CellIndex(c)), 0.125 / (6 * std::numbers::sqrt2) * (1 + 1e-9));
+}
+
+TEST(BuildMesh, ReportsNamesBeforeMeshing) {
+  EXPECT_EQ(build_faults(case_of(room, {"media.smok.absorption=1", "mesh.box[0].walls={zmin='flor'}"})),
+            "0: media.smok: no region of the mesh is called \"smok\" (did you mean \"smoke\"?); there are "
+            "air, smoke\n"
+            "26: walls.floor: no wall of the mesh is called \"floor\" (did you mean \"flor\"?); there are "
+            "flor, lamp, "
+            "xmax, xmin, ymax, ymin, zmax\n");
+}
+
+TEST(BuildMesh, ReadsAScaledFile) {
+  const TestFolder folder;
+  write_mesh(folder.path() / "cube.vtu", build_mesh(case_of(cube)));
+  const auto file = folder.write("slab.toml", no_geometry + "[mesh]\nfile = \"cube.vtu\"\nscale = 2\n");
+  const TetrahedralMesh mesh = build_mesh(read_case(file));
+  double volume = 0;
+  for (const double cell : mesh.volumes()) volume += cell;
+  EXPECT_NEAR(volume, 8, 1e-12);
+  EXPECT_EQ(mesh.region_names(), std::vector<std::string>{"air"});
+}
+
+TEST(BuildMesh, ChecksTheNamesOfAFile) {
+  const TestFolder folder;
+  write_mesh(folder.path() / "cube.vtu", build_mesh(case_of(cube)));
+  const auto file = folder.write("slab.toml", "[mesh]\nfile = \"cube.vtu\"\n[media.smoke]\n[walls.\"*\"]\n");
+  EXPECT_EQ(build_faults(read_case(file)),
+            "0: media.air: missing (the mesh has this region); add an entry for it, or \"*\"\n"
+            "3: media.smoke: no region of the mesh is called \"smoke\"; there are air\n");
+}
+
+TEST(BuildProblem, GivesEachRegionItsMedium) {
+  const Case input = case_of(room);
+  const TetrahedralMesh mesh = build_mesh(input);
+  const Problem problem = build_problem(input, mesh);
+  const Medium& smoke = problem.medium(index_of(mesh.region_names(), "smoke"));
+  EXPECT_EQ(smoke.scattering[1].at(Vec3::Zero()), 3);
+  EXPECT_EQ(smoke.absorption[1].at(Vec3::Zero()), 1);
+  EXPECT_EQ(smoke.phase[1], PhaseFunction(PhaseHenyeyGreenstein{0.6}));
+  const Medium& air = problem.medium(index_of(mesh.region_names(), "air"));
+  EXPECT_EQ(air.absorption[0].at(Vec3(0.25, 0, 0)), 0.25);
+  EXPECT_EQ(air.absorption[1].at(Vec3(0.25, 0, 0)), 0.5);
+  EXPECT_DOUBLE_EQ(air.emission[0].at(Vec3::Zero()), 2 / (4 * std::numbers::pi));
+}
+
+TEST(BuildProblem, SpreadsThePowerOfARegionOverItsMeshedVolume) {
+  const Case input = case_of(room);
+  const TetrahedralMesh mesh = build_mesh(input);
+  const Problem problem = build_problem(input, mesh);
+  const int smoke = index_of(mesh.region_names(), "smoke");
+  double power = 0;
+  for (int c = 0; c < mesh.cell_count(); ++c)
+    if (mesh.region(CellIndex(c)) == smoke)
+      power += 4 * std::numbers::pi * problem.emission(CellIndex(c), 1) * mesh.volume(CellIndex(c));
+  EXPECT_NEAR(power, 3, 1e-12);
+}
+
+TEST(BuildProblem, GivesEachWallItsEntryOrThatOfTheRest) {
+  const Case input = case_of(room);
+  const TetrahedralMesh mesh = build_mesh(input);
+  const Problem problem = build_problem(input, mesh);
+  EXPECT_EQ(problem.wall(index_of(mesh.wall_names(), "floor")).diffuse, (std::vector<double>{0.5, 0.25}));
+  EXPECT_EQ(problem.wall(index_of(mesh.wall_names(), "floor")).specular, (std::vector<double>{0, 0}));
+  EXPECT_EQ(problem.wall(index_of(mesh.wall_names(), "lamp")).radiance, (std::vector<double>{3, 3}));
+  EXPECT_EQ(problem.wall(index_of(mesh.wall_names(), "ymin")).specular, (std::vector<double>{1, 1}));
+}
+
+}  // namespace
+}  // namespace etendue
