@@ -17,7 +17,7 @@ void write_array(std::FILE* file, const std::vector<T>& values) {
   static_assert(std::is_trivially_copyable_v<T>);
   const std::size_t count = values.size();
   if (std::fwrite(&count, sizeof count, 1, file) != 1 ||
-      std::fwrite(values.data(), sizeof(T), count, file) != count)
+      (count > 0 && std::fwrite(values.data(), sizeof(T), count, file) != count))
     throw std::runtime_error("cannot write a temporary file (is the disk full?)");
 }
 

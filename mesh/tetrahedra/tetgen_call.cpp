@@ -16,7 +16,7 @@
 namespace etendue {
 namespace {
 
-constexpr int kOutOfMemory = 1;        // exit code of the child, beside TetGen's own
+constexpr int kOutOfMemory = 65;       // exit code of the child, beside those of TetGen and of the system
 constexpr double kNoVolumeBound = -1;  // of a region in TetGen
 
 // TetGen's structures own arrays made by new[]; the destructor of tetgenio deletes them.
@@ -144,6 +144,7 @@ TetGenOutcome call_tetgen(const SurfaceComplex& surface, const std::vector<doubl
                    [&](std::string_view line) {
                      if (line.find_first_not_of(" \t") == std::string_view::npos) return;
                      outcome.last_words = line;
+                     if (line.starts_with("Warning:")) outcome.last_warning = line;
                      if (log) log("tetgen: " + std::string(line));
                    });
   outcome.end = end_of(child);

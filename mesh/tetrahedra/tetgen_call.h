@@ -35,7 +35,8 @@ enum class TetGenEnd {
 
 struct TetGenOutcome {
   TetGenEnd end = TetGenEnd::done;
-  std::string last_words;  ///< what it printed last
+  std::string last_words;    ///< what it printed last
+  std::string last_warning;  ///< the last line that begins with "Warning:"
   TetGenMesh mesh;
 };
 

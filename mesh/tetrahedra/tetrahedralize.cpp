@@ -83,7 +83,8 @@ std::optional<std::string> find_intersection(const SurfaceComplex& surface, cons
 /// TetGen 1.5.0 stops on a region's point that is not within the convex hull.
 std::optional<std::string> find_outside_point(const TetGenOutcome& outcome, const SurfaceComplex& surface) {
   int number = 0;
-  if (std::sscanf(outcome.last_words.c_str(), "Warning: The %d-th region point lies outside", &number) == 1 &&
+  if (std::sscanf(outcome.last_warning.c_str(), "Warning: The %d-th region point lies outside", &number) ==
+          1 &&
       number >= 1 && at(number) <= surface.seeds.size()) {
     const RegionSeed& seed = surface.seeds[at(number - 1)];
     return "the point " + to_text(seed.point) + " of region \"" + surface.region_names[at(seed.region)] +
