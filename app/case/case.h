@@ -70,9 +70,9 @@ struct Probe {
 };
 
 struct OutputCase {
-  std::filesystem::path directory;  ///< resolved
-  std::vector<std::string> fields = {"fluence", "net_flux"};
-  std::vector<int> radiance_ordinates;  ///< of the fields "radiance:K"
+  std::filesystem::path directory;                            ///< resolved
+  std::vector<std::string> fields = {"fluence", "net_flux"};  ///< as written, "radiance:K" too
+  std::vector<int> radiance_ordinates;                        ///< of the fields "radiance:K"
   Origin origin;
 };
 
@@ -96,7 +96,7 @@ struct Case {
   SolveOptions solve;
   std::vector<Probe> probes;
   OutputCase output;
-  std::string resolved_toml;  ///< the case with overrides applied, as text
+  std::string resolved_toml;  ///< with overrides applied and defaults filled in; reads back the same
 };
 
 /// `key=value` of the command line, e.g. "solve.tolerance=1e-8" or "mesh.max_volume={'*'=1}".
