@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 
@@ -17,6 +18,9 @@ namespace {
 /// TetGen takes points for one that are closer than this part of the scene's size.
 constexpr double kSmallestGap = 1e-8;
 
+/// Corners nearer than this part of the scene's size are one: only rounding of the bodies keeps them apart.
+constexpr double kRoundingGap = 1e-12;
+
 std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
 std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
@@ -30,7 +34,7 @@ struct ByCoordinates {
 /// The corners of all facets, each once.
 class Corners {
  public:
-  explicit Corners(const std::vector<ExactFacet>& facets) {
+  Corners(const std::vector<ExactFacet>& facets, const SnapPlanes& planes) {
     for (const ExactFacet& facet : facets)
       for (const auto& [from, to] : facet.edges) {
         numbers_.try_emplace(from, 0);
@@ -41,7 +45,11 @@ class Corners {
       exact_.push_back(point);
       rounded_.push_back(rounded(point));
     }
+    merge_near(planes);
   }
+
+  /// The corner that stands for this one and for all that only rounding keeps apart from it.
+  int merged(int corner) const { return merged_[n(corner)]; }
 
   const std::vector<Vec3>& points() const { return rounded_; }
   const ExactPoint& exact(int corner) const { return exact_[n(corner)]; }
@@ -64,6 +72,31 @@ class Corners {
   }
 
  private:
+  void merge_near(const SnapPlanes& planes) {
+    Eigen::AlignedBox3d extent;
+    for (const Vec3& point : rounded_) extent.extend(point);
+    const double gap = kRoundingGap * extent.diagonal().norm();
+    merged_.resize(rounded_.size());
+    for (int i = 0; i < static_cast<int>(rounded_.size()); ++i) {
+      merged_[n(i)] = i;
+      // Corners are sorted by x first.
+      for (int j = i - 1; j >= 0 && rounded_[n(i)].x() - rounded_[n(j)].x() <= gap; --j) {
+        if ((rounded_[n(i)] - rounded_[n(j)]).norm() > gap) continue;
+        merged_[n(i)] = merged_[n(j)];
+        keep_on_planes(rounded_[n(merged_[n(j)])], rounded_[n(i)], planes);
+        break;
+      }
+    }
+  }
+
+  /// A corner on the side of a box stays there.
+  static void keep_on_planes(Vec3& corner, const Vec3& other, const SnapPlanes& planes) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::vector<double>& sides = planes[n(axis)];
+      if (std::find(sides.begin(), sides.end(), other[axis]) != sides.end()) corner[axis] = other[axis];
+    }
+  }
+
   bool is_near(int i, int first, int last) const {
     const Vec3 along = rounded_[n(last)] - rounded_[n(first)], offset = rounded_[n(i)] - rounded_[n(first)];
     const double t = std::clamp(offset.dot(along) / along.squaredNorm(), 0.0, 1.0);
@@ -73,6 +106,7 @@ class Corners {
   std::map<ExactPoint, int, ByCoordinates> numbers_;
   std::vector<ExactPoint> exact_;
   std::vector<Vec3> rounded_;
+  std::vector<int> merged_;
 };
 
 std::vector<SidedFacet> sided(const std::vector<ExactFacet>& facets, const Corners& corners) {
@@ -111,36 +145,11 @@ BodyScene scene_of(const Geometry& geometry, std::vector<std::string>& region_na
   return scene;
 }
 
-void check_gaps(const Geometry& geometry, const std::vector<Vec3>& points,
-                const std::vector<SidedFacet>& facets) {
-  Vec3 low = points.front(), high = points.front();
-  for (const Vec3& point : points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  for (const SidedFacet& facet : facets) {
-    for (const auto& [from, to] : facet.edges) {
-      const double gap = (points[n(from)] - points[n(to)]).norm();
-      if (gap > kSmallestGap * (high - low).norm()) continue;
-      throw InputError(fault_at(
-          base_of(geometry.primitives.back()).origin, "",
-          fmt::format("primitives cross within {:.2g} of each other near {} (too close to be meshed); "
-                      "let them overlap, part them or make their coordinates equal",
-                      gap, text_of(points[n(from)]))));
-    }
-  }
-}
-
-void add_seeds(const std::vector<ExactFacet>& facets, const std::vector<SidedFacet>& sided_facets,
-               SurfaceComplex& surface) {
-  for (const EnclosedPart& part : enclosed_parts(surface.points, sided_facets)) {
-    const FacetSide& side = part.around.front();
-    const SpaceLabel label = side.above ? facets[n(side.facet)].above : facets[n(side.facet)].below;
-    if (is_void(label))
-      surface.holes.push_back(part.point);
-    else
-      surface.seeds.push_back({part.point, label});
-  }
+/// The facet between merged corners, without the edges that have gone.
+SidedFacet merged(SidedFacet facet, const Corners& corners) {
+  for (auto& edge : facet.edges) edge = {corners.merged(edge[0]), corners.merged(edge[1])};
+  std::erase_if(facet.edges, [](const std::array<int, 2>& edge) { return edge[0] == edge[1]; });
+  return facet;
 }
 
 bool is_along_axes(const ExactPlane& plane) {
@@ -155,18 +164,80 @@ void add_facet(const ExactFacet& facet, const SidedFacet& own, const Corners& co
   if (is_along_axes(facet.plane)) {
     SurfaceFacet whole{{}, {}, facet.wall};
     std::set<std::array<int, 2>> written;
-    for (const auto& [from, to] : own.edges)
+    for (const auto& [from, to] : merged(own, corners).edges)
       if (written.insert(sorted(from, to)).second) whole.polygons.push_back({from, to});
-    for (const int corner : lone) whole.polygons.push_back({corner});
+    for (const int corner : lone) whole.polygons.push_back({corners.merged(corner)});
     for (const ExactPoint& opening : facet.openings) whole.openings.push_back(rounded(opening));
-    surface.facets.push_back(std::move(whole));
+    if (written.size() > 2) surface.facets.push_back(std::move(whole));
     return;
   }
   int axis = 0;
   facet.normal.maxCoeff(&axis);
   const auto point = [&](int corner) -> const ExactPoint& { return corners.exact(corner); };
-  for (const auto& [a, b, c] : facet_triangles(own.edges, lone, axis, point))
-    surface.facets.push_back({{{a, b, c}}, {}, facet.wall});
+  for (const std::array<int, 3>& triangle : facet_triangles(own.edges, lone, axis, point)) {
+    const int a = corners.merged(triangle[0]), b = corners.merged(triangle[1]),
+              c = corners.merged(triangle[2]);
+    if (a != b && b != c && c != a) surface.facets.push_back({{{a, b, c}}, {}, facet.wall});
+  }
+}
+
+void add_seeds(const std::vector<ExactFacet>& facets, const std::vector<SidedFacet>& sided_facets,
+               const Corners& corners, SurfaceComplex& surface) {
+  std::vector<SidedFacet> whole;
+  std::vector<std::array<SpaceLabel, 2>> labels;  // below, above
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    SidedFacet facet = merged(sided_facets[f], corners);
+    if (facet.edges.size() < 3) continue;
+    whole.push_back(std::move(facet));
+    labels.push_back({facets[f].below, facets[f].above});
+  }
+  for (const EnclosedPart& part : enclosed_parts(surface.points, whole)) {
+    const FacetSide& side = part.around.front();
+    const SpaceLabel label = labels[n(side.facet)][side.above ? 1 : 0];
+    if (is_void(label))
+      surface.holes.push_back(part.point);
+    else
+      surface.seeds.push_back({part.point, label});
+  }
+}
+
+/// Points that merging has left unused would be meshed too.
+void drop_unused_points(SurfaceComplex& surface) {
+  std::vector<int> number(surface.points.size(), -1);
+  std::vector<Vec3> used;
+  for (SurfaceFacet& facet : surface.facets) {
+    for (std::vector<int>& polygon : facet.polygons) {
+      for (int& point : polygon) {
+        if (number[n(point)] < 0) {
+          number[n(point)] = static_cast<int>(used.size());
+          used.push_back(surface.points[n(point)]);
+        }
+        point = number[n(point)];
+      }
+    }
+  }
+  surface.points = std::move(used);
+}
+
+/// Refuses edges that are too short for TetGen.
+void check_gaps(const Geometry& geometry, const SurfaceComplex& surface) {
+  Eigen::AlignedBox3d extent;
+  for (const Vec3& point : surface.points) extent.extend(point);
+  for (const SurfaceFacet& facet : surface.facets) {
+    for (const std::vector<int>& polygon : facet.polygons) {
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3 &from = surface.points[n(polygon[i])],
+                   &to = surface.points[n(polygon[(i + 1) % polygon.size()])];
+        const double gap = (from - to).norm();
+        if (polygon.size() == 1 || gap > kSmallestGap * extent.diagonal().norm()) continue;
+        throw InputError(fault_at(
+            base_of(geometry.primitives.back()).origin, "",
+            fmt::format("primitives cross within {:.2g} of each other near {} (too close to be meshed); "
+                        "let them overlap, part them or make their coordinates equal",
+                        gap, text_of(from))));
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -187,13 +258,14 @@ SurfaceComplex arrange_bodies(const Geometry& geometry) {
   if (!faults.empty()) throw InputError(std::move(faults));
   if (facets.empty()) return surface;
 
-  const Corners corners(facets);
+  const Corners corners(facets, snap_planes(geometry));
   const std::vector<SidedFacet> sided_facets = sided(facets, corners);
-  check_gaps(geometry, corners.points(), sided_facets);
   surface.points = corners.points();
   surface.wall_names = walls.all();
   for (std::size_t f = 0; f < facets.size(); ++f) add_facet(facets[f], sided_facets[f], corners, surface);
-  add_seeds(facets, sided_facets, surface);
+  check_gaps(geometry, surface);
+  add_seeds(facets, sided_facets, corners, surface);
+  drop_unused_points(surface);
   return surface;
 }
 

@@ -170,4 +170,29 @@ std::vector<EnclosedPart> enclosed_parts(const std::vector<Vec3>& points,
   return parts;
 }
 
+bool encloses(const EnclosedPart& part, const Vec3& x, const std::vector<Vec3>& points,
+              const std::vector<SidedFacet>& facets) {
+  return winding(x, part.around, points, facets) > 0.5;
+}
+
+std::vector<int> depths(const std::vector<EnclosedPart>& parts, const std::vector<Vec3>& points,
+                        const std::vector<SidedFacet>& facets) {
+  std::vector<int> result;
+  for (const EnclosedPart& part : parts)
+    result.push_back(
+        static_cast<int>(std::count_if(parts.begin(), parts.end(), [&](const EnclosedPart& other) {
+          return encloses(other, part.point, points, facets);
+        })));
+  return result;
+}
+
+int part_at(const Vec3& x, const std::vector<EnclosedPart>& parts, const std::vector<int>& depths,
+            const std::vector<Vec3>& points, const std::vector<SidedFacet>& facets) {
+  int deepest = -1;
+  for (int i = 0; i < static_cast<int>(parts.size()); ++i)
+    if ((deepest < 0 || depths[n(i)] > depths[n(deepest)]) && encloses(parts[n(i)], x, points, facets))
+      deepest = i;
+  return deepest;
+}
+
 }  // namespace etendue

@@ -37,4 +37,16 @@ struct EnclosedPart {
 std::vector<EnclosedPart> enclosed_parts(const std::vector<Vec3>& points,
                                          const std::vector<SidedFacet>& facets);
 
+/// Whether the outermost surface of a part is around a point; other parts may lie in between.
+bool encloses(const EnclosedPart& part, const Vec3& x, const std::vector<Vec3>& points,
+              const std::vector<SidedFacet>& facets);
+
+/// How many parts are around each, itself included.
+std::vector<int> depths(const std::vector<EnclosedPart>& parts, const std::vector<Vec3>& points,
+                        const std::vector<SidedFacet>& facets);
+
+/// The number of the part that a point lies in: the deepest one around it; -1: none.
+int part_at(const Vec3& x, const std::vector<EnclosedPart>& parts, const std::vector<int>& depths,
+            const std::vector<Vec3>& points, const std::vector<SidedFacet>& facets);
+
 }  // namespace etendue
