@@ -7,17 +7,29 @@
 
 namespace etendue {
 
-/// W numbers that are computed side by side: one for each of W bands.
+/// W numbers that are computed side by side: one for each of W bands. Written out, because GCC drops a vector
+/// size that depends on a template argument.
 template <int W>
-struct LanesOf {
-  using type = double __attribute__((vector_size(sizeof(double) * W)));
-};
+struct LanesOf;
 template <>
 struct LanesOf<1> {
   using type = double;
 };
+template <>
+struct LanesOf<2> {
+  typedef double type __attribute__((vector_size(16)));
+};
+template <>
+struct LanesOf<4> {
+  typedef double type __attribute__((vector_size(32)));
+};
+template <>
+struct LanesOf<8> {
+  typedef double type __attribute__((vector_size(64)));
+};
 template <int W>
 using Lanes = typename LanesOf<W>::type;
+static_assert(sizeof(Lanes<8>) == 8 * sizeof(double));
 
 template <int W>
 ETENDUE_KERNEL_INLINE Lanes<W> load_lanes(const double* from) {

@@ -23,7 +23,8 @@ class Norms {
   }
 
   double relative(std::size_t band) const {
-    return field_[band] > 0 ? std::sqrt(difference_[band] / field_[band]) : 0;
+    // Only where the field is exactly dark there is nothing to compare with; NaN must not look like that.
+    return field_[band] == 0 ? 0 : std::sqrt(difference_[band] / field_[band]);
   }
 
  private:
