@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -27,6 +28,18 @@ using File = std::unique_ptr<std::FILE, FileCloser>;
   throw std::runtime_error(what + ": " + std::strerror(errno));
 }
 
+/// Beyond the machine's memory an allocation shall fail at once, and not the machine swap for hours.
+void limit_memory() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0) return;
+  std::size_t pages = 0;  // what this process has mapped already
+  if (const File status{std::fopen("/proc/self/statm", "r")}; status)
+    if (std::fscanf(status.get(), "%zu", &pages) != 1) pages = 0;
+  const rlim_t most = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + physical_memory();
+  limit.rlim_cur = std::min(limit.rlim_max, most);
+  setrlimit(RLIMIT_AS, &limit);
+}
+
 [[noreturn]] void be_the_child(const std::function<int(std::FILE*)>& work, std::FILE* result, int output) {
   // A child must not outlive an interrupted parent, nor share its way of handling interrupts, nor leave a
   // core file behind for a fault that is reported anyway.
@@ -35,6 +48,7 @@ using File = std::unique_ptr<std::FILE, FileCloser>;
   std::signal(SIGTERM, SIG_DFL);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
+  limit_memory();
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
   close(output);
@@ -75,6 +89,10 @@ std::string whole_file(std::FILE* file) {
 }
 
 }  // namespace
+
+std::size_t physical_memory() {
+  return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
 
 ChildOutcome run_in_child(const std::function<int(std::FILE* result)>& work,
                           const std::function<void(std::string_view)>& on_line) {

@@ -119,7 +119,9 @@ int mesh_to_file(const SurfaceComplex& surface, const std::vector<double>& max_v
 TetGenEnd end_of(const ChildOutcome& child) {
   if (child.signal == SIGINT || child.signal == SIGTERM) return TetGenEnd::interrupted;
   if (child.signal == 0 && child.exit_code == 0) return TetGenEnd::done;
-  if (child.signal == 0 && child.exit_code == kOutOfMemory) return TetGenEnd::out_of_memory;
+  // The system kills what takes the last of its memory.
+  if (child.signal == SIGKILL || (child.signal == 0 && child.exit_code == kOutOfMemory))
+    return TetGenEnd::out_of_memory;
   const int code = tetgen_code(child.exit_code);
   return child.signal == 0 && code > 0 ? static_cast<TetGenEnd>(code) : TetGenEnd::killed;
 }

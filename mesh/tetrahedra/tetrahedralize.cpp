@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/tetrahedra/child_process.h"
 #include "mesh/tetrahedra/mesh_faults.h"
 #include "mesh/tetrahedra/tetgen_call.h"
 
@@ -17,6 +18,8 @@ namespace {
 
 /// Below this TetGen's refinement need not end (Si 2015: it ends above 2, in practice above about 1.1).
 constexpr double kSmallestQuality = 1.1;
+
+constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
@@ -96,7 +99,9 @@ std::optional<std::string> find_outside_point(const TetGenOutcome& outcome, cons
 std::string problem_of(const TetGenOutcome& outcome, const SurfaceComplex& surface, const Log& log) {
   switch (outcome.end) {
     case TetGenEnd::out_of_memory:
-      return "TetGen ran out of memory; use a larger max_volume or edge_length";
+      return "TetGen needs more memory than there is (" +
+             to_text(static_cast<double>(physical_memory()) / kGibibyte) +
+             " GiB); use a larger max_volume or edge_length";
     case TetGenEnd::self_intersection: {
       const auto place = find_intersection(surface, log);
       return "surfaces intersect each other (" + place.value_or("TetGen: " + outcome.last_words) +

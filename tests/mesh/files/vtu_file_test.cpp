@@ -150,12 +150,12 @@ TEST(VtuFile, WithBytesThatChangedNeverCrashes) {
   const std::string whole = bytes_of(folder.path() / "whole.vtu");
   std::mt19937 random(3);
   int rejected = 0;
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < 100; ++trial) {
     std::string broken = whole;
     for (int change = 0; change < 3; ++change) broken[random() % broken.size()] = static_cast<char>(random());
     if (message_of(broken) != "no error") ++rejected;
   }
-  EXPECT_GT(rejected, 100);
+  EXPECT_GT(rejected, 50);
 }
 
 TEST(VtuFile, WithCellsThatCannotBeIsRejected) {

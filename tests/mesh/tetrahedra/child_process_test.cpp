@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -31,6 +32,20 @@ TEST(ChildProcess, OutlivesAChildThatIsKilled) {
   const ChildOutcome outcome = run_in_child([](std::FILE*) { return std::raise(SIGKILL); }, {});
   EXPECT_EQ(outcome.signal, SIGKILL);
   EXPECT_EQ(outcome.result, "");
+}
+
+TEST(ChildProcess, GetsNoMoreMemoryThanThereIs) {
+  const ChildOutcome outcome = run_in_child(
+      [](std::FILE*) {
+        constexpr std::size_t kBlock = std::size_t{1} << 28;
+        for (std::size_t taken = 0; taken < 2 * physical_memory(); taken += kBlock) {
+          void* volatile block = std::malloc(kBlock);  // never touched, so it costs nothing
+          if (block == nullptr) return 1;
+        }
+        return 0;
+      },
+      {});
+  EXPECT_NE(outcome.exit_code, 0);
 }
 
 TEST(ChildProcess, ReportsAnExceptionOfTheWork) {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/tetrahedra/box_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace etendue {
+namespace {
+
+TEST(BoxGrid, CandidatesHoldEveryBoxAroundThePoint) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-3, 7);
+  std::uniform_real_distribution<double> size(0, 1.5);
+  std::vector<Box> boxes;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 low(place(random), place(random), place(random));
+    boxes.emplace_back(low, low + Vec3(size(random), size(random), size(random)));
+  }
+  const BoxGrid grid(boxes, 0.01);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 point(place(random), place(random), place(random));
+    const auto candidates = grid.candidates(point);
+    EXPECT_TRUE(std::is_sorted(candidates.begin(), candidates.end()));
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+      if (boxes[b].squaredExteriorDistance(point) > 0) continue;
+      EXPECT_TRUE(std::binary_search(candidates.begin(), candidates.end(), static_cast<std::int32_t>(b)));
+    }
+  }
+}
+
+TEST(BoxGrid, MarginReachesBeyondTheBox) {
+  const std::vector<Box> boxes = {Box(Vec3(0, 0, 0), Vec3(1, 1, 0))};
+  const BoxGrid grid(boxes, 0.1);
+  EXPECT_EQ(grid.candidates({1.05, 0.5, 0.05}).size(), 1u);
+  EXPECT_TRUE(grid.candidates({1.2, 0.5, 0}).empty());
+}
+
+TEST(BoxGrid, WithoutBoxesHasNoCandidates) { EXPECT_TRUE(BoxGrid({}, 1).candidates({0, 0, 0}).empty()); }
+
+}  // namespace
+}  // namespace etendue
