@@ -27,6 +27,12 @@ mesh or the command line is wrong; 3 a file could not be read or written; 4 inte
 const std::map<std::string, ProgressStyle> progress_styles = {
     {"bar", ProgressStyle::bar}, {"plain", ProgressStyle::plain}, {"none", ProgressStyle::none}};
 
+/// Empty, or what is wrong with a number of threads.
+std::string whole_number(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? "" : text + " is not a number of threads; use a whole number, 0 for all cores";
+}
+
 /// The parser and the places that it fills.
 class Parser {
  public:
@@ -43,6 +49,7 @@ class Parser {
   }
 
   Request parse(std::vector<std::string> arguments) {
+    refuse_unknown_command(arguments);
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants a vector
     try {
       app_.parse(std::move(arguments));
@@ -56,13 +63,21 @@ class Parser {
   }
 
  private:
+  void refuse_unknown_command(const std::vector<std::string>& arguments) const {
+    if (arguments.empty() || arguments.front().starts_with('-')) return;
+    const auto named = [&](const CLI::App* command) { return command->get_name() == arguments.front(); };
+    if (!app_.get_subcommands(named).empty()) return;
+    throw InputError("command line: " + arguments.front() +
+                     ": no such command; use run, check, mesh, directions or keys (see etendue --help)");
+  }
+
   void add_run() {
     run_command_ = app_.add_subcommand("run", "Solve a case and write its results");
     add_case(*run_command_, run_);
     run_command_->add_option("--output", output_, "Directory of the results, in place of output.directory")
         ->type_name("DIR");
     run_command_->add_option("--threads", threads_, "Number of threads; 0: all cores")
-        ->check(CLI::NonNegativeNumber)
+        ->check(whole_number)
         ->type_name("N");
     run_command_->add_option("--progress", progress_, "bar (on a terminal), plain (lines) or none")
         ->check(CLI::IsMember({"bar", "plain", "none"}))
