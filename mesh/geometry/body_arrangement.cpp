@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "mesh/geometry/enclosed_parts.h"
 #include "mesh/geometry/facet_triangles.h"

@@ -23,10 +23,7 @@ bool covers(const NamedRectangle& named, const Vec3& low, const Vec3& high) {
 
 BoxFacets::BoxFacets(const Geometry& geometry, const ElementaryBoxes& grid)
     : grid_(grid), patch_used_(geometry.patches.size(), false) {
-  for (int axis = 0; axis < 3; ++axis) {
-    find_keys(geometry, axis);
-    gather(axis);
-  }
+  for (int axis = 0; axis < 3; ++axis) find_facets(geometry, axis);
   for (std::size_t i = 0; i < patch_used_.size(); ++i)
     if (!patch_used_[i]) faults_.push_back(patch_covers_nothing(geometry.patches[i]));
 }
@@ -38,10 +35,16 @@ std::size_t BoxFacets::at(int axis, const GridIndex& rectangle) const {
          n(rectangle[c]);
 }
 
+BoxFacets::Key& BoxFacets::key(int axis, const GridIndex& rectangle) {
+  GridIndex in_plane = rectangle;
+  in_plane[n(axis)] = 0;
+  return keys_[at(axis, in_plane)];
+}
+
 int BoxFacets::facet(int axis, const GridIndex& rectangle) const {
   const GridIndex below = moved(rectangle, axis, -1);
   if (!grid_.contains(rectangle) && !grid_.contains(below)) return -1;
-  return sheets_[n(axis)].facets[at(axis, rectangle)];
+  return sheets_[n(axis)][at(axis, rectangle)];
 }
 
 bool BoxFacets::is_edge(int axis, const GridIndex& edge) const {
@@ -60,26 +63,33 @@ bool BoxFacets::is_corner(const GridIndex& node) const {
   return straight > 1;
 }
 
-void BoxFacets::find_keys(const Geometry& geometry, int axis) {
+void BoxFacets::find_facets(const Geometry& geometry, int axis) {
   const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-  Sheet& sheet = sheets_[n(axis)];
-  sheet.keys.assign(n(grid_.count(axis) + 1) * n(grid_.count(b)) * n(grid_.count(c)), kNoFacet);
-  sheet.facets.assign(sheet.keys.size(), -1);
+  sheets_[n(axis)].assign(n(grid_.count(axis) + 1) * n(grid_.count(b)) * n(grid_.count(c)), -1);
   const std::vector<NamedRectangle> all = named_rectangles(geometry);
-  GridIndex r{};
-  for (r[n(axis)] = 0; r[n(axis)] <= grid_.count(axis); ++r[n(axis)]) {
+  for (int plane = 0; plane <= grid_.count(axis); ++plane) {
     std::vector<NamedRectangle> named;
     std::copy_if(all.begin(), all.end(), std::back_inserter(named), [&](const NamedRectangle& rectangle) {
-      return rectangle.axis == axis && rectangle.plane() == grid_.plane(axis, r[n(axis)]);
+      return rectangle.axis == axis && rectangle.plane() == grid_.plane(axis, plane);
     });
-    for (r[n(b)] = 0; r[n(b)] < grid_.count(b); ++r[n(b)]) {
-      for (r[n(c)] = 0; r[n(c)] < grid_.count(c); ++r[n(c)]) {
-        const SpaceLabel lower = std::max(grid_.label(moved(r, axis, -1)), kOutside);
-        const SpaceLabel upper = std::max(grid_.label(r), kOutside);
-        if (lower == upper) continue;
-        const bool wall = is_void(lower) || is_void(upper);
-        sheet.keys[at(axis, r)] = {lower, upper, wall ? find_wall(geometry, named, axis, r) : -1};
-      }
+    find_keys(geometry, named, axis, plane);
+    gather(axis, plane);
+  }
+}
+
+void BoxFacets::find_keys(const Geometry& geometry, const std::vector<NamedRectangle>& named, int axis,
+                          int plane) {
+  const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+  keys_.assign(n(grid_.count(b)) * n(grid_.count(c)), kNoFacet);
+  GridIndex r{};
+  r[n(axis)] = plane;
+  for (r[n(b)] = 0; r[n(b)] < grid_.count(b); ++r[n(b)]) {
+    for (r[n(c)] = 0; r[n(c)] < grid_.count(c); ++r[n(c)]) {
+      const SpaceLabel lower = std::max(grid_.label(moved(r, axis, -1)), kOutside);
+      const SpaceLabel upper = std::max(grid_.label(r), kOutside);
+      if (lower == upper) continue;
+      const bool wall = is_void(lower) || is_void(upper);
+      key(axis, r) = {lower, upper, wall ? find_wall(geometry, named, axis, r) : -1};
     }
   }
 }
@@ -100,29 +110,28 @@ int BoxFacets::find_wall(const Geometry& geometry, const std::vector<NamedRectan
   return wall_names_.number(default_name(geometry, beyond, axis, outward));
 }
 
-void BoxFacets::gather(int axis) {
+void BoxFacets::gather(int axis, int plane) {
   const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-  const Sheet& sheet = sheets_[n(axis)];
   GridIndex r{};
-  for (r[n(axis)] = 0; r[n(axis)] <= grid_.count(axis); ++r[n(axis)])
-    for (r[n(b)] = 0; r[n(b)] < grid_.count(b); ++r[n(b)])
-      for (r[n(c)] = 0; r[n(c)] < grid_.count(c); ++r[n(c)])
-        if (sheet.keys[at(axis, r)] != kNoFacet && sheet.facets[at(axis, r)] < 0) grow(axis, r);
+  r[n(axis)] = plane;
+  for (r[n(b)] = 0; r[n(b)] < grid_.count(b); ++r[n(b)])
+    for (r[n(c)] = 0; r[n(c)] < grid_.count(c); ++r[n(c)])
+      if (key(axis, r) != kNoFacet && sheets_[n(axis)][at(axis, r)] < 0) grow(axis, r);
 }
 
 void BoxFacets::grow(int axis, const GridIndex& start) {
-  Sheet& sheet = sheets_[n(axis)];
-  const std::array<int, 3> key = sheet.keys[at(axis, start)];
+  std::vector<int>& sheet = sheets_[n(axis)];
+  const Key own = key(axis, start);
   const int number = static_cast<int>(facets_.size());
-  BoxFacet grown{axis, start[n(axis)], key[2], {start}};
-  sheet.facets[at(axis, start)] = number;
+  BoxFacet grown{axis, start[n(axis)], own[2], {start}};
+  sheet[at(axis, start)] = number;
   for (std::size_t i = 0; i < grown.rectangles.size(); ++i) {
     for (const int along : {(axis + 1) % 3, (axis + 2) % 3}) {
       for (const int step : {-1, 1}) {
         const GridIndex next = moved(grown.rectangles[i], along, step);
         if (next[n(along)] < 0 || next[n(along)] >= grid_.count(along)) continue;
-        if (sheet.keys[at(axis, next)] != key || sheet.facets[at(axis, next)] >= 0) continue;
-        sheet.facets[at(axis, next)] = number;
+        if (key(axis, next) != own || sheet[at(axis, next)] >= 0) continue;
+        sheet[at(axis, next)] = number;
         grown.rectangles.push_back(next);
       }
     }

@@ -34,20 +34,20 @@ class BoxFacets {
   const std::vector<Fault>& faults() const { return faults_; }
 
  private:
-  struct Sheet {
-    std::vector<std::array<int, 3>> keys;  ///< [rectangle] lower region, upper region, wall
-    std::vector<int> facets;
-  };
+  using Key = std::array<int, 3>;  ///< lower region, upper region, wall
 
   std::size_t at(int axis, const GridIndex& rectangle) const;
-  void find_keys(const Geometry& geometry, int axis);
+  Key& key(int axis, const GridIndex& rectangle);
+  void find_facets(const Geometry& geometry, int axis);
+  void find_keys(const Geometry& geometry, const std::vector<NamedRectangle>& named, int axis, int plane);
   int find_wall(const Geometry& geometry, const std::vector<NamedRectangle>& named, int axis,
                 const GridIndex& rectangle);
-  void gather(int axis);
+  void gather(int axis, int plane);
   void grow(int axis, const GridIndex& start);
 
   const ElementaryBoxes& grid_;
-  std::array<Sheet, 3> sheets_;  ///< [axis of the normal]
+  std::vector<Key> keys_;                   ///< [rectangle] of the plane at hand
+  std::array<std::vector<int>, 3> sheets_;  ///< [axis of the normal][rectangle] facet
   std::vector<BoxFacet> facets_;
   WallNames wall_names_;
   std::vector<bool> patch_used_;

@@ -157,5 +157,21 @@ TEST(MeshedScene, PillarAndLyingCylinderAreMeshed) {
   expect_near(sums.volumes, {{"pipe", pipe}, {"air", 48 - pipe - pillar}});
 }
 
+TEST(MeshedScene, OverlappingEqualSpheresAreMeshed) {
+  const Measures sums = meshed({{sphere("a", {2, 2, 2}, 1.2, 80), sphere("b", {2.5, 2, 2}, 1.2, 80)}, {}});
+  const Measures alone = meshed({{sphere("b", {2.5, 2, 2}, 1.2, 80)}, {}});
+  EXPECT_NEAR(sums.volumes.at("b"), alone.volumes.at("b"), 1e-12);
+}
+
+TEST(MeshedScene, ManyBoxesAreArrangedAtOnce) {
+  Geometry geometry{{box("air", {0, 0, 0}, {21, 21, 21})}, {}};
+  for (int i = 0; i < 20; ++i) {
+    const double at = i + 0.03 * i * (i % 5 + 1) / 5;
+    geometry.primitives.push_back(box("brick", {at, 0.5 + i / 2.0, 1}, {at + 0.5, 1 + i / 2.0, 20}));
+  }
+  const Measures sums = meshed(geometry);
+  expect_near(sums.volumes, {{"air", 21.0 * 21 * 21 - 20 * 0.25 * 19}, {"brick", 20 * 0.25 * 19}});
+}
+
 }  // namespace
 }  // namespace etendue
