@@ -2,22 +2,22 @@
 #include <fmt/format.h>
 
 #include "mesh/geometry/polygon_soup.h"
-#include "mesh/geometry/text_lines.h"
+#include "mesh/geometry/surface_lines.h"
 #include "mesh/geometry/wall_naming.h"
 
 namespace etendue {
 namespace {
 
-Vec3 point_of(const TextLines& lines) {
+Vec3 point_of(const SurfaceLines& lines) {
   return {lines.number(1, "x"), lines.number(2, "y"), lines.number(3, "z")};
 }
 
-std::string name_of(const TextLines& lines) {
+std::string name_of(const SurfaceLines& lines) {
   return lines.rest().empty() ? "boundary" : std::string(lines.rest());
 }
 
 /// The corner of an OBJ face, "7", "7/1" or "7/1/2"; negative ones count from the last point.
-int obj_corner(const TextLines& lines, std::size_t word, int point_count) {
+int obj_corner(const SurfaceLines& lines, std::size_t word, int point_count) {
   const std::string text(lines.words()[word].substr(0, lines.words()[word].find('/')));
   int corner = 0;
   try {
@@ -31,7 +31,7 @@ int obj_corner(const TextLines& lines, std::size_t word, int point_count) {
   return index;
 }
 
-void expect(const TextLines& lines, std::size_t word, std::string_view keyword) {
+void expect(const SurfaceLines& lines, std::size_t word, std::string_view keyword) {
   if (word >= lines.words().size() || lines.words()[word] != keyword)
     lines.fail(fmt::format("expected \"{}\" (ASCII STL)", keyword));
 }
@@ -39,7 +39,7 @@ void expect(const TextLines& lines, std::size_t word, std::string_view keyword) 
 }  // namespace
 
 PolygonSoup read_ascii_stl(const std::filesystem::path& path) {
-  TextLines lines(path);
+  SurfaceLines lines(path);
   PolygonSoup soup;
   WallNames walls;
   int wall = 0;
@@ -71,7 +71,7 @@ PolygonSoup read_ascii_stl(const std::filesystem::path& path) {
 }
 
 PolygonSoup read_obj(const std::filesystem::path& path) {
-  TextLines lines(path);
+  SurfaceLines lines(path);
   PolygonSoup soup;
   WallNames walls;
   std::string name = "boundary";

@@ -11,9 +11,9 @@
 
 #include "mesh/geometry/outline.h"
 #include "mesh/geometry/polygon_soup.h"
+#include "mesh/geometry/surface_lines.h"
 #include "mesh/geometry/surface_regions.h"
 #include "mesh/geometry/tetgen_surface.h"
-#include "mesh/geometry/text_lines.h"
 
 namespace etendue {
 namespace {

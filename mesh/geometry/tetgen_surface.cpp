@@ -7,8 +7,8 @@
 
 #include "mesh/geometry/outline.h"
 #include "mesh/geometry/primitive_checks.h"
+#include "mesh/geometry/surface_lines.h"
 #include "mesh/geometry/surface_regions.h"
-#include "mesh/geometry/text_lines.h"
 #include "mesh/geometry/wall_naming.h"
 
 namespace etendue {
@@ -27,7 +27,7 @@ class TetgenReader {
     if (lines_.integer(0, "number of points") > 0) {
       read_points(lines_);
     } else {
-      TextLines nodes(std::filesystem::path(path_).replace_extension(".node"));
+      SurfaceLines nodes(std::filesystem::path(path_).replace_extension(".node"));
       nodes.require("the number of points");
       read_points(nodes);
     }
@@ -39,13 +39,13 @@ class TetgenReader {
   }
 
  private:
-  int count(const TextLines& lines, std::string_view what) const {
+  int count(const SurfaceLines& lines, std::string_view what) const {
     const int value = lines.integer(0, what);
     if (value < 0) lines.fail(fmt::format("{} = {}: must not be negative", what, value));
     return value;
   }
 
-  void read_points(TextLines& lines) {
+  void read_points(SurfaceLines& lines) {
     const int points = count(lines, "number of points");
     if (lines.words().size() > 1 && lines.integer(1, "dimension") != 3)
       lines.fail(fmt::format("dimension = {}: must be 3", lines.words()[1]));
@@ -56,7 +56,7 @@ class TetgenReader {
     }
   }
 
-  Vec3 point(const TextLines& lines, std::size_t word) const {
+  Vec3 point(const SurfaceLines& lines, std::size_t word) const {
     const Vec3 read{lines.number(word, "x"), lines.number(word + 1, "y"), lines.number(word + 2, "z")};
     return options_.scale * read;
   }
@@ -151,7 +151,7 @@ class TetgenReader {
 
   const std::filesystem::path path_;
   const SurfaceFileOptions& options_;
-  TextLines lines_;
+  SurfaceLines lines_;
   SurfaceComplex surface_;
   WallNames walls_;
   int first_ = 0;

@@ -9,10 +9,10 @@
 namespace etendue {
 
 /// The words of a text file, line by line. Comments begin with '#'; empty lines are passed over.
-class TextLines {
+class SurfaceLines {
  public:
   /// Throws FileError where the file cannot be opened.
-  explicit TextLines(const std::filesystem::path& path);
+  explicit SurfaceLines(const std::filesystem::path& path);
 
   /// Goes to the next line that has words; false at the end.
   bool next();

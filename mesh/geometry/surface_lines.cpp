@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "mesh/geometry/text_lines.h"
+#include "mesh/geometry/surface_lines.h"
 
 #include <fmt/format.h>
 
@@ -35,9 +35,10 @@ std::string file_content(const std::filesystem::path& path) {
   return std::move(content).str();
 }
 
-TextLines::TextLines(const std::filesystem::path& path) : file_(path.string()), text_(file_content(path)) {}
+SurfaceLines::SurfaceLines(const std::filesystem::path& path)
+    : file_(path.string()), text_(file_content(path)) {}
 
-bool TextLines::next() {
+bool SurfaceLines::next() {
   while (position_ < text_.size()) {
     const std::size_t end = std::min(text_.find('\n', position_), text_.size());
     std::string_view line(text_.data() + position_, end - position_);
@@ -55,35 +56,35 @@ bool TextLines::next() {
   return false;
 }
 
-void TextLines::require(std::string_view expected) {
+void SurfaceLines::require(std::string_view expected) {
   if (!next()) fail(fmt::format("the file ends early; expected {}", expected));
 }
 
-std::string_view TextLines::rest() const {
+std::string_view SurfaceLines::rest() const {
   if (words_.size() < 2) return {};
   return {words_[1].data(),
           static_cast<std::size_t>(words_.back().data() + words_.back().size() - words_[1].data())};
 }
 
-std::string_view TextLines::word(std::size_t index, std::string_view what) const {
+std::string_view SurfaceLines::word(std::size_t index, std::string_view what) const {
   if (index >= words_.size()) fail(fmt::format("{} is missing", what));
   return words_[index];
 }
 
-int TextLines::integer(std::size_t index, std::string_view what) const {
+int SurfaceLines::integer(std::size_t index, std::string_view what) const {
   int value = 0;
   if (!parse(word(index, what), value))
     fail(fmt::format("{} = {}: must be a whole number", what, words_[index]));
   return value;
 }
 
-double TextLines::number(std::size_t index, std::string_view what) const {
+double SurfaceLines::number(std::size_t index, std::string_view what) const {
   double value = 0;
   if (!parse(word(index, what), value) || !std::isfinite(value))
     fail(fmt::format("{} = {}: must be a finite number", what, words_[index]));
   return value;
 }
 
-void TextLines::fail(const std::string& problem) const { throw InputError(Fault{file_, line_, problem}); }
+void SurfaceLines::fail(const std::string& problem) const { throw InputError(Fault{file_, line_, problem}); }
 
 }  // namespace etendue
