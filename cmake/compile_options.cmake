@@ -12,7 +12,9 @@ target_compile_options(etendue_options INTERFACE
 
 # Baseline of a packaged build; the kernels choose wider instruction sets at run time.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  target_compile_options(etendue_options INTERFACE $<$<CONFIG:Release>:-march=x86-64-v2>)
+  # (a target with instruction-set flags of its own sets ETENDUE_OWN_ISA: the last -march would win).
+  target_compile_options(etendue_options INTERFACE
+    $<$<AND:$<CONFIG:Release>,$<NOT:$<BOOL:$<TARGET_PROPERTY:ETENDUE_OWN_ISA>>>>:-march=x86-64-v2>)
 endif()
 
 if(ETENDUE_WERROR)
