@@ -23,6 +23,7 @@ std::string geometry_text(const MeshCase& mesh) {
 template <class Entry>
 std::string names_of(const std::map<std::string, Entry>& entries) {
   std::vector<std::string> names;
+  names.reserve(entries.size());
   for (const auto& [name, entry] : entries) names.push_back(name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
