@@ -13,8 +13,10 @@ namespace etendue {
 namespace {
 
 /// Ordinates of one batch. It decides the order of sums, so it must not depend on the number of threads:
-/// small enough to share a small set among a few threads, large enough that adding up batches costs little.
-std::int32_t batch_size(int ordinates) { return ordinates <= 128 ? 8 : 16; }
+/// small enough to share a small set among a few threads, large enough that adding up batches and reading the
+/// moments of angular cells, once for each batch, cost little.
+constexpr std::int32_t largest_batch = 32;
+std::int32_t batch_size(int ordinates) { return ordinates <= 32 ? 8 : ordinates <= 128 ? 16 : largest_batch; }
 
 /// Cells that one thread adds up at a time.
 constexpr std::int32_t merge_block = 1024;
@@ -381,7 +383,7 @@ void TransportSweep::merge_moments(std::size_t first, std::size_t last, std::int
   task.directions = std::min(directions_.count() - ordinate, size);
   task.matrix = scattering_.integration(OrdinateIndex(ordinate));
   task.moment_rows = next.moments().data();
-  double* rows[16];
+  double* rows[largest_batch];
   for (std::size_t j = 0; j < static_cast<std::size_t>(task.directions); ++j)
     rows[j] = work.angular.data() + j * (scattering_.row_count() + 1) * length + length;
   task.direction_rows = rows;
