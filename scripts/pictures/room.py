@@ -6,40 +6,39 @@ import math
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPiecewiseFunction, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkResampleToImage
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkImagingCore import vtkImageResize
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume,
-                                         vtkVolumeProperty, vtkWindowToImageFilter)
-from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
+                                         vtkWindowToImageFilter)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  registers what draws
-import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 
+from pictures.cloud import Cloud, has_cloud
 from pictures.results import array, read_fields, read_walls
-from pictures.tone import as_rgb, tone_map
+from pictures.tone import as_rgb, display_values, linear_values
 
-OVERSAMPLING = 2  # pixels of the drawing for one of the picture, in each direction
-VOXELS = 120      # along the longest side of the cloud
+OVERSAMPLING = 3  # pixels of the drawing for one of the picture, in each direction
+BACKGROUND = (0.05, 0.05, 0.06)
 
 
 def draw_room(results, options):
     walls, fields = read_walls(results), read_fields(results)
     eye = numpy.array(options.eye or default_eye(walls.GetBounds(), options))
     target = numpy.array(options.look_at or middle(walls.GetBounds()))
-    surface = facing_triangles(walls, eye)
-    radiance = smooth(surface, as_rgb(array(surface.GetPointData(), "exitance")) / math.pi)
-    white = options.white or white_point(radiance)
+    surface, wall_of_point = facing_triangles(walls, eye)
+    radiance = smooth(surface, wall_of_point, as_rgb(array(surface.GetPointData(), "exitance")) / math.pi)
+    bright = options.bright or bright_point(radiance)
 
     renderer = vtkRenderer()
-    renderer.SetBackground(0.05, 0.05, 0.06)
-    renderer.AddActor(coloured_actor(surface, tone_map(radiance, white)))
-    cloud = cloud_volume(fields, white)
-    if cloud:
-        renderer.AddVolume(cloud)
+    renderer.SetBackground(*BACKGROUND)
+    renderer.AddActor(coloured_actor(surface, display_values(radiance, bright)))
     aim(renderer.GetActiveCamera(), eye, target, options.angle)
     renderer.ResetCameraClippingRange()
-    save(renderer, options.pixels, options.output)
+    picture, points = draw(renderer, options.pixels)
+    picture = linear_values(picture, bright)
+    if has_cloud(fields):
+        Cloud(fields).add(picture, eye, points)
+    write(display_values(picture, bright), options.pixels, options.output)
 
 
 def middle(bounds):
@@ -54,119 +53,46 @@ def default_eye(bounds, options):
 
 
 def facing_triangles(walls, eye):
-    """Triangles whose inner side the eye sees. The others, such as a wall between the eye and the room, would
-    hide the scene."""
-    corners = triangle_corners(walls)
+    """Triangles whose inner side the eye sees, and the wall of each point. The others, such as a wall between the
+    eye and the room, would hide the scene."""
+    corners = vtk_to_numpy(walls.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     points = vtk_to_numpy(walls.GetPoints().GetData())
     a, b, c = (points[corners[:, k]] for k in range(3))
     outward = numpy.cross(b - a, c - a)
-    seen = numpy.einsum("ij,ij->i", outward, eye - a) < 0
-    kept = corners[seen]
     cells = vtkCellArray()
-    for triangle in kept:
+    for triangle in corners[numpy.einsum("ij,ij->i", outward, eye - a) < 0]:
         cells.InsertNextCell(3, triangle)
     surface = vtkPolyData()
     surface.ShallowCopy(walls)
     surface.SetPolys(cells)
-    wall = numpy.repeat(vtk_to_numpy(walls.GetCellData().GetArray("wall"))[:, None], 3, axis=1)
-    of_point = numpy.full(len(points), -1)
-    of_point[corners] = wall
-    surface.of_point = of_point
-    return surface
+    wall_of_point = numpy.full(len(points), -1)
+    wall_of_point[corners] = vtk_to_numpy(walls.GetCellData().GetArray("wall"))[:, None]
+    return surface, wall_of_point
 
 
-def triangle_corners(walls):
-    return vtk_to_numpy(walls.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-
-
-def smooth(surface, values):
+def smooth(surface, wall_of_point, values):
     """The mean of the values that meet in one place of one wall: hides the jumps between triangles, keeps those
     between walls."""
     points = vtk_to_numpy(surface.GetPoints().GetData())
-    keys = numpy.column_stack([points.round(7), surface.of_point])
+    keys = numpy.column_stack([points.round(7), wall_of_point])
     _, group = numpy.unique(keys, axis=0, return_inverse=True)
     count = numpy.bincount(group)
     return numpy.column_stack([(numpy.bincount(group, weights=v) / count)[group] for v in values.T])
 
 
-def white_point(radiance):
+def bright_point(radiance):
     """The luminance (Rec. 709) that nine tenths of the walls' points stay below."""
     return numpy.quantile(radiance @ numpy.array([0.2126, 0.7152, 0.0722]), 0.9)
 
 
 def coloured_actor(surface, colours):
-    scalars = numpy_to_vtk(numpy.ascontiguousarray(colours), deep=True, array_type=VTK_UNSIGNED_CHAR)
-    surface.GetPointData().SetScalars(scalars)
+    surface.GetPointData().SetScalars(numpy_to_vtk(colours, deep=True, array_type=VTK_UNSIGNED_CHAR))
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(surface)
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().LightingOff()
     return actor
-
-
-def cloud_volume(fields, white):
-    """Where the medium has an extinction: the colour of isotropically scattered light, phi/(4 pi), and the
-    opacity of the extinction."""
-    absorption = as_rgb(array(fields.GetCellData(), "absorption"))
-    scattering = as_rgb(array(fields.GetCellData(), "scattering"))
-    extinction = (absorption + scattering).mean(axis=1)
-    if not extinction.max() > 0:
-        return None
-    fields.GetCellData().AddArray(named("extinction", extinction))
-    image = resample(fields, bounds_of(fields, extinction > 0))
-    albedo = (scattering.sum() / (absorption + scattering).sum())
-    inside = vtk_to_numpy(image.GetPointData().GetArray("extinction"))
-    fluence = as_rgb(array(image.GetPointData(), "fluence"))
-    colours = tone_map(albedo * fluence / (4 * math.pi), white)
-    share = numpy.rint(255 * inside / extinction.max()).astype(numpy.uint8)
-    image.GetPointData().SetScalars(
-        numpy_to_vtk(numpy.column_stack([colours, share]), deep=True, array_type=VTK_UNSIGNED_CHAR))
-    volume = vtkVolume()
-    mapper = vtkFixedPointVolumeRayCastMapper()
-    mapper.SetInputData(image)
-    mapper.SetSampleDistance(min(image.GetSpacing()))
-    mapper.SetAutoAdjustSampleDistances(0)
-    volume.SetMapper(mapper)
-    volume.SetProperty(translucency(extinction.max(), min(image.GetSpacing())))
-    return volume
-
-
-def translucency(extinction, length):
-    """Opacity of a length of the medium, for the share 0..255 of the largest extinction."""
-    opacity = vtkPiecewiseFunction()
-    for share in range(0, 256, 15):
-        opacity.AddPoint(share, 1 - math.exp(-extinction * share / 255 * length))
-    volume = vtkVolumeProperty()
-    volume.IndependentComponentsOff()
-    volume.SetInterpolationTypeToLinear()
-    volume.SetScalarOpacity(opacity)
-    volume.SetScalarOpacityUnitDistance(length)
-    return volume
-
-
-def named(name, values):
-    data = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
-    data.SetName(name)
-    return data
-
-
-def bounds_of(fields, cells):
-    """The box around these cells."""
-    corners = vtk_to_numpy(fields.GetCells().GetConnectivityArray()).reshape(-1, 4)[cells]
-    points = vtk_to_numpy(fields.GetPoints().GetData())[corners.ravel()]
-    return numpy.column_stack([points.min(axis=0), points.max(axis=0)]).ravel()
-
-
-def resample(fields, bounds):
-    sides = bounds[1::2] - bounds[::2]
-    sampler = vtkResampleToImage()
-    sampler.SetInputDataObject(fields)
-    sampler.UseInputBoundsOff()
-    sampler.SetSamplingBounds(bounds)
-    sampler.SetSamplingDimensions(*(max(2, math.ceil(VOXELS * side / max(sides))) for side in sides))
-    sampler.Update()
-    return sampler.GetOutput()
 
 
 def aim(camera, eye, target, angle):
@@ -176,20 +102,50 @@ def aim(camera, eye, target, angle):
     camera.SetViewAngle(angle)
 
 
-def save(renderer, pixels, path):
+def draw(renderer, pixels):
+    """Colours [pixel][3] and the places that are seen there [pixel][3], row by row from below."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(0)
     window.SetSize(*(OVERSAMPLING * n for n in pixels))
     window.AddRenderer(renderer)
     window.Render()
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    resize = vtkImageResize()
-    resize.SetInputConnection(grab.GetOutputPort())
-    resize.SetOutputDimensions(*pixels, 1)
+    colours = grab(window, vtkWindowToImageFilter.SetInputBufferTypeToRGB, pixels).mean(axis=(1, 3))
+    depth = grab(window, vtkWindowToImageFilter.SetInputBufferTypeToZBuffer, pixels)
+    middle_of_pixel = OVERSAMPLING // 2
+    points = places(renderer, depth[:, middle_of_pixel, :, middle_of_pixel, 0], pixels)
+    return colours.reshape(-1, 3), points
+
+
+def grab(window, choose_buffer, pixels):
+    """What is in the window, [row][row in the pixel][column][column in the pixel][component]."""
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    grabber.ReadFrontBufferOff()
+    choose_buffer(grabber)
+    grabber.Update()
+    values = vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars())
+    return values.reshape(pixels[1], OVERSAMPLING, pixels[0], OVERSAMPLING, -1)
+
+
+def places(renderer, depth, pixels):
+    """From the depth buffer to coordinates, through the inverse of the camera's projection."""
+    camera = renderer.GetActiveCamera()
+    inverse = vtkMatrix4x4()
+    vtkMatrix4x4.Invert(camera.GetCompositeProjectionTransformMatrix(pixels[0] / pixels[1], -1, 1), inverse)
+    matrix = numpy.array([[inverse.GetElement(i, j) for j in range(4)] for i in range(4)])
+    x = (numpy.arange(pixels[0]) + 0.5) / pixels[0] * 2 - 1
+    y = (numpy.arange(pixels[1]) + 0.5) / pixels[1] * 2 - 1
+    view = numpy.stack([*numpy.meshgrid(x, y), 2 * depth - 1, numpy.ones_like(depth)], axis=-1).reshape(-1, 4)
+    world = view @ matrix.T
+    return world[:, :3] / world[:, 3:]
+
+
+def write(colours, pixels, path):
+    image = vtkImageData()
+    image.SetDimensions(*pixels, 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(colours, deep=True, array_type=VTK_UNSIGNED_CHAR))
     writer = vtkPNGWriter()
-    writer.SetInputConnection(resize.GetOutputPort())
+    writer.SetInputData(image)
     writer.SetFileName(str(path))
     writer.Write()
