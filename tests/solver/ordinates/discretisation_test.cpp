@@ -23,7 +23,7 @@ std::function<double(const Vec3&)> exact_fluence(const DirectionSet& directions,
 }
 
 TEST(Patch, LinearRadianceIsReproducedToRounding) {
-  const TetrahedralMesh mesh = cube_of_cells(2e-3);
+  const TetrahedralMesh mesh = cube_mesh(2e-3);
   const DirectionSet directions = directions_triangular(4);
   const Vec3 slope(0.3, -0.7, 1.1);
   // Linear in space, different in every direction, through absorption and void alike.
@@ -51,7 +51,7 @@ TEST(Patch, LinearRadianceIsReproducedToRounding) {
 
 TEST(Patch, LinearFluenceSurvivesScattering) {
   // A radiance 1 + s.x, the same in all directions: scattering gives back what it takes.
-  const TetrahedralMesh mesh = cube_of_cells(2e-2);
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
   const DirectionSet directions = directions_ldfe_sq(1);
   const Vec3 slope(0.5, 0.2, -0.1);
   const auto radiance = [&](const Vec3& x, const Vec3&) { return 1 + slope.dot(x); };
@@ -70,7 +70,7 @@ TEST(Patch, LinearFluenceSurvivesScattering) {
 }
 
 TEST(Patch, ConstantRadianceIsReproducedByConstants) {
-  const TetrahedralMesh mesh = cube_of_cells(2e-2);
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.7, 0, 0.7 * 2), uniform_wall(1, 2, 0, 0));
   SolveOptions options = tight_options();
   options.order = SpaceOrder::constant;
@@ -85,7 +85,7 @@ std::vector<std::pair<double, double>> absorber_errors(SpaceOrder order) {
   const auto radiance = [&](const Vec3& x, const Vec3& w) { return std::exp(-sigma * w.dot(x)); };
   std::vector<std::pair<double, double>> errors;
   for (const double volume : {8e-3, 1e-3, 1.25e-4}) {
-    const TetrahedralMesh mesh = cube_of_cells(volume);
+    const TetrahedralMesh mesh = cube_mesh(volume);
     const Problem problem = uniform_problem(mesh, uniform_medium(1, sigma, 0, 0), uniform_wall(1, 0, 0, 0));
     const ManufacturedInput input(mesh, directions, 1, radiance,
                                   [](const Vec3&, const Vec3&) { return 0.0; });
@@ -126,7 +126,7 @@ TEST(Convergence, VaryingExtinctionKeepsTheOrder) {
   };
   std::vector<std::pair<double, double>> errors;
   for (const double volume : {8e-3, 1e-3, 1.25e-4}) {
-    const TetrahedralMesh mesh = cube_of_cells(volume);
+    const TetrahedralMesh mesh = cube_mesh(volume);
     Medium medium = uniform_medium(1, 0, 0, 0);
     medium.absorption[0] = Coefficient(Expression("1 + x", {"x", "y", "z"}));
     const Problem problem = uniform_problem(mesh, medium, uniform_wall(1, 0, 0, 0));
@@ -141,7 +141,7 @@ TEST(Convergence, VaryingExtinctionKeepsTheOrder) {
 }
 
 TEST(Lumping, KeepsTheOrderNearTwoAndRaisesTheMinimum) {
-  const TetrahedralMesh mesh = cube_of_cells(2e-3);
+  const TetrahedralMesh mesh = cube_mesh(2e-3);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 100, 0, 0), uniform_wall(1, 1, 0, 0));
   const auto smallest = [&](Lumping lumping) {
     const Solution solution = solve(problem, directions_triangular(4), tight_options(lumping));

@@ -21,7 +21,7 @@ void expect_balance(const Problem& problem, const Solution& solution, double tol
 }
 
 TEST(InfiniteMedium, MirrorsGiveSourceOverAbsorption) {
-  const TetrahedralMesh mesh = cube_of_cells(3e-2);
+  const TetrahedralMesh mesh = cube_mesh(3e-2);
   for (const double g : {0.0, 0.6}) {
     const PhaseFunction phase = g == 0 ? PhaseFunction(PhaseIsotropic{}) : PhaseHenyeyGreenstein{g};
     const Problem problem =
@@ -64,7 +64,7 @@ TEST(Furnace, RadianceIsConstantWithMirrorsDiffuseWallsScatteringAndABall) {
 
 TEST(Conservation, ScatteringWithoutAbsorptionLosesNothing) {
   // The trap of a removal term without out-scattering: light that only scatters must all come out again.
-  const TetrahedralMesh mesh = cube_of_cells(3e-2);
+  const TetrahedralMesh mesh = cube_mesh(3e-2);
   std::vector<Wall> walls;
   for (const std::string& name : mesh.wall_names()) {
     walls.push_back(name == "zmax"   ? uniform_wall(1, 1, 0, 0)
@@ -89,7 +89,7 @@ Vec3 turned(const Vec3& p) {
 }
 
 TEST(Walls, DiffuseReflectanceKeepsTheBalanceOnObliqueWalls) {
-  const TetrahedralMesh mesh = moved_mesh(cube_of_cells(2e-2), turned);
+  const TetrahedralMesh mesh = moved_mesh(cube_mesh(2e-2), turned);
   const Problem problem = uniform_problem(mesh, uniform_medium(3, 0.1, 0.4, 1), uniform_wall(3, 0.3, 0.7, 0));
   const Solution solution = solve(problem, directions_product(4), tight_options());
   ASSERT_TRUE(solution.converged());
@@ -97,7 +97,7 @@ TEST(Walls, DiffuseReflectanceKeepsTheBalanceOnObliqueWalls) {
 }
 
 TEST(Walls, BlackAndColdWithNothingInsideIsDarkAndConverged) {
-  const TetrahedralMesh mesh = cube_of_cells(2e-2);
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.5, 0.5, 0), uniform_wall(1, 0, 0.5, 0));
   const Solution solution = solve(problem, directions_triangular(2), tight_options());
   EXPECT_TRUE(solution.converged());
@@ -105,7 +105,7 @@ TEST(Walls, BlackAndColdWithNothingInsideIsDarkAndConverged) {
 }
 
 TEST(Walls, MirrorEqualsTheUnfoldedProblem) {
-  const TetrahedralMesh mesh = cube_of_cells(3e-2);
+  const TetrahedralMesh mesh = cube_mesh(3e-2);
   const Medium medium = uniform_medium(1, 0.5, 0.5, 1);
   std::vector<Wall> walls;
   for (const std::string& name : mesh.wall_names()) {
@@ -129,7 +129,7 @@ TEST(Walls, MirrorEqualsTheUnfoldedProblem) {
 }
 
 TEST(Walls, MirrorOutsideTheSetIsRefusedWithTheReason) {
-  const TetrahedralMesh oblique = moved_mesh(cube_of_cells(2e-2), turned);
+  const TetrahedralMesh oblique = moved_mesh(cube_mesh(2e-2), turned);
   Wall wall = uniform_wall(1, 0, 0, 0.5);
   wall.name = "boundary";
   wall.origin = {"room.toml", 12, "walls.boundary"};
@@ -144,9 +144,31 @@ TEST(Walls, MirrorOutsideTheSetIsRefusedWithTheReason) {
   }
 }
 
+TEST(LaggedFaces, ConvergeToTheSolutionOfTheRing) {
+  // Upright ordinates go round the ring; what one sweep sends through the lagged faces the next one takes in.
+  const TetrahedralMesh mesh = moved_mesh(cyclic_ring(), [](const Vec3& p) -> Vec3 {
+    // Turned so that an ordinate of the set lies along the ring's axis.
+    const Vec3 axis = directions_ldfe_sq(1).direction(OrdinateIndex(0));
+    return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis) * p;
+  });
+  const double level = 3;
+  Wall wall = uniform_wall(1, 0.5 * level, 0.5, 0);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.2, 0.4, 0.2 * level), wall);
+  const Solution solution = solve(problem, directions_ldfe_sq(1), tight_options());
+  EXPECT_GT(solution.lagged_faces, 0);
+  ASSERT_TRUE(solution.converged());
+  EXPECT_LT(largest_deviation(solution.fluence, four_pi * level), 1e-10);
+  expect_balance(problem, solution);
+  // A wall that only lights one side is carried round too, and the balance tells of any loss.
+  const Problem lit = uniform_problem(mesh, uniform_medium(1, 0, 0, 0), uniform_wall(1, 1, 0, 0));
+  const Solution through = solve(lit, directions_ldfe_sq(1), tight_options());
+  ASSERT_TRUE(through.converged());
+  EXPECT_LT(largest_deviation(through.fluence, four_pi), 1e-10);
+}
+
 TEST(Symmetry, OctahedralGroupOfTheMeshIsThatOfTheSolution) {
   // Turning mesh and nothing else: the set is closed under the group, so the fields turn with the mesh.
-  const TetrahedralMesh mesh = cube_of_cells(4e-2);
+  const TetrahedralMesh mesh = cube_mesh(4e-2);
   const auto total = [&](const Eigen::Matrix3d& turn) {
     const TetrahedralMesh image = moved_mesh(mesh, [&](const Vec3& p) -> Vec3 { return turn * p; });
     Wall wall = uniform_wall(1, 0.2, 0.5, 0);

@@ -17,7 +17,7 @@ Problem hazy_room(const TetrahedralMesh& mesh, int bands) {
 }
 
 TEST(SourceIteration, EstimatedErrorIsTheTrueErrorWithinAFactor) {
-  const TetrahedralMesh mesh = cube_of_cells(2e-2);
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
   const Problem problem = hazy_room(mesh, 1);
   const DirectionSet directions = directions_triangular(4);
   const Solution exact = solve(problem, directions, tight_options());
@@ -38,7 +38,7 @@ TEST(SourceIteration, EstimatedErrorIsTheTrueErrorWithinAFactor) {
 }
 
 TEST(SourceIteration, OneSweepSolvesWhatNeitherScattersNorReflects) {
-  const TetrahedralMesh mesh = cube_of_cells(2e-2);
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 1, 0, 1), uniform_wall(1, 0, 0, 0));
   const Solution solution = solve(problem, directions_triangular(4), SolveOptions{});
   EXPECT_TRUE(solution.converged());
@@ -46,7 +46,7 @@ TEST(SourceIteration, OneSweepSolvesWhatNeitherScattersNorReflects) {
 }
 
 TEST(SourceIteration, NotConvergedIsAResultThatSaysSo) {
-  const TetrahedralMesh mesh = cube_of_cells(2e-2);
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
   SolveOptions options = tight_options();
   options.max_sweeps = 4;
   const Solution solution = solve(hazy_room(mesh, 2), directions_triangular(4), options);
@@ -58,7 +58,7 @@ TEST(SourceIteration, NotConvergedIsAResultThatSaysSo) {
 }
 
 TEST(SourceIteration, ObserverStopsItAndSeesFallingErrors) {
-  const TetrahedralMesh mesh = cube_of_cells(2e-2);
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
   std::vector<double> errors;
   const Solution solution = solve(hazy_room(mesh, 1), directions_triangular(4), tight_options(),
                                   [&](const SweepProgress& progress) {
@@ -80,7 +80,7 @@ TEST(RateEstimate, KnowsAGeometricSequence) {
 }
 
 TEST(Threads, GiveTheSameBits) {
-  const TetrahedralMesh mesh = cube_of_cells(1e-2);
+  const TetrahedralMesh mesh = cube_mesh(1e-2);
   for (const int bands : {1, 3}) {
     const Problem problem = hazy_room(mesh, bands);
     SolveOptions options = tight_options(Lumping::automatic);
@@ -102,7 +102,7 @@ TEST(Threads, GiveTheSameBits) {
 }
 
 TEST(SweepOrders, RecomputedOrdersGiveTheSameBits) {
-  const TetrahedralMesh mesh = cube_of_cells(2e-2);
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
   const Problem problem = hazy_room(mesh, 1);
   SolveOptions options = tight_options();
   options.tolerance = 1e-6;
@@ -113,7 +113,7 @@ TEST(SweepOrders, RecomputedOrdersGiveTheSameBits) {
 }
 
 TEST(Meters, AddUpToTheNetFlux) {
-  const TetrahedralMesh mesh = cube_of_cells(2e-2);
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
   const Problem problem = hazy_room(mesh, 3);
   const Vec3 point(0.31, 0.47, 0.23), normal = Vec3(1, -2, 0.5).normalized();
   const CellLocator locator(mesh);

@@ -43,14 +43,6 @@ std::vector<RulePoint> rule() {
 
 }  // namespace
 
-TetrahedralMesh cube_of_cells(double max_volume) {
-  Geometry geometry;
-  BoxPrimitive box;
-  box.region = "domain";
-  geometry.primitives.emplace_back(box);
-  return meshed(geometry, max_volume);
-}
-
 TetrahedralMesh cube_with_ball(double max_volume) {
   Geometry geometry;
   BoxPrimitive box;

@@ -9,11 +9,10 @@
 #include "solver/ordinates/angular_input.h"
 #include "solver/ordinates/solve.h"
 #include "solver/problem/problem.h"
+#include "tests/mesh/tetrahedra/sample_meshes.h"
 
 namespace etendue {
 
-/// The unit cube by TetGen, walls xmin … zmax, one region "domain".
-TetrahedralMesh cube_of_cells(double max_volume);
 /// The unit cube with a ball of radius 0.3 in its middle as region "ball".
 TetrahedralMesh cube_with_ball(double max_volume);
 

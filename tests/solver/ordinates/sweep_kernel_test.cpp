@@ -18,7 +18,7 @@ class KernelChoice : public testing::Test {
   /// Empty where this machine does not have the instruction set.
   std::vector<double> fluence(const char* isa, int bands) {
     setenv("ETENDUE_ISA", isa, 1);
-    const TetrahedralMesh mesh = cube_of_cells(2e-2);
+    const TetrahedralMesh mesh = cube_mesh(2e-2);
     const Problem problem =
         uniform_problem(mesh, uniform_medium(bands, 1.3, 0.9, 0.7, PhaseHenyeyGreenstein{0.4}),
                         uniform_wall(bands, 0.2, 0.3, 0.1));
