@@ -40,7 +40,7 @@ CellCoefficients::CellCoefficients(const TetrahedralMesh& mesh, std::span<const 
       stride_(lane_stride(bands)),
       volumes_(mesh.volumes()),
       normals_(outward_normals(mesh)),
-      mass_(static_cast<std::size_t>(mesh.cell_count() * 2 * stride_)),
+      mass_(static_cast<std::size_t>(mesh.cell_count()) * 2 * static_cast<std::size_t>(stride_)),
       lumped_(extinction.size(), 0) {
   const auto width = static_cast<std::size_t>(stride_);
   for (std::size_t c = 0; c < volumes_.size(); ++c)

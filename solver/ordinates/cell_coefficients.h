@@ -21,6 +21,13 @@ class CellCoefficients {
   int stride() const { return stride_; }
   int nodes() const { return nodes_per_cell(basis_); }
   int face_nodes() const { return nodes_per_face(basis_); }
+  /// Doubles of one cell's, and of one face's, nodal values.
+  std::size_t cell_length() const {
+    return static_cast<std::size_t>(nodes()) * static_cast<std::size_t>(stride_);
+  }
+  std::size_t trace_length() const {
+    return static_cast<std::size_t>(face_nodes()) * static_cast<std::size_t>(stride_);
+  }
   const double* normals() const { return normals_.data(); }
   const double* mass() const { return mass_.data(); }
 

@@ -42,7 +42,7 @@ ScatteringMoments::ScatteringMoments(const Problem& problem, const DirectionSet&
       cells_(cells),
       degree_(needed_degrees(problem, directions, reason_)),
       harmonics_(directions, highest(degree_)),
-      row_length_(static_cast<std::size_t>(cells.nodes() * cells.stride())) {
+      row_length_(cells.cell_length()) {
   find_angular_cells(observed);
   fill_factors();
   report_kernels();

@@ -17,8 +17,8 @@ constexpr int prefetch_distance = 10;
 enum class Angular { absent, present };
 enum class Flux { skip, add };
 
-ETENDUE_KERNEL_INLINE void prefetch(const double* from, int doubles, int rw) {
-  for (int i = 0; i < doubles; i += 8) {
+ETENDUE_KERNEL_INLINE void prefetch(const double* from, std::ptrdiff_t doubles, int rw) {
+  for (std::ptrdiff_t i = 0; i < doubles; i += 8) {
     if (rw) {
       __builtin_prefetch(from + i, 1);
     } else {
@@ -29,7 +29,7 @@ ETENDUE_KERNEL_INLINE void prefetch(const double* from, int doubles, int rw) {
 
 template <int Nodes, Flux flux>
 ETENDUE_KERNEL_INLINE void prefetch_cell(const SweepTask& task, std::size_t cell) {
-  const int length = Nodes * task.stride;
+  const std::ptrdiff_t length = Nodes * task.stride;
   prefetch(task.normals + cell * normals_stride, 12, 0);
   prefetch(task.mass + cell * 2 * static_cast<std::size_t>(task.stride), 2 * task.stride, 0);
   prefetch(task.source + cell * static_cast<std::size_t>(length), length, 0);
@@ -41,7 +41,7 @@ ETENDUE_KERNEL_INLINE void prefetch_cell(const SweepTask& task, std::size_t cell
 /// Four seen areas; exactly zero on parallel faces, whichever side looks.
 ETENDUE_KERNEL_INLINE void seen_areas(const SweepTask& task, const double* normals, const std::int32_t* slots,
                                       double (&a)[4]) {
-  for (int f = 0; f < 4; ++f) {
+  for (std::ptrdiff_t f = 0; f < 4; ++f) {
     const double seen = (task.direction[0] * normals[3 * f] + task.direction[1] * normals[3 * f + 1]) +
                         task.direction[2] * normals[3 * f + 2];
     a[f] = slots[f] == 0 ? 0 : seen;
@@ -63,9 +63,9 @@ struct CellRows {
 /// That spares every branch on the sign of a_f.
 template <int W, Angular angular, Flux flux>
 ETENDUE_KERNEL_INLINE void balance_linear(const SweepTask& task, const FaceFlows& flows, const CellRows& rows,
-                                          int band) {
+                                          std::ptrdiff_t band) {
   using T = Lanes<W>;
-  const int stride = task.stride;
+  const std::ptrdiff_t stride = task.stride;
   T right[4];
   for (int i = 0; i < 4; ++i) right[i] = load_lanes<W>(rows.source + i * stride + band);
   for (int f = 0; f < 4; ++f) {
@@ -78,12 +78,12 @@ ETENDUE_KERNEL_INLINE void balance_linear(const SweepTask& task, const FaceFlows
   T u[4];
   solve_cell(flows, alpha_mass, beta_mass, right, u);
   for (int f = 0; f < 4; ++f) {
-    int corner = 0;
+    std::ptrdiff_t corner = 0;
     for (int i = 0; i < 4; ++i)
       if (i != f) store_lanes<W>(rows.trace[f] + stride * corner++ + band, u[i]);
   }
   for (int i = 0; i < 4; ++i) {
-    const int at = i * stride + band;
+    const std::ptrdiff_t at = i * stride + band;
     const T weighted = task.weight * u[i];
     store_lanes<W>(rows.fluence + at, load_lanes<W>(rows.fluence + at) + weighted);
     if constexpr (angular == Angular::present) store_lanes<W>(rows.radiance + at, u[i]);
@@ -98,7 +98,7 @@ ETENDUE_KERNEL_INLINE void balance_linear(const SweepTask& task, const FaceFlows
 /// Piecewise constants: (sigma_t V + P) u = V q + sum of n_f u_f.
 template <int W, Angular angular, Flux flux>
 ETENDUE_KERNEL_INLINE void balance_constant(const SweepTask& task, const FaceFlows& flows,
-                                            const CellRows& rows, int band) {
+                                            const CellRows& rows, std::ptrdiff_t band) {
   using T = Lanes<W>;
   T right = load_lanes<W>(rows.source + band);
   for (int f = 0; f < 4; ++f) right += flows.entering[f] * load_lanes<W>(rows.trace[f] + band);
@@ -120,7 +120,7 @@ ETENDUE_KERNEL_INLINE void sweep_cells(SweepTask task) {
   constexpr int nodes = nodes_per_cell(basis);
   constexpr int face_nodes = nodes_per_face(basis);
   if constexpr (Bands > 0) task.stride = Bands;
-  const int stride = task.stride;
+  const std::ptrdiff_t stride = task.stride;
   const std::size_t length = static_cast<std::size_t>(nodes * stride);
   const std::size_t trace_length = static_cast<std::size_t>(face_nodes * stride);
   const std::int32_t count = task.cell_count;
@@ -151,7 +151,7 @@ ETENDUE_KERNEL_INLINE void sweep_cells(SweepTask task) {
     for (int f = 0; f < 4; ++f)
       rows.trace[f] = task.traces + static_cast<std::size_t>(slots[f]) * trace_length;
 
-    for (int band = 0; band < stride; band += W) {
+    for (std::ptrdiff_t band = 0; band < stride; band += W) {
       if constexpr (basis == Basis::linear) {
         balance_linear<W, angular, flux>(task, flows, rows, band);
       } else {
@@ -186,7 +186,8 @@ ETENDUE_KERNEL_INLINE void expand_block(const MomentTask& task, const double* mo
   Lanes<W> sum[Count] = {};
   for (int k = 0; k < task.moments; ++k) {
     const Lanes<W> moment = load_lanes<W>(moments + static_cast<std::size_t>(k) * task.row_length);
-    for (int m = 0; m < Count; ++m) sum[m] += task.matrix[(first + m) * task.moments + k] * moment;
+    for (int m = 0; m < Count; ++m)
+      sum[m] += task.matrix[static_cast<std::ptrdiff_t>(first + m) * task.moments + k] * moment;
   }
   for (int m = 0; m < Count; ++m) store_lanes<W>(task.direction_rows[first + m] + at, sum[m]);
 }
@@ -199,7 +200,8 @@ ETENDUE_KERNEL_INLINE void collect_block(const MomentTask& task, double* moments
     sum[k] = load_lanes<W>(moments + static_cast<std::size_t>(first + k) * task.row_length);
   for (int m = 0; m < task.directions; ++m) {
     const Lanes<W> radiance = load_lanes<W>(task.direction_rows[m] + at);
-    for (int k = 0; k < Count; ++k) sum[k] += task.matrix[m * task.moments + first + k] * radiance;
+    for (int k = 0; k < Count; ++k)
+      sum[k] += task.matrix[static_cast<std::ptrdiff_t>(m) * task.moments + first + k] * radiance;
   }
   for (int k = 0; k < Count; ++k)
     store_lanes<W>(moments + static_cast<std::size_t>(first + k) * task.row_length, sum[k]);

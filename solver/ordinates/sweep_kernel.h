@@ -24,7 +24,7 @@ struct SweepTask {
   bool backwards = false;               ///< walk the positions from the last to the first
   double direction[3] = {};
   double weight = 0;                ///< [sr]
-  int stride = 1;                   ///< bands, rounded up to lanes
+  std::ptrdiff_t stride = 1;        ///< bands, rounded up to lanes
   const double* normals = nullptr;  ///< [cell][4][3] padded to normals_stride [length^2]
   const double* mass = nullptr;     ///< [cell][2][stride] alpha_mass, beta_mass (cell_balance.h)
   const double* source = nullptr;   ///< [cell][node][stride] right-hand side of isotropic sources

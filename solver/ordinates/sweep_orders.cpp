@@ -17,7 +17,7 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
   for (std::int32_t pair = 0; pair < pairs; ++pair) {
     const auto p = static_cast<std::size_t>(pair);
-    SweepOrder order = make_sweep_order(mesh, directions.direction(OrdinateIndex(2 * pair)));
+    SweepOrder order = make_sweep_order(mesh, directions.direction(OrdinateIndex(std::int64_t{2} * pair)));
     lagged[p] = order.lagged.size();
     slots[p] = order.slot_count;
     if (pair < kept_count_) orders_[p] = std::move(order);
@@ -30,7 +30,7 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
 const SweepOrder& SweepOrders::of_pair(std::int32_t pair, SweepOrder& scratch) const {
   const auto& kept = orders_[static_cast<std::size_t>(pair)];
   if (kept) return *kept;
-  scratch = make_sweep_order(mesh_, directions_.direction(OrdinateIndex(2 * pair)));
+  scratch = make_sweep_order(mesh_, directions_.direction(OrdinateIndex(std::int64_t{2} * pair)));
   return scratch;
 }
 

@@ -75,7 +75,7 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
       source_(static_cast<std::size_t>(problem.mesh().cell_count()) * scattering_.row_length()),
       moment_source_(scattering_.moments_size()) {
   threads_ = std::min(threads_, static_cast<int>(batch_count()));
-  const std::size_t trace_length = static_cast<std::size_t>(cells_.face_nodes() * cells_.stride());
+  const std::size_t trace_length = cells_.trace_length();
   const std::size_t rows = scattering_.row_count() > 0 ? scattering_.row_count() + 1 : 0;
   for (int t = 0; t < threads_; ++t) {
     auto work = std::make_unique<Workspace>();
@@ -105,7 +105,7 @@ std::int32_t TransportSweep::batch_count() const {
 }
 
 StateLayout TransportSweep::layout() const {
-  const auto trace_length = static_cast<std::size_t>(cells_.face_nodes() * cells_.stride());
+  const auto trace_length = cells_.trace_length();
   return {source_.size(), scattering_.moments_size(), walls_.irradiance_size(), walls_.mirror_size(),
           2 * orders_.lagged_total() * trace_length};
 }
@@ -251,7 +251,7 @@ void TransportSweep::run_kernel(OrdinateIndex m, const SweepOrder& order, SweepR
 
 void TransportSweep::exchange_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
                                      Workspace& work) const {
-  const auto length = static_cast<std::size_t>(cells_.face_nodes() * cells_.stride());
+  const auto length = cells_.trace_length();
   const std::size_t parity = m.at() % 2;
   for (std::size_t i = 0; i < order.lagged.size(); ++i) {
     const LaggedFace& face = order.lagged[i];
@@ -264,7 +264,7 @@ void TransportSweep::exchange_lagged(OrdinateIndex m, const SweepOrder& order, c
 
 void TransportSweep::keep_lagged(OrdinateIndex m, const SweepOrder& order, TransportState& next,
                                  const Workspace& work) const {
-  const auto length = static_cast<std::size_t>(cells_.face_nodes() * cells_.stride());
+  const auto length = cells_.trace_length();
   const std::size_t parity = m.at() % 2;
   for (std::size_t i = 0; i < order.lagged.size(); ++i) {
     const LaggedFace& face = order.lagged[i];

@@ -38,6 +38,8 @@ WallExchange::WallExchange(const Problem& problem, const DirectionSet& direction
       radiance_(padded(problem.walls(), &Wall::radiance, stride_)),
       diffuse_(padded(problem.walls(), &Wall::diffuse, stride_)),
       specular_(padded(problem.walls(), &Wall::specular, stride_)) {
+  wall_diffuse_.reserve(problem.walls().size());
+  wall_reflects_.reserve(problem.walls().size());
   for (const Wall& wall : problem.walls()) {
     wall_diffuse_.push_back(any_positive(wall.diffuse));
     wall_reflects_.push_back(any_positive(wall.diffuse) || any_positive(wall.specular));
@@ -88,6 +90,7 @@ void WallExchange::find_mirrors() {
 
 std::vector<std::int32_t> WallExchange::partners(FaceIndex face) const {
   std::vector<std::int32_t> partner;
+  partner.reserve(static_cast<std::size_t>(directions_.count()));
   const Vec3 normal = mesh_.area_normal(face).normalized();
   for (std::int32_t m = 0; m < directions_.count(); ++m)
     partner.push_back(directions_.mirrored(OrdinateIndex(m), normal));

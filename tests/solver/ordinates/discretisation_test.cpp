@@ -13,7 +13,7 @@ namespace {
 
 /// Fluence of a radiance that is known at every point and direction.
 std::function<double(const Vec3&)> exact_fluence(const DirectionSet& directions,
-                                                 ManufacturedInput::Field radiance) {
+                                                 const ManufacturedInput::Field& radiance) {
   return [&directions, radiance](const Vec3& point) {
     double sum = 0;
     for (std::int32_t m = 0; m < directions.count(); ++m)
@@ -138,6 +138,29 @@ TEST(Convergence, VaryingExtinctionKeepsTheOrder) {
                         fluence_error(mesh, solution, 1, exact_fluence(directions, radiance)));
   }
   EXPECT_GE(observed_order(errors), 1.85);
+}
+
+TEST(Convergence, StronglyVaryingExtinctionIsStillOfSecondOrder) {
+  // sigma runs between 1 and 21 along x; u = exp(-w.x) with the source (sigma - 1) u.
+  const DirectionSet directions = directions_triangular(2);
+  const auto radiance = [](const Vec3& x, const Vec3& w) { return std::exp(-w.dot(x)); };
+  const auto source = [&](const Vec3& x, const Vec3& w) {
+    return 10 * (1 + std::sin(12 * x.x())) * radiance(x, w);
+  };
+  std::vector<std::pair<double, double>> errors;
+  for (const double volume : {8e-3, 1e-3, 1.25e-4}) {
+    const TetrahedralMesh mesh = cube_mesh(volume);
+    Medium medium = uniform_medium(1, 0, 0, 0);
+    medium.absorption[0] = Coefficient(Expression("1 + 10*(1 + sin(12*x))", {"x", "y", "z"}));
+    const Problem problem = uniform_problem(mesh, medium, uniform_wall(1, 0, 0, 0));
+    const ManufacturedInput input(mesh, directions, 1, radiance, source);
+    SolveOptions options = tight_options();
+    options.angular_input = &input;
+    const Solution solution = solve(problem, directions, options);
+    errors.emplace_back(std::cbrt(1.0 / mesh.cell_count()),
+                        fluence_error(mesh, solution, 1, exact_fluence(directions, radiance)));
+  }
+  EXPECT_GE(observed_order(errors), 1.8);
 }
 
 TEST(Lumping, KeepsTheOrderNearTwoAndRaisesTheMinimum) {

@@ -60,7 +60,7 @@ void expect_slots_deliver(const TetrahedralMesh& mesh, const SweepOrder& order, 
   std::vector<std::int32_t> content(static_cast<std::size_t>(order.slot_count), -1);
   std::set<std::int32_t> lagged;
   for (const LaggedFace& face : order.lagged) lagged.insert(face.face);
-  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) content[static_cast<std::size_t>(1 + f)] = f;
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) content[1 + static_cast<std::size_t>(f)] = f;
   for (std::size_t i = 0; i < order.cells.size(); ++i) {
     const std::size_t at = backwards ? order.cells.size() - 1 - i : i;
     const CellIndex cell(order.cells[at]);
