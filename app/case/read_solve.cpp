@@ -24,8 +24,11 @@ void read_space(Section space, SolveOptions& options) {
 }
 
 void read_solve(Section solve, SolveOptions& options) {
-  // Each has one meaning in this version, whichever accepted word stands there.
-  for (const char* name : {"method", "acceleration"}) solve.text(name);
+  const std::string method = solve.text("method");
+  options.method = method == "gmres"              ? Method::gmres
+                   : method == "source-iteration" ? Method::source_iteration
+                                                  : Method::automatic;
+  solve.text("acceleration");  // one meaning in this version, whichever accepted word stands there
   options.tolerance = solve.number("tolerance");
   options.max_sweeps = solve.integer("max_sweeps");
   options.threads = solve.integer("threads");

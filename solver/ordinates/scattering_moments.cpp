@@ -83,8 +83,8 @@ void ScatteringMoments::fill_factors() {
       }
 }
 
-void ScatteringMoments::form_source(const TransportState& state, std::int32_t first, std::int32_t last,
-                                    double* isotropic, double* moments) const {
+void ScatteringMoments::form_source(const TransportState& state, Emission emission, std::int32_t first,
+                                    std::int32_t last, double* isotropic, double* moments) const {
   const std::size_t nodes = static_cast<std::size_t>(cells_.nodes());
   const std::size_t stride = static_cast<std::size_t>(cells_.stride());
   const int bands = problem_.band_count();
@@ -107,7 +107,8 @@ void ScatteringMoments::form_source(const TransportState& state, std::int32_t fi
       const auto band = static_cast<std::size_t>(b);
       const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, b);
       const double factor = problem_.scattering(cell, b) / four_pi;
-      apply(fluence, band, problem_.emission(cell, b), factor, mass, right);
+      apply(fluence, band, emission == Emission::included ? problem_.emission(cell, b) : 0, factor, mass,
+            right);
       for (std::size_t k = 1; row > 0 && k < count(); ++k) {
         const std::size_t at = static_cast<std::size_t>(row - 1) * count() + k;
         apply(state.moments().data() + at * row_length_, band, 0,

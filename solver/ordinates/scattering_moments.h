@@ -43,8 +43,8 @@ class ScatteringMoments {
 
   /// Right-hand sides of emission and scattering of a state, for cells first … last - 1: the isotropic part
   /// [cell][node][stride], and moments [row][moment][node][stride] for angular cells.
-  void form_source(const TransportState& state, std::int32_t first, std::int32_t last, double* isotropic,
-                   double* moments) const;
+  void form_source(const TransportState& state, Emission emission, std::int32_t first, std::int32_t last,
+                   double* isotropic, double* moments) const;
 
   const std::vector<KernelReport>& kernels() const { return kernels_; }
 

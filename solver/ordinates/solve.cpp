@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 
+#include "solver/ordinates/gmres.h"
 #include "solver/ordinates/source_iteration.h"
 #include "solver/ordinates/transport_sweep.h"
 
@@ -74,6 +76,11 @@ std::vector<std::string> notes_of(const TransportSweep& sweep, const SolveOption
   return notes;
 }
 
+std::unique_ptr<Iteration> make_iteration(Method method) {
+  if (method == Method::source_iteration) return std::make_unique<SourceIteration>();
+  return std::make_unique<Gmres>();
+}
+
 /// The state is F(something) and one more application is the answer, with all that is measured on the way.
 void measure(TransportSweep& sweep, const TransportState& state, Solution& solution) {
   const auto bands = static_cast<std::size_t>(sweep.cells().bands());
@@ -100,9 +107,9 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   const std::vector<double> extinction = extinction_of(problem);
   TransportSweep sweep(problem, directions, extinction, options);
   TransportState state(sweep.layout());
-  SourceIteration iteration;
+  const std::unique_ptr<Iteration> iteration = make_iteration(options.method);
   Solution solution;
-  solution.method = iteration.name();
+  solution.method = iteration->name();
   solution.directions = directions.count();
 
   const auto start = std::chrono::steady_clock::now();
@@ -111,7 +118,7 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   } else {
     // The sweep that measures is one of those that are allowed.
     const IterationOptions limits{options.tolerance, std::max(1, options.max_sweeps - 1)};
-    IterationResult result = iteration.run(sweep, state, limits, observer);
+    IterationResult result = iteration->run(sweep, state, limits, observer);
     solution.convergence = std::move(result.bands);
     solution.history = std::move(result.history);
     solution.interrupted = result.interrupted;

@@ -16,6 +16,9 @@ namespace etendue {
 /// Polynomial degree of the discontinuous Galerkin space.
 enum class SpaceOrder { constant = 0, linear = 1 };
 
+/// How the equations are iterated; automatic: GMRES.
+enum class Method { automatic, gmres, source_iteration };
+
 /// Lumping of the mass matrix: in no cell, in all, or where extinction times cell size exceeds 2.
 enum class Lumping { none, mass, automatic };
 
@@ -30,6 +33,7 @@ class AngularInput;
 struct SolveOptions {
   SpaceOrder order = SpaceOrder::linear;
   Lumping lumping = Lumping::automatic;
+  Method method = Method::automatic;
   double tolerance = 1e-6;  ///< estimated relative error of the iteration, per band
   int max_sweeps = 500;
   int threads = 0;                                  ///< 0: all cores

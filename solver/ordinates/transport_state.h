@@ -8,6 +8,9 @@
 
 namespace etendue {
 
+/// Whether a sweep includes what shines by itself: emission, walls' own radiance and the angular input.
+enum class Emission { included, left_out };
+
 /// Sizes of the parts of a state, in doubles. The band, padded to `stride`, is the fastest index everywhere.
 struct StateLayout {
   std::size_t fluence = 0;     ///< [cell][node][stride]

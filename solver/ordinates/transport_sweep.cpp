@@ -120,11 +120,21 @@ void TransportSweep::form_source(const TransportState& last) {
   const std::int32_t cells = problem_.mesh().cell_count();
 #pragma omp parallel for schedule(static) num_threads(threads_)
   for (std::int32_t first = 0; first < cells; first += merge_block)
-    scattering_.form_source(last, first, std::min(cells, first + merge_block), source_.data(),
+    scattering_.form_source(last, emission_, first, std::min(cells, first + merge_block), source_.data(),
                             moment_source_.data());
 }
 
 void TransportSweep::apply(const TransportState& last, TransportState& next, SweepRecord* record) {
+  emission_ = Emission::included;
+  sweep_all(last, next, record);
+}
+
+void TransportSweep::apply_linear(const TransportState& last, TransportState& next) {
+  emission_ = Emission::left_out;
+  sweep_all(last, next, nullptr);
+}
+
+void TransportSweep::sweep_all(const TransportState& last, TransportState& next, SweepRecord* record) {
   const double start = processor_clock();
   form_source(last);
   std::fill(next.fluence().begin(), next.fluence().end(), 0.0);
@@ -184,8 +194,8 @@ void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last,
     task.direction_rows = rows.data();
     task.last_row = scattering_.row_count();
     kernels_.moments_to_directions(task);
-    for (std::int32_t m = first; angular_input_ != nullptr && m < end; ++m)
-      add_angular_source(OrdinateIndex(m), angular_of(m));
+    const bool shines = angular_input_ != nullptr && emission_ == Emission::included;
+    for (std::int32_t m = first; shines && m < end; ++m) add_angular_source(OrdinateIndex(m), angular_of(m));
   }
   for (std::int32_t m = first; m < end; m += 2) {
     const SweepOrder& order = orders_.of_pair(m / 2, work.scratch_order);
@@ -197,8 +207,9 @@ void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last,
 void TransportSweep::sweep_ordinate(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
                                     TransportState& next, SweepRecord* record, double* angular,
                                     Workspace& work) {
-  walls_.send(m, last, work.traces.data(), work.exitance.span());
-  if (angular_input_ != nullptr) add_angular_inflow(m, work.traces.data(), work.exitance.span());
+  walls_.send(m, last, emission_, work.traces.data(), work.exitance.span());
+  if (angular_input_ != nullptr && emission_ == Emission::included)
+    add_angular_inflow(m, work.traces.data(), work.exitance.span());
   exchange_lagged(m, order, last, work);
   run_kernel(m, order, record, angular, work);
   walls_.receive(m, work.traces.data(), work.irradiance.span(), next.mirrors());

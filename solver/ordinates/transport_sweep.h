@@ -38,6 +38,8 @@ class TransportSweep {
   StateLayout layout() const;
   /// next = F(last). `record`, where it is not null, is filled too (its sizes are set here).
   void apply(const TransportState& last, TransportState& next, SweepRecord* record = nullptr);
+  /// next = T last, the linear part of F.
+  void apply_linear(const TransportState& last, TransportState& next);
   /// Whether one sweep gives the solution: nothing scatters, reflects or is lagged.
   bool is_direct() const;
 
@@ -55,6 +57,7 @@ class TransportSweep {
  private:
   struct Workspace;
 
+  void sweep_all(const TransportState& last, TransportState& next, SweepRecord* record);
   void form_source(const TransportState& last);
   void sweep_batch(std::int32_t batch, const TransportState& last, TransportState& next, SweepRecord* record,
                    Workspace& work);
@@ -93,6 +96,7 @@ class TransportSweep {
   AlignedArray moment_source_;                 ///< [row][moment][node][stride]
   std::vector<std::int32_t> all_cells_index_;  ///< [cell] cell + 1, to keep an ordinate's whole radiance
   std::vector<std::unique_ptr<Workspace>> workspaces_;
+  Emission emission_ = Emission::included;  ///< of the sweep that is under way
   int sweep_count_ = 0;
   double processor_seconds_ = 0;
 };

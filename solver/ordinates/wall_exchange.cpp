@@ -109,7 +109,7 @@ std::size_t WallExchange::mirror_at(std::size_t row, std::int32_t ordinate) cons
          face_length_;
 }
 
-void WallExchange::send(OrdinateIndex m, const TransportState& last, double* traces,
+void WallExchange::send(OrdinateIndex m, const TransportState& last, Emission emission, double* traces,
                         std::span<double> exitance) const {
   const Vec3& direction = directions_.direction(m);
   for (std::size_t f = 0; f < half_range_.size(); ++f) {
@@ -118,7 +118,8 @@ void WallExchange::send(OrdinateIndex m, const TransportState& last, double* tra
     if (seen >= 0) continue;
     const auto wall = static_cast<std::size_t>(mesh_.wall(face));
     double* trace = traces + (1 + f) * face_length_;
-    for (std::size_t i = 0; i < face_length_; ++i) trace[i] = radiance_[wall * stride_ + i % stride_];
+    for (std::size_t i = 0; i < face_length_; ++i)
+      trace[i] = emission == Emission::included ? radiance_[wall * stride_ + i % stride_] : 0;
     if (wall_diffuse_[wall]) {
       const double* irradiance = last.irradiance().data() + f * face_length_;
       const double by_half_range = 1 / half_range_[f];

@@ -35,7 +35,8 @@ class WallExchange {
 
   /// Traces [1 + boundary face][face node][stride] of what enters along ordinate m, from the last state. Adds
   /// what is sent to `exitance` [boundary face][face node][stride] unless that is empty.
-  void send(OrdinateIndex m, const TransportState& last, double* traces, std::span<double> exitance) const;
+  void send(OrdinateIndex m, const TransportState& last, Emission emission, double* traces,
+            std::span<double> exitance) const;
 
   /// Takes up what left along ordinate m: adds to `irradiance`, and writes the mirrors' part of `next`.
   void receive(OrdinateIndex m, const double* traces, std::span<double> irradiance,

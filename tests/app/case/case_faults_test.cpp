@@ -57,8 +57,9 @@ const Check later[] = {
     {"Sensor", "[[sensor]]\nname = \"front\"\n", "slab.toml:7: sensor: not in this version; remove it"},
     {"Initial", "[solve]\ninitial = \"solution.vtu\"\n",
      "slab.toml:8: solve.initial = \"solution.vtu\": not in this version; remove it"},
-    {"Method", "[solve]\nmethod = \"gmres\"\n",
-     "slab.toml:8: solve.method = \"gmres\": not in this version; use \"auto\" or \"source-iteration\""},
+    {"Method", "[solve]\nmethod = \"photons\"\n",
+     "slab.toml:8: solve.method = \"photons\": not in this version; use \"auto\", \"gmres\" or "
+     "\"source-iteration\""},
     {"Acceleration", "[solve]\nacceleration = \"diffusion\"\n",
      "slab.toml:8: solve.acceleration = \"diffusion\": not in this version; use \"auto\" or \"none\""},
     {"UncollidedMedium", "[media.air]\nuncollided = true\n",

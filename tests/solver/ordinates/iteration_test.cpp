@@ -16,13 +16,19 @@ Problem hazy_room(const TetrahedralMesh& mesh, int bands) {
                          uniform_wall(bands, 0.4, 0.4, 0.1));
 }
 
+SolveOptions source_iteration() {
+  SolveOptions options = tight_options();
+  options.method = Method::source_iteration;
+  return options;
+}
+
 TEST(SourceIteration, EstimatedErrorIsTheTrueErrorWithinAFactor) {
   const TetrahedralMesh mesh = cube_mesh(2e-2);
   const Problem problem = hazy_room(mesh, 1);
   const DirectionSet directions = directions_triangular(4);
-  const Solution exact = solve(problem, directions, tight_options());
+  const Solution exact = solve(problem, directions, source_iteration());
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
-    SolveOptions options = tight_options();
+    SolveOptions options = source_iteration();
     options.tolerance = tolerance;
     const Solution rough = solve(problem, directions, options);
     double error = 0, norm = 0;
@@ -47,7 +53,7 @@ TEST(SourceIteration, OneSweepSolvesWhatNeitherScattersNorReflects) {
 
 TEST(SourceIteration, NotConvergedIsAResultThatSaysSo) {
   const TetrahedralMesh mesh = cube_mesh(2e-2);
-  SolveOptions options = tight_options();
+  SolveOptions options = source_iteration();
   options.max_sweeps = 4;
   const Solution solution = solve(hazy_room(mesh, 2), directions_triangular(4), options);
   EXPECT_FALSE(solution.converged());
@@ -60,7 +66,7 @@ TEST(SourceIteration, NotConvergedIsAResultThatSaysSo) {
 TEST(SourceIteration, ObserverStopsItAndSeesFallingErrors) {
   const TetrahedralMesh mesh = cube_mesh(2e-2);
   std::vector<double> errors;
-  const Solution solution = solve(hazy_room(mesh, 1), directions_triangular(4), tight_options(),
+  const Solution solution = solve(hazy_room(mesh, 1), directions_triangular(4), source_iteration(),
                                   [&](const SweepProgress& progress) {
                                     errors.push_back(progress.residual[0]);
                                     return progress.sweep == 6 ? SolveControl::stop : SolveControl::proceed;
@@ -104,7 +110,7 @@ TEST(Threads, GiveTheSameBits) {
 TEST(SweepOrders, RecomputedOrdersGiveTheSameBits) {
   const TetrahedralMesh mesh = cube_mesh(2e-2);
   const Problem problem = hazy_room(mesh, 1);
-  SolveOptions options = tight_options();
+  SolveOptions options = source_iteration();
   options.tolerance = 1e-6;
   const Solution kept = solve(problem, directions_triangular(4), options);
   options.order_memory = 0;
@@ -117,7 +123,7 @@ TEST(Meters, AddUpToTheNetFlux) {
   const Problem problem = hazy_room(mesh, 3);
   const Vec3 point(0.31, 0.47, 0.23), normal = Vec3(1, -2, 0.5).normalized();
   const CellLocator locator(mesh);
-  SolveOptions options = tight_options();
+  SolveOptions options = source_iteration();
   options.meters = {{locator.find(point), normal}, {locator.find(point), -normal}};
   const Solution solution = solve(problem, directions_triangular(4), options);
   // Light on one side less light on the other is the flux through the meter.

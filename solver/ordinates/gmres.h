@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "solver/ordinates/iteration.h"
+
+namespace etendue {
+
+/// Restarted GMRES (Saad and Schultz 1986) on (I - T) x = b, where the sweep is F(x) = T x + b and x holds
+/// moments, wall irradiance, mirrored and lagged traces. One application of T is one sweep; every band has a
+/// Krylov space of its own, all are swept together. Stops on the true residual: the error is estimated as |r|
+/// / (s |phi|) with s the smallest singular value of I - T seen on the Krylov space (1 - rho for source
+/// iteration).
+class Gmres : public Iteration {
+ public:
+  /// `memory` bounds the bytes of the basis and so the length between restarts.
+  explicit Gmres(std::size_t memory = std::size_t{2} << 30) : memory_(memory) {}
+  const char* name() const override { return "gmres"; }
+  IterationResult run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
+                      const SolveObserver& observer) override;
+
+ private:
+  std::size_t memory_;
+};
+
+}  // namespace etendue
