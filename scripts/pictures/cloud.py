@@ -12,6 +12,7 @@ from pictures.tone import as_rgb
 
 VOXELS = 120  # along the longest side of the cloud
 STEPS = 160   # of a ray through the whole cloud
+COEFFICIENTS = ("absorption", "scattering")
 
 
 class Cloud:
@@ -19,7 +20,7 @@ class Cloud:
     extinction. Towards the eye light scatters as if evenly: the fields keep no more than the fluence."""
 
     def __init__(self, fields):
-        absorption, scattering = (as_rgb(array(fields.GetCellData(), name)) for name in ("absorption", "scattering"))
+        absorption, scattering = (as_rgb(array(fields.GetCellData(), name)) for name in COEFFICIENTS)
         extinction = absorption + scattering
         self.bounds = bounds_of(fields, extinction.max(axis=1) > 0)
         for name, values in (("extinction", extinction), ("scattering rgb", scattering)):
@@ -28,7 +29,8 @@ class Cloud:
             fields.GetCellData().AddArray(data)
         image = resample(fields, self.bounds)
         shape = (*image.GetDimensions()[::-1], 3)
-        samples = {name: as_rgb(array(image.GetPointData(), name)) for name in ("extinction", "scattering rgb", "fluence")}
+        samples = {name: as_rgb(array(image.GetPointData(), name))
+                   for name in ("extinction", "scattering rgb", "fluence")}
         source = samples["scattering rgb"] * samples["fluence"] / (4 * math.pi)
         self.values = numpy.concatenate(
             [samples["extinction"].reshape(shape), source.reshape(shape)], axis=3).astype(numpy.float32)
@@ -74,8 +76,10 @@ class Cloud:
 
 
 def has_cloud(fields):
-    return all(fields.GetCellData().HasArray(name) and array(fields.GetCellData(), name).max() >= 0
-               for name in ("absorption", "scattering"))
+    """Whether the coefficients were written (output.fields has "media") and some are positive."""
+    cells = fields.GetCellData()
+    return all(cells.HasArray(name) for name in COEFFICIENTS) and any(
+        array(cells, name).max() > 0 for name in COEFFICIENTS)
 
 
 def bounds_of(fields, cells):
