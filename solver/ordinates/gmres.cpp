@@ -12,8 +12,6 @@
 namespace etendue {
 namespace {
 
-constexpr std::size_t longest_basis = 30;
-constexpr std::size_t shortest_basis = 3;
 /// The residual that GMRES carries along may differ from the true one: aim a little below the tolerance.
 constexpr double safety = 0.5;
 /// Relative residuals below this are rounding.
@@ -64,8 +62,8 @@ class Run {
         vectors_(sweep.mesh(), sweep),
         bands_(static_cast<std::size_t>(sweep.cells().bands())),
         work_(state.layout()),
-        length_(
-            std::clamp(memory / (state.layout().total() * sizeof(double)), shortest_basis, longest_basis)),
+        length_(std::clamp(memory / (state.layout().total() * sizeof(double)), shortest_krylov_basis,
+                           longest_krylov_basis)),
         smallest_(bands_, 1) {
     result_.bands.resize(bands_);
   }

@@ -5,6 +5,11 @@
 
 namespace etendue {
 
+/// Bytes that the Krylov vectors may take, and most of them between restarts.
+inline constexpr std::size_t krylov_memory = std::size_t{2} << 30;
+inline constexpr std::size_t longest_krylov_basis = 30;
+inline constexpr std::size_t shortest_krylov_basis = 3;
+
 /// Restarted GMRES (Saad and Schultz 1986) on (I - T) x = b, where the sweep is F(x) = T x + b and x holds
 /// moments, wall irradiance, mirrored and lagged traces. One application of T is one sweep; every band has a
 /// Krylov space of its own, all are swept together. Stops on the true residual: the error is estimated as |r|
@@ -13,7 +18,7 @@ namespace etendue {
 class Gmres : public Iteration {
  public:
   /// `memory` bounds the bytes of the basis and so the length between restarts.
-  explicit Gmres(std::size_t memory = std::size_t{2} << 30) : memory_(memory) {}
+  explicit Gmres(std::size_t memory = krylov_memory) : memory_(memory) {}
   const char* name() const override { return "gmres"; }
   IterationResult run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
                       const SolveObserver& observer) override;

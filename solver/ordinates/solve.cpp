@@ -115,9 +115,12 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   const auto start = std::chrono::steady_clock::now();
   if (sweep.is_direct()) {
     solution.convergence.assign(static_cast<std::size_t>(problem.band_count()), {1, 0, true});
+  } else if (options.max_sweeps == 1) {
+    // The only sweep is the one that measures; nothing is known of its error.
+    solution.convergence.assign(static_cast<std::size_t>(problem.band_count()), {1, 1, false});
   } else {
     // The sweep that measures is one of those that are allowed.
-    const IterationOptions limits{options.tolerance, std::max(1, options.max_sweeps - 1)};
+    const IterationOptions limits{options.tolerance, options.max_sweeps - 1};
     IterationResult result = iteration->run(sweep, state, limits, observer);
     solution.convergence = std::move(result.bands);
     solution.history = std::move(result.history);

@@ -44,6 +44,10 @@ struct SolveOptions {
   const AngularInput* angular_input = nullptr;
 };
 
+/// Bytes that solve() will take at its peak, the solution included: an estimate to within some ten percent.
+std::size_t estimate_memory(const Problem& problem, const DirectionSet& directions,
+                            const SolveOptions& options);
+
 /// State of the iteration after a sweep.
 struct SweepProgress {
   int sweep = 0;  ///< from 1

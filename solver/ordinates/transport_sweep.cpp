@@ -12,20 +12,38 @@
 namespace etendue {
 namespace {
 
-/// Ordinates of one batch. It decides the order of sums, so it must not depend on the number of threads:
-/// small enough to share a small set among a few threads, large enough that adding up batches and reading the
-/// moments of angular cells, once for each batch, cost little.
+/// The largest of ordinates_per_batch.
 constexpr std::int32_t largest_batch = 32;
-std::int32_t batch_size(int ordinates) { return ordinates <= 32 ? 8 : ordinates <= 128 ? 16 : largest_batch; }
+
+/// Visits of cells in a batch from which on threads share the batches.
+constexpr std::int64_t smallest_shared_batch = 4096;
 
 /// Cells that one thread adds up at a time.
 constexpr std::int32_t merge_block = 1024;
 
-double processor_clock() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+/// Adds the processor time of this thread to a sum while it lives. Threads that wait for others are not
+/// counted.
+class ProcessorTimer {
+ public:
+  explicit ProcessorTimer(double& sum) : sum_(sum), start_(now()) {}
+  ~ProcessorTimer() {
+    const double spent = now() - start_;
+#pragma omp atomic
+    sum_ += spent;
+  }
+  ProcessorTimer(const ProcessorTimer&) = delete;
+  ProcessorTimer& operator=(const ProcessorTimer&) = delete;
+
+ private:
+  static double now() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
+  double& sum_;
+  double start_;
+};
 
 /// to += from; from = 0
 void move_sum(double* to, double* from, std::size_t size) {
@@ -44,6 +62,10 @@ SweepOrders timed_orders(const TetrahedralMesh& mesh, const DirectionSet& direct
 }
 
 }  // namespace
+
+std::int32_t ordinates_per_batch(int ordinates) {
+  return ordinates <= 32 ? 8 : ordinates <= 128 ? 16 : largest_batch;
+}
 
 /// What one thread needs while it sweeps a batch; sums are zero between batches.
 struct TransportSweep::Workspace {
@@ -75,6 +97,10 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
       source_(static_cast<std::size_t>(problem.mesh().cell_count()) * scattering_.row_length()),
       moment_source_(scattering_.moments_size()) {
   threads_ = std::min(threads_, static_cast<int>(batch_count()));
+  // Where a batch is done in less time than threads need to meet, one is faster.
+  if (std::int64_t{problem.mesh().cell_count()} * ordinates_per_batch(directions.count()) <
+      smallest_shared_batch)
+    threads_ = 1;
   const std::size_t trace_length = cells_.trace_length();
   const std::size_t rows = scattering_.row_count() > 0 ? scattering_.row_count() + 1 : 0;
   for (int t = 0; t < threads_; ++t) {
@@ -82,7 +108,7 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
     work->traces = AlignedArray(static_cast<std::size_t>(orders_.largest_slot_count()) * trace_length);
     work->fluence = AlignedArray(source_.size());
     work->irradiance = AlignedArray(walls_.irradiance_size());
-    work->angular = AlignedArray(static_cast<std::size_t>(batch_size(directions.count())) * rows *
+    work->angular = AlignedArray(static_cast<std::size_t>(ordinates_per_batch(directions.count())) * rows *
                                  scattering_.row_length());
     workspaces_.push_back(std::move(work));
   }
@@ -100,7 +126,7 @@ std::vector<CellIndex> TransportSweep::observed_cells() const {
 }
 
 std::int32_t TransportSweep::batch_count() const {
-  const std::int32_t size = batch_size(directions_.count());
+  const std::int32_t size = ordinates_per_batch(directions_.count());
   return (directions_.count() + size - 1) / size;
 }
 
@@ -119,9 +145,11 @@ bool TransportSweep::is_direct() const {
 void TransportSweep::form_source(const TransportState& last) {
   const std::int32_t cells = problem_.mesh().cell_count();
 #pragma omp parallel for schedule(static) num_threads(threads_)
-  for (std::int32_t first = 0; first < cells; first += merge_block)
+  for (std::int32_t first = 0; first < cells; first += merge_block) {
+    const ProcessorTimer timer(processor_seconds_);
     scattering_.form_source(last, emission_, first, std::min(cells, first + merge_block), source_.data(),
                             moment_source_.data());
+  }
 }
 
 void TransportSweep::apply(const TransportState& last, TransportState& next, SweepRecord* record) {
@@ -135,7 +163,6 @@ void TransportSweep::apply_linear(const TransportState& last, TransportState& ne
 }
 
 void TransportSweep::sweep_all(const TransportState& last, TransportState& next, SweepRecord* record) {
-  const double start = processor_clock();
   form_source(last);
   std::fill(next.fluence().begin(), next.fluence().end(), 0.0);
   std::fill(next.moments().begin(), next.moments().end(), 0.0);
@@ -161,19 +188,20 @@ void TransportSweep::sweep_all(const TransportState& last, TransportState& next,
   for (std::int32_t first = 0; first < batch_count(); first += threads_) {
     const int batches = std::min(threads_, static_cast<int>(batch_count() - first));
 #pragma omp parallel for schedule(static, 1) num_threads(batches)
-    for (int t = 0; t < batches; ++t)
+    for (int t = 0; t < batches; ++t) {
+      const ProcessorTimer timer(processor_seconds_);
       sweep_batch(first + t, last, next, record, *workspaces_[static_cast<std::size_t>(t)]);
+    }
     merge(first, batches, next, record);
   }
   if (record != nullptr)
     for (auto& work : workspaces_) work->net_flux = work->exitance = work->whole = AlignedArray();
-  processor_seconds_ += processor_clock() - start;
   ++sweep_count_;
 }
 
 void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last, TransportState& next,
                                  SweepRecord* record, Workspace& work) {
-  const std::int32_t size = batch_size(directions_.count());
+  const std::int32_t size = ordinates_per_batch(directions_.count());
   const std::int32_t first = batch * size;
   const std::int32_t end = std::min(directions_.count(), first + size);
   const std::size_t angular_length = (scattering_.row_count() + 1) * scattering_.row_length();
@@ -240,24 +268,8 @@ void TransportSweep::run_kernel(OrdinateIndex m, const SweepOrder& order, SweepR
     kernels_.sweep(task);
     return;
   }
-  // To keep this ordinate's radiance every cell gets a row.
-  const std::size_t length = scattering_.row_length();
-  double* whole = work.whole.data() + length;
-  std::copy(source_.data(), source_.data() + source_.size(), whole);
-  for (const std::int32_t cell : scattering_.angular_cells()) {
-    const double* row = angular + static_cast<std::size_t>(scattering_.row(CellIndex(cell))) * length;
-    std::copy(row, row + length, whole + static_cast<std::size_t>(cell) * length);
-  }
-  task.angular_index = all_cells_index_.data();
-  task.angular = work.whole.data();
-  kernels_.sweep(task);
-  auto& values = record->radiance[static_cast<std::size_t>(kept - keep_ordinates_.begin())].values;
-  std::copy(whole, whole + source_.size(), values.begin());
-  for (const std::int32_t cell : scattering_.angular_cells()) {
-    const double* row = whole + static_cast<std::size_t>(cell) * length;
-    std::copy(row, row + length,
-              angular + static_cast<std::size_t>(scattering_.row(CellIndex(cell))) * length);
-  }
+  sweep_and_keep(task, record->radiance[static_cast<std::size_t>(kept - keep_ordinates_.begin())],
+                 work.whole.span());
 }
 
 void TransportSweep::exchange_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
@@ -286,82 +298,22 @@ void TransportSweep::keep_lagged(OrdinateIndex m, const SweepOrder& order, Trans
   }
 }
 
-void TransportSweep::add_angular_source(OrdinateIndex m, double* angular) const {
-  const auto bands = static_cast<std::size_t>(cells_.bands());
-  const auto stride = static_cast<std::size_t>(cells_.stride());
-  const auto nodes = static_cast<std::size_t>(cells_.nodes());
-  std::vector<double> values(4 * bands);
-  for (const std::int32_t c : scattering_.angular_cells()) {
-    const CellIndex cell(c);
-    std::fill(values.begin(), values.end(), 0.0);
-    angular_input_->add_source(m, cell, values);
-    double* right = angular + static_cast<std::size_t>(scattering_.row(cell)) * scattering_.row_length();
-    for (std::size_t b = 0; b < bands; ++b) {
-      const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, static_cast<int>(b));
-      const double total = values[b] + values[bands + b] + values[2 * bands + b] + values[3 * bands + b];
-      for (std::size_t i = 0; i < nodes; ++i) {
-        // A constant element has the mean of the four values.
-        const double own = nodes == 1 ? total / 4 : values[i * bands + b];
-        right[i * stride + b] += mass.sum * total + mass.own * own;
-      }
-    }
-  }
-}
-
-void TransportSweep::add_angular_inflow(OrdinateIndex m, double* traces, std::span<double> exitance) const {
-  const auto bands = static_cast<std::size_t>(cells_.bands());
-  const auto stride = static_cast<std::size_t>(cells_.stride());
-  const auto nodes = static_cast<std::size_t>(cells_.face_nodes());
-  std::vector<double> values(3 * bands);
-  for (std::int32_t f = 0; f < problem_.mesh().boundary_face_count(); ++f) {
-    const FaceIndex face(f);
-    const double seen = seen_area(problem_.mesh().area_normal(face), directions_.direction(m));
-    if (seen >= 0) continue;
-    std::fill(values.begin(), values.end(), 0.0);
-    angular_input_->add_inflow(m, face, values);
-    const double factor = -seen / problem_.mesh().area(face) * directions_.weight(m);
-    for (std::size_t i = 0; i < nodes; ++i)
-      for (std::size_t b = 0; b < bands; ++b) {
-        const double value =
-            nodes == 1 ? (values[b] + values[bands + b] + values[2 * bands + b]) / 3 : values[i * bands + b];
-        traces[((1 + face.at()) * nodes + i) * stride + b] += value;
-        if (!exitance.empty()) exitance[(face.at() * nodes + i) * stride + b] += factor * value;
-      }
-  }
-}
-
-void TransportSweep::read_meters(OrdinateIndex m, const double* angular, std::span<double> meters) const {
-  const auto stride = static_cast<std::size_t>(cells_.stride());
-  for (std::size_t i = 0; i < meters_.size(); ++i) {
-    const double cosine = directions_.direction(m).dot(meters_[i].normal);
-    if (cosine >= 0) continue;
-    double volume = 0;
-    for (const CellPoint& point : meters_[i].cells) volume += problem_.mesh().volume(point.cell);
-    for (const CellPoint& point : meters_[i].cells) {
-      const double factor = -cosine * directions_.weight(m) * problem_.mesh().volume(point.cell) / volume;
-      const double* u =
-          angular + static_cast<std::size_t>(scattering_.row(point.cell)) * scattering_.row_length();
-      for (std::size_t node = 0; node < static_cast<std::size_t>(cells_.nodes()); ++node) {
-        const double share = cells_.nodes() == 1 ? 1 : point.barycentric[node];
-        for (std::size_t b = 0; b < stride; ++b)
-          meters[i * stride + b] += factor * share * u[node * stride + b];
-      }
-    }
-  }
-}
-
 void TransportSweep::merge(std::int32_t first_batch, int batches, TransportState& next, SweepRecord* record) {
   const std::int32_t cells = problem_.mesh().cell_count();
 #pragma omp parallel for schedule(static) num_threads(threads_)
-  for (std::int32_t first = 0; first < cells; first += merge_block)
+  for (std::int32_t first = 0; first < cells; first += merge_block) {
+    const ProcessorTimer timer(processor_seconds_);
     merge_cells(first, std::min(cells, first + merge_block), batches, next, record);
+  }
   const auto rows = static_cast<std::int64_t>(scattering_.row_count());
 #pragma omp parallel for schedule(static) num_threads(threads_)
-  for (std::int64_t first = 0; first < rows; first += merge_block / 16)
+  for (std::int64_t first = 0; first < rows; first += merge_block / 16) {
+    const ProcessorTimer timer(processor_seconds_);
     for (int t = 0; t < batches; ++t)
       merge_moments(static_cast<std::size_t>(first),
                     static_cast<std::size_t>(std::min(rows, first + merge_block / 16)), first_batch + t,
                     *workspaces_[static_cast<std::size_t>(t)], next);
+  }
   for (int t = 0; t < batches; ++t) {
     Workspace& work = *workspaces_[static_cast<std::size_t>(t)];
     move_sum(next.irradiance().data(), work.irradiance.data(), work.irradiance.size());
@@ -385,7 +337,7 @@ void TransportSweep::merge_cells(std::int32_t first, std::int32_t last, int batc
 
 void TransportSweep::merge_moments(std::size_t first, std::size_t last, std::int32_t batch, Workspace& work,
                                    TransportState& next) const {
-  const std::int32_t size = batch_size(directions_.count());
+  const std::int32_t size = ordinates_per_batch(directions_.count());
   const std::int32_t ordinate = batch * size;
   const std::size_t length = scattering_.row_length();
   MomentTask task;

@@ -15,6 +15,11 @@
 
 namespace etendue {
 
+/// Ordinates of one batch. It decides the order of sums, so it must not depend on the number of threads:
+/// small enough to share a small set among a few threads, large enough that adding up batches and reading the
+/// moments of angular cells, once for each batch, cost little.
+std::int32_t ordinates_per_batch(int ordinates);
+
 /// What a sweep writes down beside the next state when it is asked to.
 struct SweepRecord {
   AlignedArray net_flux;  ///< [cell][3][node][stride] [power/length^2]
@@ -51,8 +56,10 @@ class TransportSweep {
   const char* instruction_set() const { return kernels_.instruction_set; }
   int threads() const { return threads_; }
   int sweep_count() const { return sweep_count_; }
-  double processor_seconds() const { return processor_seconds_; }  ///< over all sweeps and threads
-  double order_seconds() const { return order_seconds_; }          ///< wall clock
+  double processor_seconds() const {
+    return processor_seconds_;
+  }                                                        ///< over all sweeps and threads, waiting left out
+  double order_seconds() const { return order_seconds_; }  ///< wall clock
 
  private:
   struct Workspace;
@@ -65,6 +72,7 @@ class TransportSweep {
                       TransportState& next, SweepRecord* record, double* angular, Workspace& work);
   void run_kernel(OrdinateIndex m, const SweepOrder& order, SweepRecord* record, double* angular,
                   Workspace& work);
+  void sweep_and_keep(SweepTask task, OrdinateRadiance& kept, std::span<double> whole_rows) const;
   void exchange_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
                        Workspace& work) const;
   void keep_lagged(OrdinateIndex m, const SweepOrder& order, TransportState& next,

@@ -63,6 +63,15 @@ TEST(SourceIteration, NotConvergedIsAResultThatSaysSo) {
   }
 }
 
+TEST(SourceIteration, TheOnlySweepAllowedIsTheOnlyOneDone) {
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
+  SolveOptions options = source_iteration();
+  options.max_sweeps = 1;
+  const Solution solution = solve(hazy_room(mesh, 1), directions_triangular(4), options);
+  EXPECT_EQ(solution.convergence[0].sweeps, 1);
+  EXPECT_FALSE(solution.converged());
+}
+
 TEST(SourceIteration, ObserverStopsItAndSeesFallingErrors) {
   const TetrahedralMesh mesh = cube_mesh(2e-2);
   std::vector<double> errors;
@@ -116,6 +125,22 @@ TEST(SweepOrders, RecomputedOrdersGiveTheSameBits) {
   options.order_memory = 0;
   const Solution recomputed = solve(problem, directions_triangular(4), options);
   EXPECT_EQ(recomputed.fluence, kept.fluence);
+}
+
+TEST(Memory, EstimateGrowsWithMomentsThreadsAndDirections) {
+  const TetrahedralMesh mesh = cube_mesh(2e-3);
+  const Problem hazy = hazy_room(mesh, 1);
+  const Problem clear = uniform_problem(mesh, uniform_medium(1, 0.2, 1.5, 0.1), uniform_wall(1, 0.4, 0.5, 0));
+  SolveOptions options = tight_options();
+  const std::size_t least = estimate_memory(clear, directions_ldfe_sq(1), options);
+  // At least the Krylov vectors of the fluence, at most a hundred times as much.
+  const std::size_t fluence = static_cast<std::size_t>(mesh.cell_count()) * 4 * sizeof(double);
+  EXPECT_GT(least, 20 * fluence);
+  EXPECT_LT(least, 200 * fluence);
+  EXPECT_GT(estimate_memory(hazy, directions_ldfe_sq(1), options), 5 * least);
+  EXPECT_GT(estimate_memory(clear, directions_ldfe_sq(2), options), least);
+  options.threads = 4;
+  EXPECT_GT(estimate_memory(clear, directions_ldfe_sq(1), options), least);
 }
 
 TEST(Meters, AddUpToTheNetFlux) {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/angle/harmonics.h"
+#include "solver/angle/spherical_harmonics.h"
+#include "solver/ordinates/gmres.h"
+#include "solver/ordinates/solve.h"
+#include "solver/ordinates/transport_sweep.h"
+
+namespace etendue {
+namespace {
+
+/// Numbers of things, as doubles: products of them overflow integers exactly where the answer matters.
+struct Sizes {
+  double cells = 0;
+  double faces = 0;  ///< on the boundary
+  double ordinates = 0;
+  double cell_length = 0;   ///< doubles
+  double trace_length = 0;  ///< doubles
+  double stride = 0;
+  double angular_cells = 0;
+  double moments = 1;
+  double mirrors = 0;  ///< faces
+};
+
+bool scatters(const Problem& problem, CellIndex cell) {
+  for (int band = 0; band < problem.band_count(); ++band)
+    if (problem.scattering(cell, band) > 0) return true;
+  return false;
+}
+
+bool mirrors(const Wall& wall) {
+  return std::any_of(wall.specular.begin(), wall.specular.end(), [](double r) { return r > 0; });
+}
+
+Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const SolveOptions& options) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  const Basis basis = options.order == SpaceOrder::linear ? Basis::linear : Basis::constant;
+  Sizes sizes;
+  sizes.cells = mesh.cell_count();
+  sizes.faces = mesh.boundary_face_count();
+  sizes.ordinates = directions.count();
+  sizes.stride = lane_stride(problem.band_count());
+  sizes.cell_length = nodes_per_cell(basis) * sizes.stride;
+  sizes.trace_length = nodes_per_face(basis) * sizes.stride;
+  std::vector<int> degrees;
+  for (const Medium& medium : problem.media()) {
+    int degree = 0;
+    for (const PhaseFunction& phase : medium.phase)
+      degree = std::max(degree, scattering_degree(phase, directions).degree);
+    degrees.push_back(degree);
+  }
+  int highest = 0;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const int degree = degrees[static_cast<std::size_t>(mesh.region(CellIndex(c)))];
+    if (degree == 0 || !scatters(problem, CellIndex(c))) continue;
+    sizes.angular_cells += 1;
+    highest = std::max(highest, degree);
+  }
+  if (options.angular_input != nullptr) sizes.angular_cells = sizes.cells;
+  sizes.moments = harmonic_count(highest);
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    if (mirrors(problem.wall(mesh.wall(FaceIndex(f))))) sizes.mirrors += 1;
+  return sizes;
+}
+
+}  // namespace
+
+std::size_t estimate_memory(const Problem& problem, const DirectionSet& directions,
+                            const SolveOptions& options) {
+  const Sizes s = sizes_of(problem, directions, options);
+  const double fields = s.cells * s.cell_length;
+  const double moments = s.angular_cells * s.moments * s.cell_length;
+  const double state =
+      fields + moments + s.faces * s.trace_length + s.mirrors * s.ordinates / 2 * s.trace_length;
+  const double basis = options.method == Method::source_iteration
+                           ? 1
+                           : std::clamp(static_cast<double>(krylov_memory) / (8 * state),
+                                        static_cast<double>(shortest_krylov_basis),
+                                        static_cast<double>(longest_krylov_basis) + 1);
+  const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
+  // A front through the mesh is live at a time: some cells^(2/3), with room.
+  const double traces = (s.faces + 4 * std::pow(s.cells, 2.0 / 3)) * s.trace_length;
+  const double batch = ordinates_per_batch(directions.count());
+  const double workspaces =
+      std::min<double>(threads, std::ceil(s.ordinates / batch)) *
+      (traces + 4 * fields + 2 * s.faces * s.trace_length + batch * s.angular_cells * s.cell_length);
+  const double coefficients = s.cells * (static_cast<double>(normals_stride) + 2 * s.stride);
+  // Sources, the record of the last sweep, and the solution: fluence and three components of flux.
+  const double results = fields + moments + 3 * fields + 16 * s.cells * s.stride;
+  const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
+  const double orders = std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * 20);
+  return static_cast<std::size_t>(8 * ((2 + basis) * state + workspaces + coefficients + results + kept) +
+                                  orders);
+}
+
+}  // namespace etendue

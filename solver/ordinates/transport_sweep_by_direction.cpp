@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// What a sweep takes in and gives out ordinate by ordinate: sources and inflow by direction, meters, radiance
+// that is kept.
+#include <algorithm>
+
+#include "solver/ordinates/sweep_order.h"
+#include "solver/ordinates/transport_sweep.h"
+
+namespace etendue {
+
+void TransportSweep::add_angular_source(OrdinateIndex m, double* angular) const {
+  const auto bands = static_cast<std::size_t>(cells_.bands());
+  const auto stride = static_cast<std::size_t>(cells_.stride());
+  const auto nodes = static_cast<std::size_t>(cells_.nodes());
+  std::vector<double> values(4 * bands);
+  for (const std::int32_t c : scattering_.angular_cells()) {
+    const CellIndex cell(c);
+    std::fill(values.begin(), values.end(), 0.0);
+    angular_input_->add_source(m, cell, values);
+    double* right = angular + static_cast<std::size_t>(scattering_.row(cell)) * scattering_.row_length();
+    for (std::size_t b = 0; b < bands; ++b) {
+      const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, static_cast<int>(b));
+      const double total = values[b] + values[bands + b] + values[2 * bands + b] + values[3 * bands + b];
+      for (std::size_t i = 0; i < nodes; ++i) {
+        // A constant element has the mean of the four values.
+        const double own = nodes == 1 ? total / 4 : values[i * bands + b];
+        right[i * stride + b] += mass.sum * total + mass.own * own;
+      }
+    }
+  }
+}
+
+void TransportSweep::add_angular_inflow(OrdinateIndex m, double* traces, std::span<double> exitance) const {
+  const auto bands = static_cast<std::size_t>(cells_.bands());
+  const auto stride = static_cast<std::size_t>(cells_.stride());
+  const auto nodes = static_cast<std::size_t>(cells_.face_nodes());
+  std::vector<double> values(3 * bands);
+  for (std::int32_t f = 0; f < problem_.mesh().boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const double seen = seen_area(problem_.mesh().area_normal(face), directions_.direction(m));
+    if (seen >= 0) continue;
+    std::fill(values.begin(), values.end(), 0.0);
+    angular_input_->add_inflow(m, face, values);
+    const double factor = -seen / problem_.mesh().area(face) * directions_.weight(m);
+    for (std::size_t i = 0; i < nodes; ++i)
+      for (std::size_t b = 0; b < bands; ++b) {
+        const double value =
+            nodes == 1 ? (values[b] + values[bands + b] + values[2 * bands + b]) / 3 : values[i * bands + b];
+        traces[((1 + face.at()) * nodes + i) * stride + b] += value;
+        if (!exitance.empty()) exitance[(face.at() * nodes + i) * stride + b] += factor * value;
+      }
+  }
+}
+
+void TransportSweep::read_meters(OrdinateIndex m, const double* angular, std::span<double> meters) const {
+  const auto stride = static_cast<std::size_t>(cells_.stride());
+  for (std::size_t i = 0; i < meters_.size(); ++i) {
+    const double cosine = directions_.direction(m).dot(meters_[i].normal);
+    if (cosine >= 0) continue;
+    double volume = 0;
+    for (const CellPoint& point : meters_[i].cells) volume += problem_.mesh().volume(point.cell);
+    for (const CellPoint& point : meters_[i].cells) {
+      const double factor = -cosine * directions_.weight(m) * problem_.mesh().volume(point.cell) / volume;
+      const double* u =
+          angular + static_cast<std::size_t>(scattering_.row(point.cell)) * scattering_.row_length();
+      for (std::size_t node = 0; node < static_cast<std::size_t>(cells_.nodes()); ++node) {
+        const double share = cells_.nodes() == 1 ? 1 : point.barycentric[node];
+        for (std::size_t b = 0; b < stride; ++b)
+          meters[i * stride + b] += factor * share * u[node * stride + b];
+      }
+    }
+  }
+}
+
+// Every cell gets a row, so that the kernel leaves the radiance of all of them.
+void TransportSweep::sweep_and_keep(SweepTask task, OrdinateRadiance& kept,
+                                    std::span<double> whole_rows) const {
+  double* angular = task.angular;
+  const std::size_t length = scattering_.row_length();
+  double* whole = whole_rows.data() + length;
+  std::copy(source_.data(), source_.data() + source_.size(), whole);
+  for (const std::int32_t cell : scattering_.angular_cells()) {
+    const double* row = angular + static_cast<std::size_t>(scattering_.row(CellIndex(cell))) * length;
+    std::copy(row, row + length, whole + static_cast<std::size_t>(cell) * length);
+  }
+  task.angular_index = all_cells_index_.data();
+  task.angular = whole_rows.data();
+  kernels_.sweep(task);
+  std::copy(whole, whole + source_.size(), kept.values.begin());
+  for (const std::int32_t cell : scattering_.angular_cells()) {
+    const double* row = whole + static_cast<std::size_t>(cell) * length;
+    std::copy(row, row + length,
+              angular + static_cast<std::size_t>(scattering_.row(CellIndex(cell))) * length);
+  }
+}
+
+}  // namespace etendue
