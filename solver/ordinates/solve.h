@@ -44,7 +44,7 @@ struct SolveOptions {
   const AngularInput* angular_input = nullptr;
 };
 
-/// Bytes that solve() will take at its peak, the solution included: an estimate to within some ten percent.
+/// Bytes that solve() may take at its peak, the solution and all Krylov vectors included: an upper estimate.
 std::size_t estimate_memory(const Problem& problem, const DirectionSet& directions,
                             const SolveOptions& options);
 
