@@ -35,7 +35,12 @@ struct ByCoordinates {
 /// The corners of all facets, each once.
 class Corners {
  public:
-  Corners(const std::vector<ExactFacet>& facets, const SnapPlanes& planes) {
+  Corners(const std::vector<ExactFacet>& facets, const std::vector<ConvexBody>& bodies,
+          const SnapPlanes& planes) {
+    // On slender triangles across an oblique ring of many corners TetGen fails; around a middle there are
+    // none.
+    for (const ConvexBody& body : bodies)
+      for (const ExactPoint& middle : body.middles) numbers_.try_emplace(middle, 0);
     for (const ExactFacet& facet : facets)
       for (const auto& [from, to] : facet.edges) {
         numbers_.try_emplace(from, 0);
@@ -259,7 +264,7 @@ SurfaceComplex arrange_bodies(const Geometry& geometry) {
   if (!faults.empty()) throw InputError(std::move(faults));
   if (facets.empty()) return surface;
 
-  const Corners corners(facets, snap_planes(geometry));
+  const Corners corners(facets, scene.bodies, snap_planes(geometry));
   const std::vector<SidedFacet> sided_facets = sided(facets, corners);
   surface.points = corners.points();
   surface.wall_names = walls.all();

@@ -119,6 +119,9 @@ std::array<Vec3, 2> frame_across(const Vec3& axis) {
   return {across, axis.normalized().cross(across)};
 }
 
+/// Ends along the axes are meshed as they are.
+bool is_oblique(const Vec3& axis) { return (axis.array() != 0).count() > 1; }
+
 /// The ends are exactly flat and the sides exactly parallelograms: the rounded points of a circle are
 /// projected onto the plane of one end, and the other end is the same ring moved along the axis.
 ConvexBody polyhedron(const CylinderPrimitive& cylinder, const SnapPlanes&) {
@@ -143,6 +146,7 @@ ConvexBody polyhedron(const CylinderPrimitive& cylinder, const SnapPlanes&) {
   }
   body.faces.push_back(first);
   body.faces.push_back(last);
+  if (is_oblique(cylinder.to - cylinder.from)) body.middles = {from, from + axis};
   return body;
 }
 

@@ -14,6 +14,7 @@ struct ConvexBody {
   std::vector<ExactPoint> points;
   std::vector<std::vector<int>> faces;  ///< indices of points, counter-clockwise seen from outside
   std::vector<ExactPlane> planes;       ///< [face] normal outward
+  std::vector<ExactPoint> middles;      ///< of many-sided oblique faces: extra corners for their triangles
   Vec3 low, high;                       ///< a box around it
 };
 

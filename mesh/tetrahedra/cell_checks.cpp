@@ -100,8 +100,8 @@ std::vector<std::array<std::int32_t, 4>> positively_oriented_cells(const RawMesh
   for (const auto& cell : raw.cells) volumes.push_back(signed_volume(raw, cell));
   const auto negative =
       std::count_if(volumes.begin(), volumes.end(), [](const auto& v) { return v.six_volumes < 0; });
-  // With more cells the one way than the other, it is the others that are inverted.
-  const double sign = 2 * static_cast<std::size_t>(negative) > volumes.size() ? -1 : 1;
+  // Some writers number the other way round: then all cells are negative. In a mixture some are inverted.
+  const double sign = static_cast<std::size_t>(negative) == volumes.size() ? -1 : 1;
 
   MeshFaults faults(raw);
   for (std::size_t c = 0; c < volumes.size(); ++c)

@@ -46,11 +46,20 @@ TEST(MeshFaults, NameTheInvertedCellWithItsLine) {
   EXPECT_NE(message_of(raw).find("); check node order"), std::string::npos);
 }
 
-TEST(MeshFaults, NameTheInvertedCellWhereTheOthersAreNegative) {
+TEST(MeshFaults, NameTheInvertedCellsEvenWhereTheyAreMost) {
   RawMesh raw = kuhn_cube_raw();
   for (auto& cell : raw.cells) std::swap(cell[0], cell[1]);
   std::swap(raw.cells[2][0], raw.cells[2][1]);
-  EXPECT_EQ(message_of(raw).find("cell 2: volume -0.166667 is not positive"), 0u);
+  const std::string message = message_of(raw);
+  EXPECT_EQ(message.find("cell 0: volume -0.166667 is not positive"), 0u) << message;
+  EXPECT_EQ(message.find("cell 2:"), std::string::npos) << message;
+}
+
+TEST(MeshFaults, AreNoneWhereAllCellsAreNumberedTheOtherWayRound) {
+  RawMesh raw = kuhn_cube_raw();
+  for (auto& cell : raw.cells) std::swap(cell[0], cell[1]);
+  const TetrahedralMesh mesh(raw);
+  for (const double volume : mesh.volumes()) EXPECT_NEAR(volume, 1.0 / 6, 1e-15);
 }
 
 TEST(MeshFaults, NameTheFlatCell) {
