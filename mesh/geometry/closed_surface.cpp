@@ -12,7 +12,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iostream>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "mesh/base/errors.h"
@@ -141,10 +143,33 @@ void refuse_self_intersections(const Mesh& mesh) {
 
 }  // namespace
 
+namespace {
+
+/// CGAL says on standard error what is wrong with a file, beside the answer that it cannot be read.
+class QuietStandardError {
+ public:
+  QuietStandardError() : before_(std::cerr.rdbuf(unseen_.rdbuf())) {}
+  ~QuietStandardError() { std::cerr.rdbuf(before_); }
+  QuietStandardError(const QuietStandardError&) = delete;
+  QuietStandardError& operator=(const QuietStandardError&) = delete;
+
+ private:
+  std::ostringstream unseen_;
+  std::streambuf* before_;
+};
+
+bool read_quietly(const std::filesystem::path& path, std::vector<Kernel::Point_3>& points,
+                  std::vector<std::vector<std::size_t>>& polygons) {
+  const QuietStandardError quiet;
+  return CGAL::IO::read_polygon_soup(path.string(), points, polygons);
+}
+
+}  // namespace
+
 PolygonSoup read_by_cgal(const std::filesystem::path& path) {
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> polygons;
-  const bool read = CGAL::IO::read_polygon_soup(path.string(), points, polygons);
+  const bool read = read_quietly(path, points, polygons);
   const auto is_known = [&](std::size_t corner) { return corner < points.size(); };
   const bool whole =
       std::all_of(polygons.begin(), polygons.end(), [&](const std::vector<std::size_t>& polygon) {
