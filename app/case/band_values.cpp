@@ -58,8 +58,9 @@ void check_edges(Section& section, const TomlNode& edges, std::size_t band_count
   const bool falling = std::ranges::is_sorted(values, std::greater_equal<>{});
   if (!rising && !falling) section.fault("edges", "must rise or fall throughout; use wavelengths in order");
   if (band_count > 0 && values.size() != band_count + 1)
-    section.fault("edges", fmt::format("has {} entries for {} bands; use one more than names", values.size(),
-                                       band_count));
+    section.fault("edges", fmt::format("has {} {} for {} {}; use one more than names", values.size(),
+                                       values.size() == 1 ? "entry" : "entries", band_count,
+                                       band_count == 1 ? "band" : "bands"));
 }
 
 }  // namespace

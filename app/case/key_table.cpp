@@ -95,7 +95,7 @@ std::vector<KeyDeclaration> make_keys() {
        "quality",
        number,
        {.default_value = "1.4",
-        .range = {.lowest = 1},
+        .range = {.lowest = 1.1},
         .help = "Largest ratio of a cell's circumradius to its shortest edge."}},
       {"mesh",
        "scale",

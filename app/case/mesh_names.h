@@ -3,6 +3,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "app/case/case.h"
 #include "mesh/geometry/surface_complex.h"
@@ -22,5 +23,9 @@ MeshNames names_of(const TetrahedralMesh& mesh);
 /// Throws InputError with every name in the case that nothing carries, and every region or wall that has no
 /// entry while there is no "*".
 void check_names(const Case& input, const MeshNames& names);
+
+/// Reports every region and wall in the case that its primitives cannot give, whatever overlaps what. Nothing
+/// where the geometry is in a file.
+void check_possible_names(const Case& input, std::vector<Fault>& faults);
 
 }  // namespace etendue

@@ -102,7 +102,9 @@ std::string list_problem(const TomlNode& list) {
   const std::size_t count = list.array().size();
   const std::string entries =
       fmt::format("{} has {} {}", list.origin.key, count, count == 1 ? "entry" : "entries");
-  return count == 0 ? entries : fmt::format("{}; use {}[0] to [{}]", entries, list.origin.key, count - 1);
+  if (count == 0) return entries;
+  const std::string first = fmt::format("{}; use {}[0]", entries, list.origin.key);
+  return count == 1 ? first : fmt::format("{} to [{}]", first, count - 1);
 }
 
 /// Where the parts of the path lead; tables that are missing are made. Empty, with the problem, where a part

@@ -2,6 +2,7 @@
 #include "app/case/band_values.h"
 #include "app/case/case.h"
 #include "app/case/key_check.h"
+#include "app/case/mesh_names.h"
 #include "app/case/override.h"
 #include "app/case/read_matter.h"
 #include "app/case/read_mesh.h"
@@ -43,8 +44,11 @@ Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
   check_keys(root, faults);
   Section top(root, "", faults);
   Case result = read_tables(top, file);
-  // Only a sound direction set can be counted.
-  if (faults.empty()) check_ordinates(top.section("output"), result);
+  // Only a sound direction set can be counted, and only sound primitives have names.
+  if (faults.empty()) {
+    check_ordinates(top.section("output"), result);
+    check_possible_names(result, faults);
+  }
   report_unused(root, faults);
   if (!faults.empty()) throw InputError(std::move(faults));
   result.resolved_toml = render_toml(root);

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <initializer_list>
+
 #include "app/case/band_values.h"
 #include "app/case/medium_coefficients.h"
 
@@ -45,17 +48,25 @@ std::vector<PhaseFunction> read_phases(Section& section, const Bands& bands) {
 }
 
 // Only values that are all sound can be compared.
-void check_medium(Section& section, const MediumCase& medium, const Bands& bands) {
-  if (section.node().faulty) return;
-  for (int band = 0; band < bands.count(); ++band)
-    for (const std::string& problem : {matter_problem(medium, band), emission_problem(medium, band)})
-      if (!problem.empty()) return section.fault(band_prefix(bands, band) + problem);
+bool any_faulty(const Section& section, std::initializer_list<const char*> names) {
+  return std::ranges::any_of(names, [&](const char* name) {
+    const TomlNode* node = section.node().find(name);
+    return node != nullptr && node->faulty;
+  });
 }
 
-bool any_faulty(const TomlNode& table) {
-  for (const auto& [name, node] : table.table().entries)
-    if (node->faulty) return true;
-  return table.faulty;
+template <class Problem>
+void report_first(Section& section, const MediumCase& medium, const Bands& bands, Problem problem_of) {
+  for (int band = 0; band < bands.count(); ++band)
+    if (const std::string problem = problem_of(medium, band); !problem.empty())
+      return section.fault(band_prefix(bands, band) + problem);
+}
+
+void check_medium(Section& section, const MediumCase& medium, const Bands& bands) {
+  if (!any_faulty(section, {"extinction", "albedo", "absorption", "scattering"}))
+    report_first(section, medium, bands, matter_problem);
+  if (!any_faulty(section, {"emission", "power_density", "power"}))
+    report_first(section, medium, bands, emission_problem);
 }
 
 // Writes what an absent key means into the resolved case.
@@ -78,7 +89,7 @@ MediumCase read_medium(Section section, const Bands& bands) {
   medium.power_density = read_band_values(section, "power_density", bands);
   medium.power = read_band_values(section, "power", bands);
   medium.phase = read_phases(section, bands);
-  if (!any_faulty(section.node())) check_medium(section, medium, bands);
+  check_medium(section, medium, bands);
   fill_in(section, medium);
   return medium;
 }
@@ -101,7 +112,7 @@ WallCase read_wall(Section section, const Bands& bands) {
   wall.specular = read_band_values_or_default(section, "specular", bands);
   wall.radiance = read_band_values_or_default(section, "radiance", bands);
   section.value("uncollided");
-  if (!any_faulty(section.node())) check_reflectances(section, wall, bands);
+  if (!any_faulty(section, {"diffuse", "specular"})) check_reflectances(section, wall, bands);
   return wall;
 }
 

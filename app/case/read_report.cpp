@@ -71,8 +71,11 @@ void read_field(TomlNode& node, OutputCase& output, Faults& faults) {
   if (std::ranges::count(known, field) > 0) return;
   if (std::ranges::count(later, field) > 0) return report(node, "not in this version; " + accepted, faults);
   if (field.starts_with(radiance_prefix)) {
-    if (const auto ordinate = ordinate_of(field)) return output.radiance_ordinates.push_back(*ordinate);
-    return report(node, "no ordinate after the colon; " + accepted, faults);
+    const auto ordinate = ordinate_of(field);
+    if (!ordinate) return report(node, "no ordinate after the colon; " + accepted, faults);
+    if (std::ranges::count(output.radiance_ordinates, *ordinate) > 0)
+      return report(node, fmt::format("names the ordinate {} twice; remove one", *ordinate), faults);
+    return output.radiance_ordinates.push_back(*ordinate);
   }
   const std::string meant = closest_name(field, known);
   report(node, "is not known" + (meant.empty() ? "" : " (did you mean \"" + meant + "\"?)") + "; " + accepted,

@@ -79,12 +79,13 @@ TEST(BuildMesh, BoundsVolumesByAnEdgeLength) {
 }
 
 TEST(BuildMesh, ReportsNamesBeforeMeshing) {
-  EXPECT_EQ(build_faults(case_of(room, {"media.smok.absorption=1", "mesh.box[0].walls={zmin='flor'}"})),
-            "0: media.smok: no region of the mesh is called \"smok\" (did you mean \"smoke\"?); there are "
-            "air, smoke\n"
-            "26: walls.floor: no wall of the mesh is called \"floor\" (did you mean \"flor\"?); there are "
-            "flor, lamp, "
-            "xmax, xmin, ymax, ymin, zmax\n");
+  // The inner box names a side that does not end up on the outside.
+  EXPECT_EQ(build_faults(case_of(room, {"walls.flor.diffuse=1", "mesh.box[1].walls={zmin='flor'}"})),
+            "0: walls.flor: no wall of the mesh is called \"flor\" (did you mean \"floor\"?); there are "
+            "floor, lamp, xmax, xmin, ymax, ymin, zmax\n"
+            "8: mesh.box[1].walls.zmin: no wall of the mesh is called \"flor\" (did you mean \"floor\"?); "
+            "there are "
+            "floor, lamp, xmax, xmin, ymax, ymin, zmax\n");
 }
 
 TEST(BuildMesh, ReadsAScaledFile) {

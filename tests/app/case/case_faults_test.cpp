@@ -100,6 +100,8 @@ const Check values[] = {
      "slab.toml:8: bands.names[1] = 3: must not be an integer; use a list of text"},
     {"TooFewEdges", "[bands]\nnames = [\"red\", \"blue\"]\nedges = [700, 400]\n",
      "slab.toml:9: bands.edges = [700, 400]: has 2 entries for 2 bands; use one more than names"},
+    {"TooManyEdgesOfOneBand", "[bands]\nedges = [700, 500, 400]\n",
+     "slab.toml:8: bands.edges = [700, 500, 400]: has 3 entries for 1 band; use one more than names"},
     {"EdgesWithoutOrder", "[bands]\nnames = [\"red\", \"blue\"]\nedges = [700, 400, 500]\n",
      "slab.toml:9: bands.edges = [700, 400, 500]: must rise or fall throughout; use wavelengths in order"},
     {"WrongBandCount", "[bands]\nnames = [\"red\", \"blue\"]\n[media.air]\nabsorption = [1, 2, 3]\n",
@@ -232,6 +234,8 @@ const Check values[] = {
      "\"net_flux\", \"media\" or \"radiance:K\" for the ordinate K"},
     {"FieldTwice", "[output]\nfields = [\"media\", \"media\"]\n",
      "slab.toml:8: output.fields[1] = \"media\": named twice; remove one"},
+    {"OrdinateTwice", "[output]\nfields = [\"radiance:01\", \"radiance:1\"]\n",
+     "slab.toml:8: output.fields[1] = \"radiance:1\": names the ordinate 1 twice; remove one"},
     {"FieldWithoutOrdinate", "[output]\nfields = [\"radiance:x\"]\n",
      "slab.toml:8: output.fields[0] = \"radiance:x\": no ordinate after the colon; use \"fluence\", "
      "\"net_flux\", "
@@ -268,6 +272,43 @@ max = [0, 1, 1]
             "slab.toml:5: solve.tolerance = -1: out of range; use a number above 0 and below 1\n"
             "slab.toml:9: mesh.box[0].max = [0, 1, 1]: not above min in x (0 <= 0); a box needs min < max\n"
             "slab.toml:10: media: no entry; add one for each region, or \"*\" for all");
+}
+
+TEST(CaseFaults, OfAnotherKeyHideNoContradiction) {
+  EXPECT_EQ(faults_of(cube + "[walls.xmin]\ndiffuse = 0.7\nspecular = 0.7\nradiance = -1\n"),
+            "slab.toml:7: walls.xmin: diffuse + specular = 1.4 (more light would leave than arrives); use at "
+            "most 1\n"
+            "slab.toml:10: walls.xmin.radiance = -1: out of range; use a number, or a list with one for each "
+            "band, each at least 0");
+  EXPECT_EQ(faults_of(cube + "[media.air]\nalbedo = 0.5\nemission = -1\n"),
+            "slab.toml:7: media.air: albedo without extinction (it does not say how far light goes); add "
+            "extinction\n"
+            "slab.toml:9: media.air.emission = -1: out of range; use a number or a formula in x, y, z, or a "
+            "list with "
+            "one for each band, each at least 0");
+}
+
+TEST(CaseFaults, OfNamesThatThePrimitivesCannotGiveListThosePossible) {
+  EXPECT_EQ(faults_of(cube + R"([media.b]
+[walls.zmim]
+[walls."crate.ymax"]
+[mesh]
+max_volume = { nope = 1, air = 2 }
+[[mesh.box]]
+hole = true
+name = "crate"
+min = [0.4, 0.4, 0.4]
+max = [0.6, 0.6, 0.6]
+)"),
+            "slab.toml:7: media.b: no region can be called \"b\"; there can be air\n"
+            "slab.toml:8: walls.zmim: no wall can be called \"zmim\" (did you mean \"zmin\"?); there can be "
+            "crate.xmax, crate.xmin, crate.ymax, crate.ymin, crate.zmax, crate.zmin, xmax, xmin, ymax, ymin, "
+            "zmax, zmin\n"
+            "slab.toml:11: mesh.max_volume.nope: no region can be called \"nope\"; there can be air");
+}
+
+TEST(CaseFaults, OfNamesWaitForAGeometryThatIsRead) {
+  EXPECT_EQ(faults_of(no_geometry + "[mesh]\nsurface = \"a.stl\"\n[media.b]\n[walls.lamp]\n"), "");
 }
 
 TEST(CaseFaults, OfAnEmptyFileNameWhatACaseNeeds) {

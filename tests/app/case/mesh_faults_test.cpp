@@ -97,8 +97,8 @@ const Check checks[] = {
     {"VolumeAndEdge", "[mesh]\nsurface = \"a.stl\"\nmax_volume = 1\nedge_length = 1\n",
      "slab.toml:6: mesh.edge_length = 1: given beside max_volume (both bound the cells' size); use one of "
      "the two"},
-    {"QualityBelowOne", "[mesh]\nsurface = \"a.stl\"\nquality = 0.5\n",
-     "slab.toml:5: mesh.quality = 0.5: out of range; use a number at least 1"},
+    {"QualityThatNoMesherReaches", "[mesh]\nsurface = \"a.stl\"\nquality = 1.05\n",
+     "slab.toml:5: mesh.quality = 1.05: out of range; use a number at least 1.1"},
     {"ScaleIsZero", "[mesh]\nfile = \"a.msh\"\nscale = 0.0\n",
      "slab.toml:5: mesh.scale = 0.0: out of range; use a number above 0"},
     {"RegionsOfAFile", "[mesh]\nfile = \"a.msh\"\nregions = { air = [0, 0, 0] }\n",

@@ -40,12 +40,12 @@ TEST(MeshNames, ThatNothingCarriesAreReportedAtOnce) {
 [walls.flor]
 diffuse = 0.5
 [mesh]
-max_volume = { "*" = 1, smoek = 2 }
+max_volume = { "*" = 1, smok = 2 }
 [[mesh.box]]
-region = "buried"
+region = "smok"
 min = [0, 0, 0]
 max = [1, 1, 1]
-walls = { xmin = "window" }
+walls = { xmin = "flor" }
 [[mesh.patch]]
 wall = "lamp"
 min = [0, 0, 1]
@@ -56,11 +56,13 @@ max = [1, 1, 1]
             "air, smoke\n"
             "8: walls.flor: no wall of the mesh is called \"flor\" (did you mean \"floor\"?); there are "
             "floor, xmax\n"
-            "11: mesh.max_volume.smoek: no region of the mesh is called \"smoek\" (did you mean \"smoke\"?); "
+            "11: mesh.max_volume.smok: no region of the mesh is called \"smok\" (did you mean \"smoke\"?); "
             "there are "
             "air, smoke\n"
-            "12: mesh.box[1].region: no region of the mesh is called \"buried\"; there are air, smoke\n"
-            "12: mesh.box[1].walls.xmin: no wall of the mesh is called \"window\"; there are floor, xmax\n"
+            "12: mesh.box[1].region: no region of the mesh is called \"smok\" (did you mean \"smoke\"?); "
+            "there are air, smoke\n"
+            "12: mesh.box[1].walls.xmin: no wall of the mesh is called \"flor\" (did you mean \"floor\"?); "
+            "there are floor, xmax\n"
             "17: mesh.patch[0].wall: no wall of the mesh is called \"lamp\"; there are floor, xmax\n");
 }
 

@@ -32,7 +32,8 @@ TEST(Override, CountsEntriesOfListsFromZero) {
 }
 
 TEST(Override, TakesQuotedKeys) {
-  const Case result = case_of(cube, {"media.\"*\".absorption=2", "walls.'a.b'.diffuse=0.5"});
+  const Case result = case_of(
+      cube, {"media.\"*\".absorption=2", "mesh.box[0].walls={ xmin = 'a.b' }", "walls.'a.b'.diffuse=0.5"});
   EXPECT_EQ(std::get<double>(result.media.at("*").absorption->values[0]), 2);
   EXPECT_EQ(std::get<double>(result.walls.at("a.b").diffuse.values[0]), 0.5);
 }
@@ -76,9 +77,11 @@ INSTANTIATE_TEST_SUITE_P(
         Check{"WrongType", "solve.tolerance=small",
               "--set: solve.tolerance = \"small\": must not be text; use a number above 0 and below 1"},
         Check{"NoSuchEntry", "mesh.box[1].max=[1,1,1]",
-              "--set: mesh.box[1].max=[1,1,1]: no such entry; mesh.box has 1 entry; use mesh.box[0] to [0]"},
+              "--set: mesh.box[1].max=[1,1,1]: no such entry; mesh.box has 1 entry; use mesh.box[0]"},
         Check{"ListWithoutEntry", "mesh.box.max=[1,1,1]",
-              "--set: mesh.box.max=[1,1,1]: no such entry; mesh.box has 1 entry; use mesh.box[0] to [0]"},
+              "--set: mesh.box.max=[1,1,1]: no such entry; mesh.box has 1 entry; use mesh.box[0]"},
+        Check{"QualityOutOfRange", "mesh.quality=1.05",
+              "--set: mesh.quality = 1.05: out of range; use a number at least 1.1"},
         Check{"BelowANumber", "mesh.box[0].region.a=1",
               "--set: mesh.box[0].region.a=1: no such key; mesh.box[0].region is text, not a table"},
         Check{"Empty", "directions.set=", "--set: directions.set = \"\": must not be empty"}),

@@ -224,7 +224,9 @@ phase = [{ model = "isotropic" }, { model = "henyey-greenstein", g = -0.5 }]
 TEST(ResolvedCase, ReadsBackTheSame) {
   const std::string surface = no_geometry + "[mesh]\nsurface = \"/tmp/room.stl\"\n";
   const std::string mixed =
-      cube + "[media.air]\nextinction = 2\nalbedo = 0.5\n[media.b]\nextinction = 1\nscattering = 1\n";
+      cube +
+      "[media.air]\nextinction = 2\nalbedo = 0.5\n[media.b]\nextinction = 1\nscattering = 1\n"
+      "[[mesh.box]]\nregion = \"b\"\nmin = [0, 0, 0]\nmax = [0.5, 1, 1]\n";
   for (const std::string& text : {cube, smoke_room, surface, mixed}) {
     const std::string resolved = case_of(text).resolved_toml;
     EXPECT_EQ(faults_of(resolved), "") << resolved;

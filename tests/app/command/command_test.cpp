@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "tests/app/command/small_case.h"
 
@@ -84,6 +85,16 @@ TEST(Command, MeshWritesTetrahedra) {
   EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err;
   EXPECT_GT(std::filesystem::file_size(mesh), 1000U);
   EXPECT_TRUE(has(outcome.out, mesh));
+}
+
+TEST(Command, RunsWithClosedStandardStreams) {
+  for (const char* closed : {"<&-", ">&-", "2>&-", "<&- >&- 2>&-"}) {
+    const CaseFolder folder;
+    const std::string mesh = (folder.path() / "mesh.vtu").string();
+    const std::string command = ETENDUE_PROGRAM " mesh " + folder.file() + " -o " + mesh + " >/dev/null ";
+    EXPECT_EQ(std::system((command + closed).c_str()), 0) << closed;
+    EXPECT_GT(std::filesystem::file_size(mesh), 1000U) << closed;
+  }
 }
 
 TEST(Command, MeshRefusesOtherKindsOfFiles) {
