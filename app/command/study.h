@@ -21,7 +21,6 @@ struct StudyValue {
 /// What one level of a study came to.
 struct LevelResult {
   int level = 0;  ///< from 1
-  bool done = false;
   bool converged = false;
   int cells = 0;
   double size = 0;  ///< h = (volume/cells)^(1/3) [length]

@@ -131,7 +131,6 @@ RunRequest level_request(const StudyRequest& study, const Case& input, int level
 LevelResult level_result(const RunResult& run, int level, Refinement refinement) {
   LevelResult result;
   result.level = level;
-  result.done = true;
   result.converged = run.solution.converged();
   result.cells = run.problem.mesh().cell_count();
   double volume = 0;
@@ -170,7 +169,6 @@ std::optional<LevelResult> saved_level(const Case& input, int level, Refinement 
   try {
     if (json.at("refined") != name_of(refinement)) return {};
     LevelResult result{.level = level,
-                       .done = true,
                        .converged = json.at("converged"),
                        .cells = json.at("cells"),
                        .size = json.at("h"),

@@ -64,7 +64,7 @@ std::vector<json> rows_of(const json& study, const std::string& quantity) {
 LevelResult level_with(int level, int cells, std::vector<StudyValue> values) {
   LevelResult result;
   result.level = level;
-  result.done = result.converged = true;
+  result.converged = true;
   result.cells = cells;
   result.size = std::cbrt(1.0 / cells);
   result.directions = 8 * level * level;
