@@ -141,7 +141,6 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
                    .balances = balances(problem, solution),
                    .walls = wall_powers(problem, solution),
                    .regions = region_powers(problem, solution),
-                   .exact = {},
                    .seconds = seconds,
                    .threads = options.threads};
   if (exact) add_exact(*exact, directions, result);

@@ -40,7 +40,7 @@ struct RunResult {
   std::vector<Balance> balances;                  ///< [band]
   std::vector<std::vector<WallPower>> walls;      ///< [wall][band]
   std::vector<std::vector<RegionPower>> regions;  ///< [region][band]
-  std::optional<ExactComparison> exact;           ///< of a case that says what the answer is
+  std::optional<ExactComparison> exact = {};      ///< of a case that says what the answer is
   RunSeconds seconds;
   int threads = 1;
 };
