@@ -69,6 +69,12 @@ struct Probe {
   Origin origin;
 };
 
+/// A radiance that is meant to be the answer: source and inflow follow from it.
+struct ExactCase {
+  std::string radiance;  ///< a formula in x, y, z, wx, wy, wz; the same in all bands
+  Origin origin;
+};
+
 struct OutputCase {
   std::filesystem::path directory;                            ///< resolved
   std::vector<std::string> fields = {"fluence", "net_flux"};  ///< as written, "radiance:K" too
@@ -94,6 +100,7 @@ struct Case {
   int direction_order = 1;
   Origin directions_origin;
   SolveOptions solve;
+  std::optional<ExactCase> exact;
   std::vector<Probe> probes;
   OutputCase output;
   std::string resolved_toml;  ///< with overrides applied and defaults filled in; reads back the same

@@ -54,7 +54,10 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "directions", .help = "The directions in which light travels."},
       {.path = "space", .help = "The discretisation in space."},
       {.path = "solve", .help = "The iteration."},
-      {.path = "exact", .support = later, .help = "What the answer is, for studies."},
+      {.path = "exact",
+       .help = "What the answer is: the source and what enters at the walls follow from it. Nothing else may "
+               "emit, "
+               "and walls are black."},
       {.path = "probe", .form = list, .help = "Points whose values go into `probes.csv`."},
       {.path = "probe.line", .help = "Points at equal distances instead of `points`."},
       {.path = "camera", .form = list, .support = later, .help = "A picture."},
@@ -312,6 +315,13 @@ std::vector<KeyDeclaration> make_keys() {
        integer,
        {.default_value = "0", .range = {.lowest = 0, .highest = 4096}, .help = "0: all cores."}},
       {"solve", "initial", any, {.support = later, .help = "An earlier result to start from."}},
+
+      {"exact",
+       "radiance",
+       text,
+       {.unit = "power/(length^2 sr)",
+        .need = required,
+        .help = "A formula in x, y, z and the direction of travel wx, wy, wz; the same in all bands."}},
 
       {"probe", "name", text, {.need = required, .help = "Names the rows in `probes.csv`."}},
       {"probe", "points", points, {.unit = "length", .help = "Where; or `line`."}},

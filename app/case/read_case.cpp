@@ -4,6 +4,7 @@
 #include "app/case/key_check.h"
 #include "app/case/mesh_names.h"
 #include "app/case/override.h"
+#include "app/case/read_exact.h"
 #include "app/case/read_matter.h"
 #include "app/case/read_mesh.h"
 #include "app/case/read_report.h"
@@ -29,6 +30,7 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   read_directions(top.section("directions"), result);
   read_space(top.section("space"), result.solve);
   read_solve(top.section("solve"), result.solve);
+  if (top.has("exact")) read_exact(top.section("exact"), result);
   result.probes = read_probes(top);
   result.output = read_output(top.section("output"), file);
   result.solve.keep_ordinates = result.output.radiance_ordinates;

@@ -15,6 +15,7 @@ namespace {
 const char* const examples = R"(Examples:
   etendue run cases/smoke-room/case.toml
   etendue run case.toml --set solve.tolerance=1e-8 --set directions.order=2 --output fine
+  etendue study case.toml --refine mesh --levels 3
   etendue check case.toml --mesh
   etendue mesh case.toml -o mesh.vtu
   etendue directions --set ldfe-sq --order 2
@@ -41,6 +42,7 @@ class Parser {
     app_.footer(examples);
     app_.require_subcommand(1);
     add_run();
+    add_study();
     add_check();
     add_mesh();
     add_directions();
@@ -67,19 +69,39 @@ class Parser {
     if (arguments.empty() || arguments.front().starts_with('-')) return;
     const auto named = [&](const CLI::App* command) { return command->get_name() == arguments.front(); };
     if (!app_.get_subcommands(named).empty()) return;
-    throw InputError("command line: " + arguments.front() +
-                     ": no such command; use run, check, mesh, directions or keys (see etendue --help)");
+    throw InputError(
+        "command line: " + arguments.front() +
+        ": no such command; use run, study, check, mesh, directions or keys (see etendue --help)");
   }
 
   void add_run() {
     run_command_ = app_.add_subcommand("run", "Solve a case and write its results");
-    add_case(*run_command_, run_);
-    run_command_->add_option("--output", output_, "Directory of the results, in place of output.directory")
+    add_run_options(*run_command_);
+  }
+
+  void add_study() {
+    study_command_ = app_.add_subcommand("study", "Run a case on finer and finer levels: observed orders");
+    add_run_options(*study_command_);
+    study_command_
+        ->add_option("--refine", refine_, "mesh (volumes / 8 per level) or directions (order doubled)")
+        ->required()
+        ->check(CLI::IsMember({"mesh", "directions", "both"}))
+        ->type_name("WHAT");
+    study_command_->add_option("--levels", study_.levels, "Number of levels, the case itself the first")
+        ->required()
+        ->check(CLI::Range(2, 20))
+        ->type_name("N");
+    study_command_->add_flag("--resume", study_.resume, "Keep levels that an earlier study has finished");
+  }
+
+  void add_run_options(CLI::App& command) {
+    add_case(command, run_);
+    command.add_option("--output", output_, "Directory of the results, in place of output.directory")
         ->type_name("DIR");
-    run_command_->add_option("--threads", threads_, "Number of threads; 0: all cores")
+    command.add_option("--threads", threads_, "Number of threads; 0: all cores")
         ->check(whole_number)
         ->type_name("N");
-    run_command_->add_option("--progress", progress_, "bar (on a terminal), plain (lines) or none")
+    command.add_option("--progress", progress_, "bar (on a terminal), plain (lines) or none")
         ->check(CLI::IsMember({"bar", "plain", "none"}))
         ->type_name("STYLE");
   }
@@ -108,7 +130,7 @@ class Parser {
   }
 
   void add_later_commands() {
-    for (const char* name : {"study", "render", "compare"}) {
+    for (const char* name : {"render", "compare"}) {
       CLI::App* command = app_.add_subcommand(name, "Not in this version");
       command->group("")->prefix_command();
       later_.push_back(command);
@@ -136,8 +158,9 @@ class Parser {
     for (const CLI::App* command : later_)
       if (command->parsed())
         throw InputError("command line: " + command->get_name() +
-                         ": not in this version; use run, check, mesh, directions or keys");
+                         ": not in this version; use run, study, check, mesh, directions or keys");
     if (run_command_->parsed()) return finished_run();
+    if (study_command_->parsed()) return finished_study();
     if (check_command_->parsed()) return check_;
     if (mesh_command_->parsed()) return mesh_;
     if (directions_command_->parsed()) return directions_;
@@ -156,19 +179,32 @@ class Parser {
     return run_;
   }
 
+  StudyRequest finished_study() {
+    if (*refine_ == "both")
+      throw InputError(
+          "command line: study: --refine both: not in this version; use mesh or directions, one after "
+          "the other");
+    study_.refinement = *refine_ == "mesh" ? Refinement::mesh : Refinement::directions;
+    study_.run = finished_run();
+    return study_;
+  }
+
   CLI::App app_;
   CLI::App* run_command_ = nullptr;
+  CLI::App* study_command_ = nullptr;
   CLI::App* check_command_ = nullptr;
   CLI::App* mesh_command_ = nullptr;
   CLI::App* directions_command_ = nullptr;
   std::vector<CLI::App*> later_;
   RunRequest run_;
+  StudyRequest study_;
   CheckRequest check_;
   MeshRequest mesh_;
   DirectionsRequest directions_;
   std::optional<std::string> output_;
   std::optional<int> threads_;
   std::optional<std::string> progress_;
+  std::optional<std::string> refine_;
 };
 
 }  // namespace

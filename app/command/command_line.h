@@ -25,6 +25,16 @@ struct RunRequest : CaseRequest {
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
+/// What a study refines from level to level.
+enum class Refinement { mesh, directions };
+
+struct StudyRequest {
+  RunRequest run;
+  Refinement refinement = Refinement::mesh;
+  int levels = 0;
+  bool resume = false;
+};
+
 struct CheckRequest : CaseRequest {
   bool mesh = false;
 };
@@ -46,7 +56,8 @@ struct ShowText {
   std::string text;
 };
 
-using Request = std::variant<RunRequest, CheckRequest, MeshRequest, DirectionsRequest, KeysRequest, ShowText>;
+using Request = std::variant<RunRequest, StudyRequest, CheckRequest, MeshRequest, DirectionsRequest,
+                             KeysRequest, ShowText>;
 
 /// What the arguments (without the program's name) ask for. Throws InputError.
 Request parse_command_line(const std::vector<std::string>& arguments);

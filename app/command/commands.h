@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <ostream>
 
 #include "app/command/command_line.h"
 #include "app/command/exit_code.h"
+#include "app/write/results.h"
 
 namespace etendue {
 
 // One function for each command. What people read goes to `out`; `err` takes the mesher's log where it was
 // asked for and the line that says why the exit code is not 0. They throw as the rooms below do.
 
-ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err);
+/// Called with the results of a run when they are written.
+using ResultReader = std::function<void(const RunResult&)>;
+
+ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err,
+                  const ResultReader& reader = {});
+ExitCode study_case(const StudyRequest& request, std::ostream& out, std::ostream& err);
 ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream& err);
 ExitCode mesh_case(const MeshRequest& request, std::ostream& out, std::ostream& err);
 ExitCode show_directions(const DirectionsRequest& request, std::ostream& out);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <memory>
 #include <thread>
 
 #include "app/case/build.h"
@@ -14,6 +15,7 @@
 #include "app/command/verbose_log.h"
 #include "app/write/output_folder.h"
 #include "app/write/results.h"
+#include "solver/exact/exact_balance.h"
 
 namespace etendue {
 namespace {
@@ -44,6 +46,31 @@ SolveOptions solve_options(const Case& input, std::vector<IrradianceMeter> meter
   options.keep_ordinates = input.output.radiance_ordinates;
   options.meters = std::move(meters);
   return options;
+}
+
+/// What a case that says what the answer is adds to a run.
+struct ExactSetup {
+  ExactRadiance radiance;
+  ExactInput input;
+
+  ExactSetup(const Problem& problem, const DirectionSet& directions, const std::string& formula)
+      : radiance(formula), input(problem, directions, radiance) {}
+};
+
+std::unique_ptr<ExactSetup> exact_setup(const Case& input, const Problem& problem,
+                                        const DirectionSet& directions) {
+  if (!input.exact) return nullptr;
+  try {
+    return std::make_unique<ExactSetup>(problem, directions, input.exact->radiance);
+  } catch (const InputError& error) {
+    throw InputError(fault_at(input.exact->origin, "", error.faults().front().text));
+  }
+}
+
+/// Errors, and the powers that the exact radiance brings.
+void add_exact(const ExactSetup& exact, const DirectionSet& directions, RunResult& result) {
+  result.exact = compare_with_exact(result.problem, result.solution, exact.radiance, directions);
+  add_exact_powers(exact.input, result.walls, result.regions, result.balances);
 }
 
 std::string mesh_line(const TetrahedralMesh& mesh) {
@@ -78,7 +105,8 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) 
 
 }  // namespace
 
-ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err) {
+ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err,
+                  const ResultReader& reader) {
   Interruption interruption;
   Stopwatch watch;
   RunSeconds seconds;
@@ -95,7 +123,9 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   const Problem problem = build_problem(input, mesh);
   const DirectionSet directions = make_directions(input.direction_set, input.direction_order);
   const CellLocator locator(mesh);
-  const SolveOptions options = solve_options(input, place_probes(input.probes, mesh, locator));
+  const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
+  SolveOptions options = solve_options(input, place_probes(input.probes, mesh, locator));
+  if (exact) options.angular_input = &exact->input;
   out << fmt::format("directions: {} ({} {}); bands: {}; threads: {}\n", directions.count(),
                      directions.name(), directions.order(), problem.band_count(), options.threads)
       << std::flush;
@@ -113,10 +143,12 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
                    .regions = region_powers(problem, solution),
                    .seconds = seconds,
                    .threads = options.threads};
+  if (exact) add_exact(*exact, directions, result);
   result.seconds.total = watch.total();
   const WrittenResults written = write_results(result);
   out << convergence_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
-      << cautions_text(result) << closing_text(result, written);
+      << exact_text(result) << cautions_text(result) << closing_text(result, written);
+  if (reader) reader(result);
   return conclude(result, interruption.noted(), err);
 }
 

@@ -132,6 +132,15 @@ std::string probes_text(const RunResult& result) {
   return section("probes [" + UnitLabels(result.input.units).flux + "]", table);
 }
 
+std::string exact_text(const RunResult& result) {
+  if (!result.exact) return "";
+  TextTable table({"band", "L2", "Linf"}, {Align::left, Align::right, Align::right});
+  for (std::size_t b = 0; b < result.exact->fluence.size(); ++b)
+    table.add_row({band_name(result, b), fmt::format("{:.3e}", result.exact->fluence[b].l2),
+                   fmt::format("{:.3e}", result.exact->fluence[b].linf)});
+  return section("relative error of the fluence against the exact solution on these directions", table);
+}
+
 std::string cautions_text(const RunResult& result) {
   std::string text;
   const std::vector<NegativeCensus>& census = result.solution.negative;

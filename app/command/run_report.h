@@ -17,6 +17,8 @@ std::string balance_text(const RunResult& result);
 std::string powers_text(const RunResult& result);
 /// Probes, where they are few.
 std::string probes_text(const RunResult& result);
+/// The error against the exact solution, where the case says what it is.
+std::string exact_text(const RunResult& result);
 /// Negative values and lagged faces, where there are any.
 std::string cautions_text(const RunResult& result);
 /// Time of the stages, and the files with how to open them.

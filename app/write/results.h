@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "solver/exact/exact_comparison.h"
 #include "solver/measure/balance.h"
 #include "solver/measure/probe.h"
 #include "solver/ordinates/solution.h"
@@ -39,6 +40,7 @@ struct RunResult {
   std::vector<Balance> balances;                  ///< [band]
   std::vector<std::vector<WallPower>> walls;      ///< [wall][band]
   std::vector<std::vector<RegionPower>> regions;  ///< [region][band]
+  std::optional<ExactComparison> exact = {};      ///< of a case that says what the answer is
   RunSeconds seconds;
   int threads = 1;
 };

@@ -87,6 +87,10 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["balance"] = array_of(result.balances, [](const Balance& b) { return as_json(b); });
   summary["negative"] = array_of(solution.negative, [](const NegativeCensus& n) { return as_json(n); });
   summary["kernels"] = array_of(solution.kernels, [](const KernelReport& k) { return as_json(k); });
+  if (result.exact)
+    summary["exact"] = array_of(result.exact->fluence, [](const FluenceError& error) {
+      return Json{{"fluence_L2", error.l2}, {"fluence_Linf", error.linf}};
+    });
   summary["lagged_faces"] = solution.lagged_faces;
   summary["seconds"] = stage_seconds(result, seconds_writing);
   summary["sweep_cost"] = solution.sweep_cost;

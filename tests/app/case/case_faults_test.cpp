@@ -52,7 +52,6 @@ const Check later[] = {
      "slab.toml:7: light: not in this version; remove it"},
     {"Beam", "[walls.window]\nbeam = { direction = [0, 0.6, -0.8], irradiance = 1.0 }\n",
      "slab.toml:8: walls.window.beam: not in this version; remove it"},
-    {"Exact", "[exact]\nradiance = \"x\"\n", "slab.toml:7: exact: not in this version; remove it"},
     {"Camera", "[[camera]]\nname = \"front\"\n", "slab.toml:7: camera: not in this version; remove it"},
     {"Sensor", "[[sensor]]\nname = \"front\"\n", "slab.toml:7: sensor: not in this version; remove it"},
     {"Initial", "[solve]\ninitial = \"solution.vtu\"\n",

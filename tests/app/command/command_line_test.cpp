@@ -77,7 +77,7 @@ TEST(CommandLine, SaysInOneLineWhatIsWrong) {
 }
 
 TEST(CommandLine, RefusesCommandsOfLaterVersions) {
-  for (const char* command : {"study", "render", "compare"})
+  for (const char* command : {"render", "compare"})
     EXPECT_NE(fault_of({command, "case.toml", "--levels", "3"}).find("not in this version"),
               std::string::npos);
 }

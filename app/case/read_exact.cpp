@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read_exact.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mesh/base/errors.h"
+#include "solver/expression/differentiable.h"
+
+namespace etendue {
+namespace {
+
+bool is_zero(const BandValues& values) {
+  return std::ranges::all_of(values.values, [](const Value& value) {
+    const double* number = std::get_if<double>(&value);
+    return number != nullptr && *number == 0;
+  });
+}
+
+void refuse(const BandValues& values, std::string_view why, Faults& faults) {
+  if (!is_zero(values)) faults.push_back(fault_at(values.origin, "", why));
+}
+
+void check_sources(const Case& input, Faults& faults) {
+  for (const auto& [name, medium] : input.media)
+    for (const auto* values : {&medium.emission, &medium.power_density, &medium.power})
+      if (*values)
+        refuse(**values, "emits in a case with [exact] (its source follows from the radiance); remove it",
+               faults);
+}
+
+void check_walls(const Case& input, Faults& faults) {
+  for (const auto& [name, wall] : input.walls) {
+    refuse(wall.radiance, "emits in a case with [exact] (what enters follows from the radiance); remove it",
+           faults);
+    for (const BandValues* reflectance : {&wall.diffuse, &wall.specular})
+      refuse(*reflectance, "reflects in a case with [exact] (not in this version); use black walls", faults);
+  }
+}
+
+}  // namespace
+
+void read_exact(Section exact, Case& result) {
+  check_sources(result, exact.faults());
+  check_walls(result, exact.faults());
+  const auto radiance = exact.text_if("radiance");
+  if (!radiance) return;
+  try {
+    DifferentiableExpression(*radiance, {"x", "y", "z", "wx", "wy", "wz"});
+    result.exact = ExactCase{*radiance, exact.origin("radiance")};
+  } catch (const InputError& error) {
+    exact.fault("radiance", error.faults().front().text);
+  }
+}
+
+}  // namespace etendue

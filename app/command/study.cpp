@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/study.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+
+#include "app/command/commands.h"
+#include "app/command/study_level.h"
+#include "app/write/output_folder.h"
+
+namespace etendue {
+namespace {
+
+/// A level that is still to be run, or was.
+struct Level {
+  RunRequest request;
+  Case input;
+};
+
+/// All levels as cases: what is wrong with one is known before the first is run.
+std::vector<Level> read_levels(const StudyRequest& study, const Case& input) {
+  std::vector<Level> levels;
+  for (int level = 1; level <= study.levels; ++level) {
+    RunRequest request = level_request(study, input, level);
+    Case refined = read_case(request.file, request.overrides);
+    levels.push_back({std::move(request), std::move(refined)});
+  }
+  return levels;
+}
+
+void write_tables(const StudyRequest& request, const Case& input, const std::vector<StudyRow>& rows) {
+  OutputFolder folder(input.output.directory);
+  folder.add_text("study.csv", study_csv(rows, request.refinement));
+  folder.add_text("study.json", study_json(rows, request.refinement, input));
+  folder.publish({});
+}
+
+/// Runs the levels one after the other and keeps what those that end well came to.
+class Study {
+ public:
+  Study(const StudyRequest& request, std::ostream& out, std::ostream& err)
+      : request_(request), out_(out), err_(err) {}
+
+  /// Whether there is a next level.
+  bool goes_on() const { return code_ != ExitCode::interrupted; }
+
+  void take(const Level& level, int number) {
+    const std::string heading = fmt::format("level {} of {}", number, request_.levels);
+    if (request_.resume && keep_saved(level, number, heading)) return;
+    out_ << heading << '\n';
+    try {
+      note(run_case(level.request, out_, err_, [&](const RunResult& run) {
+        if (run.solution.interrupted) return;
+        LevelResult result = level_result(run, number, request_.refinement);
+        save_level(result, level.input, request_.refinement);
+        results_.push_back(std::move(result));
+      }));
+    } catch (const std::exception& error) {
+      err_ << heading << " failed: " << error.what() << '\n';
+      note(ExitCode::not_converged);
+    }
+    out_ << std::endl;
+  }
+
+  const std::vector<LevelResult>& results() const { return results_; }
+  ExitCode code() const { return code_; }
+
+ private:
+  bool keep_saved(const Level& level, int number, const std::string& heading) {
+    std::optional<LevelResult> saved = saved_level(level.input, number, request_.refinement);
+    if (!saved) return false;
+    out_ << heading << ": kept from an earlier study (" << level.input.output.directory.string() << ")\n";
+    if (!saved->converged) note(ExitCode::not_converged);
+    results_.push_back(std::move(*saved));
+    return true;
+  }
+
+  void note(ExitCode code) {
+    if (code != ExitCode::done && code_ != ExitCode::interrupted) code_ = code;
+  }
+
+  const StudyRequest& request_;
+  std::ostream& out_;
+  std::ostream& err_;
+  std::vector<LevelResult> results_;
+  ExitCode code_ = ExitCode::done;
+};
+
+}  // namespace
+
+ExitCode study_case(const StudyRequest& request, std::ostream& out, std::ostream& err) {
+  const Case input = read_case(request.run.file, request.run.overrides);
+  check_output_directory(input.output.directory);
+  const std::vector<Level> levels = read_levels(request, input);
+  Study study(request, out, err);
+  std::vector<StudyRow> rows;
+  for (std::size_t i = 0; i < levels.size() && study.goes_on(); ++i) {
+    study.take(levels[i], static_cast<int>(i) + 1);
+    // After every level: a study that is ended early leaves the table of what there is.
+    rows = study_rows(study.results(), request.refinement);
+    write_tables(request, input, rows);
+  }
+  out << study_text(rows, study.results(), request.refinement) << "written to "
+      << input.output.directory.string() << ": study.csv study.json\n";
+  return study.code();
+}
+
+}  // namespace etendue

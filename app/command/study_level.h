@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "app/command/study.h"
+#include "app/write/results.h"
+
+namespace etendue {
+
+/// The case of level `level` (from 1): volumes divided by 8, or the order doubled, once for each level after
+/// the first; results go into the folder level-N of the case's own. Throws InputError where that cannot be.
+RunRequest level_request(const StudyRequest& study, const Case& input, int level);
+
+/// What a study keeps of a run. Where the directions are refined, the exact values are integrals over the
+/// whole sphere, and those of walls are not known.
+LevelResult level_result(const RunResult& run, int level, Refinement refinement);
+
+/// Writes what was kept beside the level's results. Throws FileError.
+void save_level(const LevelResult& result, const Case& input, Refinement refinement);
+/// What an earlier study kept, if its results are whole and were made by the same case.
+std::optional<LevelResult> saved_level(const Case& input, int level, Refinement refinement);
+
+}  // namespace etendue

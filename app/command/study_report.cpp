@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/command/study.h"
+#include "app/command/text_table.h"
+
+namespace etendue {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t longest_table = 120;
+// The iteration must not be seen in the error of the discretisation.
+constexpr double largest_part_of_iteration = 0.1;
+
+const char* name_of(Refinement refinement) { return refinement == Refinement::mesh ? "mesh" : "directions"; }
+
+bool is_norm(const std::string& quantity) { return quantity.starts_with("fluence_"); }
+
+double refined_size(const LevelResult& level, Refinement refinement) {
+  if (refinement == Refinement::mesh) return level.size;
+  return std::sqrt(4 * std::numbers::pi / level.directions);
+}
+
+const StudyValue* find_value(const LevelResult& level, const StudyValue& like) {
+  for (const StudyValue& value : level.values)
+    if (value.band == like.band && value.quantity == like.quantity) return &value;
+  return nullptr;
+}
+
+std::optional<double> error_of(const StudyRow& row, const StudyRow& finest) {
+  if (row.value->exact) return std::abs(row.value->value - *row.value->exact);
+  if (row.level == finest.level) return std::nullopt;
+  return std::abs(row.value->value - finest.value->value);
+}
+
+/// Nothing can be said of an error that is zero or of a balance, which only the iteration disturbs.
+std::optional<double> order_between(const StudyRow& coarse, const StudyRow& fine, Refinement refinement) {
+  if (fine.value->quantity == "balance" || !coarse.error || !fine.error) return std::nullopt;
+  const double sizes =
+      std::log(refined_size(*coarse.level, refinement) / refined_size(*fine.level, refinement));
+  const double order = std::log(*coarse.error / *fine.error) / sizes;
+  return std::isfinite(order) ? std::optional(order) : std::nullopt;
+}
+
+/// RFC 4180.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+std::string or_empty(const std::optional<double>& value) { return value ? fmt::to_string(*value) : ""; }
+std::string or_empty(const std::optional<double>& value, const char* format) {
+  return value ? fmt::format(fmt::runtime(format), *value) : "";
+}
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+/// Levels whose iteration is seen in the error of the fluence.
+std::string iteration_text(const std::vector<StudyRow>& rows) {
+  std::string text;
+  for (const StudyRow& row : rows)
+    if (row.value->quantity == "fluence_L2" && row.level->residual > largest_part_of_iteration * *row.error)
+      text += fmt::format(
+          "  level {}, band {}: the error of the iteration, about {:.1e}, is above a tenth of the error "
+          "{:.1e}; lower "
+          "solve.tolerance\n",
+          row.level->level, row.value->band, row.level->residual, *row.error);
+  return text;
+}
+
+}  // namespace
+
+std::vector<StudyRow> study_rows(const std::vector<LevelResult>& levels, Refinement refinement) {
+  std::vector<StudyRow> rows;
+  if (levels.empty()) return rows;
+  const LevelResult& last = levels.back();
+  for (const StudyValue& finest : last.values) {
+    const std::size_t first = rows.size();
+    for (const LevelResult& level : levels)
+      if (const StudyValue* value = find_value(level, finest)) {
+        StudyRow row{&level, value, {}, {}};
+        row.error = error_of(row, {&last, &finest, {}, {}});
+        if (rows.size() > first) row.order = order_between(rows.back(), row, refinement);
+        rows.push_back(row);
+      }
+  }
+  return rows;
+}
+
+std::string study_csv(const std::vector<StudyRow>& rows, Refinement refinement) {
+  std::string csv = "level,refined,cells,h,directions,band,quantity,value,error,order,sweeps,seconds\n";
+  for (const StudyRow& row : rows)
+    fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{}\n", row.level->level,
+                   name_of(refinement), row.level->cells, row.level->size, row.level->directions,
+                   quoted(row.value->band), quoted(row.value->quantity), row.value->value,
+                   or_empty(row.error), or_empty(row.order), row.level->sweeps, row.level->seconds);
+  return csv;
+}
+
+std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement, const Case& input) {
+  Json json = {{"title", input.title}, {"refined", name_of(refinement)}, {"rows", Json::array()}};
+  for (const StudyRow& row : rows)
+    json["rows"].push_back({{"level", row.level->level},
+                            {"refined", name_of(refinement)},
+                            {"cells", row.level->cells},
+                            {"h", row.level->size},
+                            {"directions", row.level->directions},
+                            {"band", row.value->band},
+                            {"quantity", row.value->quantity},
+                            {"value", row.value->value},
+                            {"reference", row.value->exact ? "exact" : "finest"},
+                            {"error", or_null(row.error)},
+                            {"order", or_null(row.order)},
+                            {"sweeps", row.level->sweeps},
+                            {"seconds", row.level->seconds},
+                            {"converged", row.level->converged}});
+  json["case"] = input.resolved_toml;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string study_text(const std::vector<StudyRow>& rows, const std::vector<LevelResult>& levels,
+                       Refinement refinement) {
+  if (levels.empty()) return "\nstudy: no level was finished\n";
+  const bool all = rows.size() <= longest_table;
+  TextTable table({"level", "cells", "h", "directions", "band", "quantity", "value", "error", "order",
+                   "reference", "sweeps", "seconds"},
+                  {Align::right, Align::right, Align::right, Align::right, Align::left, Align::left,
+                   Align::right, Align::right, Align::right, Align::left, Align::right, Align::right});
+  for (const StudyRow& row : rows) {
+    if (!all && !is_norm(row.value->quantity) && row.value->quantity != "balance") continue;
+    table.add_row({std::to_string(row.level->level), std::to_string(row.level->cells),
+                   fmt::format("{:.4g}", row.level->size), std::to_string(row.level->directions),
+                   row.value->band, row.value->quantity, number(row.value->value),
+                   or_empty(row.error, "{:.3e}"), or_empty(row.order, "{:.2f}"),
+                   row.value->exact ? "exact" : "finest", std::to_string(row.level->sweeps),
+                   fmt::format("{:.3g}", row.level->seconds)});
+  }
+  std::string text =
+      fmt::format("\nstudy of the {}; the order is that of the error against {}\n", name_of(refinement),
+                  refinement == Refinement::mesh ? "h = (volume/cells)^(1/3)"
+                                                 : "the size of the directions, (4 pi/directions)^(1/2)");
+  text += table.text();
+  if (!all) text += "  probes, walls and regions: many, see study.csv\n";
+  return text + iteration_text(rows);
+}
+
+}  // namespace etendue

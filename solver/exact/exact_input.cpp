@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/exact/exact_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace etendue {
+namespace {
+
+int highest_degree(const Problem& problem, const DirectionSet& directions) {
+  int degree = 0;
+  for (const Medium& medium : problem.media())
+    for (const PhaseFunction& phase : medium.phase)
+      degree = std::max(degree, scattering_degree(phase, directions).degree);
+  return degree;
+}
+
+[[noreturn]] void refuse(const Vec3& point, const Vec3& direction) {
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "is not finite, or has no gradient, at the point (%.6g, %.6g, %.6g) in the direction (%.6g, %.6g, "
+      "%.6g); give a radiance that is smooth in the domain",
+      point.x(), point.y(), point.z(), direction.x(), direction.y(), direction.z());
+  throw InputError(text);
+}
+
+}  // namespace
+
+ExactInput::ExactInput(const Problem& problem, const DirectionSet& directions, const ExactRadiance& radiance)
+    : problem_(problem),
+      directions_(directions),
+      vertices_(static_cast<std::size_t>(problem.mesh().vertex_count())),
+      harmonics_(directions, highest_degree(problem, directions)) {
+  fill_values(radiance);
+  fill_moments();
+  fill_kernels();
+}
+
+void ExactInput::fill_values(const ExactRadiance& radiance) {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  radiance_.resize(static_cast<std::size_t>(directions_.count()) * vertices_);
+  streaming_.resize(radiance_.size());
+#pragma omp parallel for schedule(static)
+  for (std::int32_t m = 0; m < directions_.count(); ++m) {
+    const OrdinateIndex ordinate(m);
+    const Vec3& direction = directions_.direction(ordinate);
+    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+      const Dual value = radiance.with_gradient(mesh.point(VertexIndex(v)), direction);
+      radiance_[at(ordinate, v)] = value.value;
+      streaming_[at(ordinate, v)] = direction.dot(value.gradient);
+    }
+  }
+  for (std::size_t i = 0; i < radiance_.size(); ++i)
+    if (!std::isfinite(radiance_[i]) || !std::isfinite(streaming_[i]))
+      refuse(mesh.points()[i % vertices_], directions_.directions()[i / vertices_]);
+}
+
+void ExactInput::fill_moments() {
+  const auto count = static_cast<std::size_t>(harmonics_.count());
+  moments_.assign(vertices_ * count, 0);
+#pragma omp parallel for schedule(static)
+  for (std::int32_t v = 0; v < problem_.mesh().vertex_count(); ++v)
+    for (std::int32_t m = 0; m < directions_.count(); ++m) {
+      const OrdinateIndex ordinate(m);
+      const double weighted = directions_.weight(ordinate) * radiance_[at(ordinate, v)];
+      for (std::size_t k = 0; k < count; ++k)
+        moments_[static_cast<std::size_t>(v) * count + k] += weighted * harmonics_.of(ordinate)[k];
+    }
+}
+
+void ExactInput::fill_kernels() {
+  for (const Medium& medium : problem_.media())
+    for (const PhaseFunction& phase : medium.phase) {
+      const int used = scattering_degree(phase, directions_).degree;
+      for (int k = 0; k < harmonics_.count(); ++k) {
+        const int degree = harmonics_.degree_of(k);
+        kernels_.push_back(degree > used ? 0 : phase_moment(phase, degree) / (4 * std::numbers::pi));
+      }
+    }
+}
+
+double ExactInput::scattered(OrdinateIndex m, std::int32_t vertex, std::span<const double> kernel) const {
+  const std::span<const double> harmonics = harmonics_.of(m);
+  const double* moments = &moments_[static_cast<std::size_t>(vertex) * kernel.size()];
+  double sum = 0;
+  for (std::size_t k = 0; k < kernel.size(); ++k) sum += kernel[k] * harmonics[k] * moments[k];
+  return sum;
+}
+
+void ExactInput::add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const auto count = static_cast<std::size_t>(harmonics_.count());
+  const int bands = problem_.band_count();
+  for (int band = 0; band < bands; ++band) {
+    const double scattering = problem_.scattering(cell, band);
+    const double extinction = scattering + problem_.absorption(cell, band);
+    const auto row = static_cast<std::size_t>(mesh.region(cell) * bands + band);
+    const std::span<const double> kernel(&kernels_[row * count], count);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::int32_t vertex = mesh.vertices(cell)[i];
+      double source = streaming_[at(m, vertex)] + extinction * radiance_[at(m, vertex)];
+      if (scattering > 0) source -= scattering * scattered(m, vertex, kernel);
+      values[i * static_cast<std::size_t>(bands) + static_cast<std::size_t>(band)] += source;
+    }
+  }
+}
+
+void ExactInput::add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const {
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t band = 0; band < bands; ++band)
+      values[i * bands + band] += radiance_[at(m, problem_.mesh().vertices(face)[i])];
+}
+
+std::vector<std::vector<double>> ExactInput::source_powers() const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  std::vector<std::vector<double>> powers(problem_.media().size(), std::vector<double>(bands, 0));
+  std::vector<double> values(4 * bands);
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
+    for (std::int32_t m = 0; m < directions_.count(); ++m) {
+      std::fill(values.begin(), values.end(), 0);
+      add_source(OrdinateIndex(m), CellIndex(c), values);
+      const double factor = directions_.weight(OrdinateIndex(m)) * mesh.volume(CellIndex(c)) / 4;
+      std::vector<double>& power = powers[static_cast<std::size_t>(mesh.region(CellIndex(c)))];
+      for (std::size_t i = 0; i < values.size(); ++i) power[i % bands] += factor * values[i];
+    }
+  return powers;
+}
+
+}  // namespace etendue

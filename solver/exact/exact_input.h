@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solver/angle/direction_set.h"
+#include "solver/angle/harmonics.h"
+#include "solver/exact/exact_radiance.h"
+#include "solver/ordinates/angular_input.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// What must be put into a problem so that a given radiance u solves it at the ordinates of a set:
+///
+///     s_m = w_m.grad u_m + sigma_t u_m - sigma_s/(4 pi) sum over k of chi_l(k) Y_k(m) phi_k,
+///     phi_k = sum over n of w_n Y_k(n) u_n,
+///
+/// with the set's own scattering kernel, that of ScatteringMoments: all that is left of the error is that of
+/// the discretisation in space. At walls, which must be black, u enters. Values are those at the vertices.
+class ExactInput : public AngularInput {
+ public:
+  /// The arguments must outlive it. Throws InputError, naming the point, where the radiance or its gradient
+  /// is not finite at a vertex.
+  ExactInput(const Problem& problem, const DirectionSet& directions, const ExactRadiance& radiance);
+
+  void add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const override;
+  void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const override;
+
+  /// [region][band] power of the source, as the discretisation sees it; may be negative.
+  std::vector<std::vector<double>> source_powers() const;
+
+ private:
+  std::size_t at(OrdinateIndex m, std::int32_t vertex) const {
+    return m.at() * vertices_ + static_cast<std::size_t>(vertex);
+  }
+  void fill_values(const ExactRadiance& radiance);
+  void fill_moments();
+  void fill_kernels();
+  double scattered(OrdinateIndex m, std::int32_t vertex, std::span<const double> kernel) const;
+
+  const Problem& problem_;
+  const DirectionSet& directions_;
+  std::size_t vertices_;
+  DiscreteHarmonics harmonics_;
+  std::vector<double> radiance_;   ///< [ordinate][vertex] u
+  std::vector<double> streaming_;  ///< [ordinate][vertex] w.grad u
+  std::vector<double> moments_;    ///< [vertex][k] phi_k
+  std::vector<double> kernels_;    ///< [region][band][k] chi_l(k)/(4 pi); 0 beyond the degree that is used
+};
+
+}  // namespace etendue

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command/small_case.h"
+
+namespace etendue {
+namespace {
+
+using nlohmann::json;
+using test::CaseFolder;
+using test::etendue_says;
+using test::Outcome;
+using test::text_of;
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A unit cube that scatters, with an exact solution.
+std::string exact_case(const std::string& more = "") {
+  return R"([mesh]
+max_volume = 0.05
+[[mesh.box]]
+region = "medium"
+min = [0, 0, 0]
+max = [1, 1, 1]
+[media.medium]
+absorption = 0.5
+scattering = 1.0
+[walls."*"]
+[exact]
+radiance = "3 + sin(2*x)*wx + cos(y + z)*wy^2"
+[directions]
+set = "product"
+order = 2
+[space]
+lumping = "none"
+[solve]
+tolerance = 1e-8
+[[probe]]
+name = "middle"
+points = [[0.5, 0.4, 0.3]]
+[output]
+directory = "results"
+)" + more;
+}
+
+std::vector<std::string> study_of(const std::string& file, const std::string& refine, int levels) {
+  return {"study", file, "--refine", refine, "--levels", std::to_string(levels), "--progress", "none"};
+}
+
+json study_in(const CaseFolder& folder) { return json::parse(text_of(folder.path() / "results/study.json")); }
+
+std::vector<json> rows_of(const json& study, const std::string& quantity) {
+  std::vector<json> rows;
+  for (const json& row : study["rows"])
+    if (row["quantity"] == quantity) rows.push_back(row);
+  return rows;
+}
+
+LevelResult level_with(int level, int cells, std::vector<StudyValue> values) {
+  LevelResult result;
+  result.level = level;
+  result.converged = true;
+  result.cells = cells;
+  result.size = std::cbrt(1.0 / cells);
+  result.directions = 8 * level * level;
+  result.values = std::move(values);
+  return result;
+}
+
+TEST(StudyRows, HaveOrdersAgainstTheExactValueFromTheSecondLevelOn) {
+  const std::vector<LevelResult> levels = {level_with(1, 10, {{"grey", "probe:a:0", 1.4, 1.0}}),
+                                           level_with(2, 80, {{"grey", "probe:a:0", 0.9, 1.0}})};
+  const auto rows = study_rows(levels, Refinement::mesh);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_NEAR(*rows[0].error, 0.4, 1e-15);
+  EXPECT_FALSE(rows[0].order);
+  EXPECT_NEAR(*rows[1].order, 2, 1e-12);
+}
+
+TEST(StudyRows, CompareWithTheFinestLevelWhereNothingIsExact) {
+  std::vector<LevelResult> levels;
+  for (int level = 1; level <= 3; ++level)
+    levels.push_back(level_with(level, 10, {{"grey", "probe:a:0", std::pow(2.0, -level), {}}}));
+  const auto rows = study_rows(levels, Refinement::directions);
+  EXPECT_DOUBLE_EQ(*rows[0].error, 0.375);
+  EXPECT_DOUBLE_EQ(*rows[1].error, 0.125);
+  EXPECT_NEAR(*rows[1].order, std::log(3.0) / std::log(2.0), 1e-12);
+  EXPECT_FALSE(rows[2].error);
+  EXPECT_FALSE(rows[2].order);
+}
+
+TEST(StudyRows, ClaimNoOrderOfABalance) {
+  const std::vector<LevelResult> levels = {level_with(1, 10, {{"grey", "balance", 1e-8, 0.0}}),
+                                           level_with(2, 80, {{"grey", "balance", -1e-9, 0.0}})};
+  const auto rows = study_rows(levels, Refinement::mesh);
+  EXPECT_DOUBLE_EQ(*rows[1].error, 1e-9);
+  EXPECT_FALSE(rows[1].order);
+}
+
+TEST(StudyRows, SkipLevelsThatAreMissing) {
+  const std::vector<LevelResult> levels = {level_with(1, 10, {{"grey", "probe:a:0", 1.4, 1.0}}),
+                                           level_with(3, 640, {{"grey", "probe:a:0", 1.025, 1.0}})};
+  EXPECT_NEAR(*study_rows(levels, Refinement::mesh)[1].order, 2, 1e-12);
+}
+
+TEST(StudyCsv, HasTheColumnsOfTheContract) {
+  const std::vector<LevelResult> levels = {level_with(1, 8, {{"grey", "wall:a, b:incoming", 0.5, {}}})};
+  EXPECT_EQ(study_csv(study_rows(levels, Refinement::mesh), Refinement::mesh),
+            "level,refined,cells,h,directions,band,quantity,value,error,order,sweeps,seconds\n"
+            "1,mesh,8,0.5,8,grey,\"wall:a, b:incoming\",0.5,,,0,0\n");
+}
+
+TEST(Study, RefinesTheMeshAndComparesWithTheExactSolution) {
+  const CaseFolder folder(exact_case());
+  const Outcome outcome = etendue_says(study_of(folder.file(), "mesh", 2));
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "fluence_L2")) << outcome.out;
+  const json study = study_in(folder);
+  const std::vector<json> norms = rows_of(study, "fluence_L2");
+  ASSERT_EQ(norms.size(), 2U);
+  EXPECT_GT(norms[1]["cells"], 3 * norms[0]["cells"].get<int>());
+  EXPECT_EQ(norms[0]["directions"], norms[1]["directions"]);
+  EXPECT_LT(norms[1]["error"], 0.01);
+  EXPECT_GT(norms[1]["order"], 1.5);
+  for (const char* quantity : {"probe:middle:0", "wall:xmin:incoming", "region:medium:absorbed"}) {
+    const std::vector<json> rows = rows_of(study, quantity);
+    ASSERT_EQ(rows.size(), 2U) << quantity;
+    EXPECT_LT(rows[1]["error"], 0.01 * rows[1]["value"].get<double>()) << quantity;
+    EXPECT_EQ(rows[1]["reference"], "exact") << quantity;
+  }
+  EXPECT_LT(rows_of(study, "balance")[1]["error"], 1e-6);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "results/level-2/fields.vtu"));
+}
+
+TEST(Study, DoublesTheOrderOfTheDirections) {
+  const CaseFolder folder(exact_case());
+  ASSERT_EQ(etendue_says(study_of(folder.file(), "directions", 2)).code, ExitCode::done);
+  const std::vector<json> norms = rows_of(study_in(folder), "fluence_L2");
+  ASSERT_EQ(norms.size(), 2U);
+  EXPECT_EQ(norms[0]["directions"], 8);
+  EXPECT_EQ(norms[1]["directions"], 32);
+  EXPECT_EQ(norms[0]["cells"], norms[1]["cells"]);
+  EXPECT_EQ(rows_of(study_in(folder), "wall:xmin:incoming")[0]["reference"], "finest");
+}
+
+TEST(Study, TakesTheFinestLevelWithoutAnExactSolution) {
+  const CaseFolder folder;
+  ASSERT_EQ(etendue_says(study_of(folder.file(), "mesh", 2)).code, ExitCode::done);
+  const json study = study_in(folder);
+  EXPECT_TRUE(rows_of(study, "fluence_L2").empty());
+  const std::vector<json> rows = rows_of(study, "probe:middle:0");
+  ASSERT_EQ(rows.size(), 6U);  // three bands
+  EXPECT_EQ(rows[0]["reference"], "finest");
+  EXPECT_NEAR(rows[0]["error"], std::abs(rows[0]["value"].get<double>() - rows[1]["value"].get<double>()),
+              1e-15);
+  EXPECT_TRUE(rows[1]["error"].is_null());
+}
+
+TEST(Study, ResumesWithTheLevelsThatTheSameCaseMade) {
+  const CaseFolder folder(exact_case());
+  std::vector<std::string> arguments = study_of(folder.file(), "mesh", 2);
+  ASSERT_EQ(etendue_says(arguments).code, ExitCode::done);
+  const json first = study_in(folder);
+  arguments.push_back("--resume");
+  const Outcome same = etendue_says(arguments);
+  EXPECT_TRUE(has(same.out, "level 1 of 2: kept")) << same.out;
+  EXPECT_TRUE(has(same.out, "level 2 of 2: kept")) << same.out;
+  EXPECT_EQ(study_in(folder), first);
+  std::filesystem::remove(folder.path() / "results/level-2/walls.vtp");
+  const Outcome incomplete = etendue_says(arguments);
+  EXPECT_TRUE(has(incomplete.out, "level 1 of 2: kept"));
+  EXPECT_FALSE(has(incomplete.out, "level 2 of 2: kept"));
+  arguments.insert(arguments.end(), {"--set", "solve.tolerance=1e-7"});
+  EXPECT_FALSE(has(etendue_says(arguments).out, "kept"));
+}
+
+TEST(Study, KeepsTheOtherLevelsWhereOneFails) {
+  const CaseFolder folder(exact_case());
+  std::filesystem::create_directories(folder.path() / "results");
+  test::write_text(folder.path() / "results/level-1", "in the way");
+  const Outcome outcome = etendue_says(study_of(folder.file(), "mesh", 2));
+  EXPECT_EQ(outcome.code, ExitCode::not_converged);
+  EXPECT_TRUE(has(outcome.err, "level 1 of 2 failed: ")) << outcome.err;
+  const std::vector<json> norms = rows_of(study_in(folder), "fluence_L2");
+  ASSERT_EQ(norms.size(), 1U);
+  EXPECT_EQ(norms[0]["level"], 2);
+}
+
+TEST(Study, SaysWhatCannotBeRefined) {
+  std::string text = test::small_case();
+  text.erase(text.find("max_volume"), std::string("max_volume = 0.02\n").size());
+  const CaseFolder folder(text);
+  const Outcome mesh = etendue_says(study_of(folder.file(), "mesh", 2));
+  EXPECT_EQ(mesh.code, ExitCode::input_error);
+  EXPECT_TRUE(has(mesh.err, "no cell size to refine")) << mesh.err;
+  const Outcome both = etendue_says(study_of(folder.file(), "both", 2));
+  EXPECT_EQ(both.code, ExitCode::input_error);
+  EXPECT_TRUE(has(both.err, "not in this version")) << both.err;
+}
+
+TEST(ExactRun, WritesItsErrorsAndClosesItsBalance) {
+  const CaseFolder folder(exact_case());
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "against the exact solution")) << outcome.out;
+  const json summary = json::parse(text_of(folder.path() / "results/summary.json"));
+  EXPECT_GT(summary["exact"][0]["fluence_L2"], 1e-5);
+  EXPECT_LT(summary["exact"][0]["fluence_L2"], summary["exact"][0]["fluence_Linf"]);
+  EXPECT_GT(summary["balance"][0]["inflow"], 1);
+  EXPECT_LT(std::abs(summary["balance"][0]["residual"].get<double>()), 1e-6);
+}
+
+TEST(ExactRun, RefusesOtherSourcesAndMirrors) {
+  const auto error_with = [](const std::string& change) {
+    const CaseFolder folder(exact_case());
+    const Outcome outcome = etendue_says({"run", folder.file(), "--set", change});
+    EXPECT_EQ(outcome.code, ExitCode::input_error);
+    return outcome.err;
+  };
+  EXPECT_TRUE(has(error_with("media.medium.emission=1"), "emits in a case with [exact]"));
+  EXPECT_TRUE(has(error_with("walls.'*'.radiance=1"), "emits in a case with [exact]"));
+  EXPECT_TRUE(has(error_with("walls.'*'.diffuse=0.5"), "reflects in a case with [exact]"));
+  EXPECT_TRUE(has(error_with("exact.radiance='sin('"), "exact.radiance"));
+  EXPECT_TRUE(has(error_with("exact.radiance='1/x'"), "is not finite"));
+}
+
+/// Orders of the L2 error of a case in this repository on three meshes.
+double order_of(const std::string& name, const std::vector<std::string>& changes, int levels) {
+  const test::ScratchFolder folder;
+  std::vector<std::string> arguments =
+      study_of(ETENDUE_SOURCE_DIR "/cases/" + name + "/case.toml", "mesh", levels);
+  arguments.insert(arguments.end(), {"--output", folder.path().string()});
+  for (const std::string& change : changes) arguments.insert(arguments.end(), {"--set", change});
+  const Outcome outcome = etendue_says(arguments);
+  EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  const std::vector<json> rows = rows_of(json::parse(text_of(folder.path() / "study.json")), "fluence_L2");
+  return rows.back()["order"];
+}
+
+TEST(SmoothCase, IsOfSecondOrderWithLinearElements) { EXPECT_GE(order_of("mms-smooth", {}, 3), 1.95); }
+
+TEST(SmoothCase, IsOfFirstOrderWithConstants) {
+  EXPECT_GE(order_of("mms-smooth", {"space.order=0"}, 3), 0.9);
+}
+
+TEST(LinearCase, IsReproducedToRounding) {
+  const test::ScratchFolder folder;
+  const Outcome outcome = etendue_says(
+      {"run", ETENDUE_SOURCE_DIR "/cases/mms-linear/case.toml", "--output", folder.path().string()});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  const json summary = json::parse(text_of(folder.path() / "summary.json"));
+  EXPECT_LT(summary["exact"][0]["fluence_L2"], 1e-11);
+  EXPECT_LT(summary["exact"][0]["fluence_Linf"], 1e-11);
+}
+
+}  // namespace
+}  // namespace etendue
