@@ -4,6 +4,7 @@
 #include "app/case/case.h"
 #include "mesh/base/log.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
+#include "solver/angle/direction_set.h"
 #include "solver/problem/problem.h"
 
 namespace etendue {
@@ -14,5 +15,8 @@ TetrahedralMesh build_mesh(const Case& input, const Log& log = {});
 
 /// The case's media and walls on this mesh.
 Problem build_problem(const Case& input, const TetrahedralMesh& mesh);
+
+/// The case's directions, rotated where it asks for that.
+DirectionSet build_directions(const Case& input);
 
 }  // namespace etendue

@@ -79,4 +79,9 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
   return Problem(mesh, input.bands, std::move(media), std::move(walls));
 }
 
+DirectionSet build_directions(const Case& input) {
+  const DirectionSet set = make_directions(input.direction_set, input.direction_order);
+  return input.direction_rotation ? rotated(set, *input.direction_rotation) : set;
+}
+
 }  // namespace etendue

@@ -11,6 +11,7 @@
 #include "mesh/base/errors.h"
 #include "mesh/base/vec3.h"
 #include "mesh/geometry/geometry.h"
+#include "solver/angle/rotation.h"
 #include "solver/ordinates/solve.h"
 #include "solver/problem/phase_function.h"
 
@@ -98,6 +99,7 @@ struct Case {
   std::map<std::string, WallCase> walls;    ///< by wall; "*" stands for the rest
   std::string direction_set = "ldfe-sq";
   int direction_order = 1;
+  std::optional<Rotation> direction_rotation;
   Origin directions_origin;
   SolveOptions solve;
   std::optional<ExactCase> exact;

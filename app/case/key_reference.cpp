@@ -39,6 +39,8 @@ std::string type_column(KeyType type) {
       return "number or table NAME = number";
     case KeyType::named_points:
       return "table NAME = [x, y, z]";
+    case KeyType::rotation:
+      return "\"random\" or table of axis, angle";
     case KeyType::named_sides:
       return "table side = text";
   }

@@ -15,6 +15,15 @@ constexpr Range not_negative{.lowest = 0};
 constexpr Range fraction{.lowest = 0, .highest = 1};
 constexpr Range open_fraction{.lowest = 0, .highest = 1, .lowest_excluded = true, .highest_excluded = true};
 
+constexpr Range asymmetry{.lowest = -1, .highest = 1, .lowest_excluded = true, .highest_excluded = true};
+
+constexpr std::string_view legendre_help =
+    "Of legendre: the moments chi_0 = 1, chi_1 = g, chi_2 …, without factors 2l + 1; or `file`.";
+constexpr std::string_view phase_file_help =
+    "CSV, found beside the case. Of legendre: one moment on each line. Of table: mu and p, from mu = -1 to "
+    "1; p is "
+    "linear between, and divided by its integral.";
+
 // Direction sets that are documented and not made yet.
 std::vector<std::string> later_direction_sets() {
   const std::vector<std::string> here = direction_set_names();
@@ -47,6 +56,7 @@ std::vector<TableDeclaration> make_tables() {
        .form = table_or_list,
        .help = "How light turns when it scatters: one table, or a list with one for each band; without it "
                "isotropic."},
+      {.path = "media.NAME.phase.mix", .form = list, .help = "Of the model mixture: its parts."},
       {.path = "walls", .help = "Every wall has an entry; \"*\" stands for the rest."},
       {.path = "walls.NAME", .help = "What the wall NAME does; an empty entry is black and cold."},
       {.path = "walls.NAME.beam", .support = later, .help = "Collimated light that enters here."},
@@ -221,15 +231,39 @@ std::vector<KeyDeclaration> make_keys() {
       {"media.NAME.phase",
        "model",
        text,
-       {.choices = {"isotropic", "henyey-greenstein"},
-        .later = {"rayleigh"},
+       {.choices = {"isotropic", "rayleigh", "henyey-greenstein", "double-henyey-greenstein",
+                    "cornette-shanks", "legendre", "table", "mixture"},
         .need = required,
         .help = "The phase function."}},
       {"media.NAME.phase",
        "g",
        number,
-       {.range = {.lowest = -1, .highest = 1, .lowest_excluded = true, .highest_excluded = true},
-        .help = "Mean cosine of the angle of deflection; of henyey-greenstein."}},
+       {.range = asymmetry,
+        .help = "Of henyey-greenstein: the mean cosine of the angle of deflection; of cornette-shanks: its "
+                "parameter."}},
+      {"media.NAME.phase", "g1", number, {.range = asymmetry, .help = "Of double-henyey-greenstein."}},
+      {"media.NAME.phase", "g2", number, {.range = asymmetry, .help = "Of double-henyey-greenstein."}},
+      {"media.NAME.phase",
+       "weight",
+       number,
+       {.range = fraction, .help = "Of g1 in double-henyey-greenstein; g2 has the rest."}},
+      {"media.NAME.phase", "coefficients", numbers, {.help = legendre_help}},
+      {"media.NAME.phase", "file", text, {.help = phase_file_help}},
+      {"media.NAME.phase.mix",
+       "weight",
+       number,
+       {.range = positive,
+        .need = required,
+        .help = "Its share of the scattering coefficient; shares are divided by their sum."}},
+      {"media.NAME.phase.mix",
+       "model",
+       text,
+       {.choices = {"isotropic", "rayleigh", "henyey-greenstein", "cornette-shanks", "legendre", "table"},
+        .need = required,
+        .help = "The phase function of this part."}},
+      {"media.NAME.phase.mix", "g", number, {.range = asymmetry, .help = "As in `phase`."}},
+      {"media.NAME.phase.mix", "coefficients", numbers, {.help = "As in `phase`."}},
+      {"media.NAME.phase.mix", "file", text, {.help = "As in `phase`."}},
 
       {"walls.NAME",
        "diffuse",
@@ -269,6 +303,18 @@ std::vector<KeyDeclaration> make_keys() {
        {.default_value = "1",
         .range = {.lowest = 1, .highest = 1e4},
         .help = "What it means depends on the set."}},
+      {"directions",
+       "rotation",
+       rotation,
+       {.unit = "degrees",
+        .help =
+            "Turns the set about an axis, or at random; a mirror must still take ordinates to ordinates."}},
+      {"directions",
+       "seed",
+       integer,
+       {.default_value = "1",
+        .range = {.lowest = 0, .highest = largest_count},
+        .help = "Chooses the random rotation."}},
 
       {"space",
        "order",

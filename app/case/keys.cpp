@@ -38,6 +38,8 @@ std::string type_text(KeyType type) {
       return "a number, or a table of one for each region";
     case KeyType::named_points:
       return "a table of points [x, y, z]";
+    case KeyType::rotation:
+      return "\"random\" or { axis = [x, y, z], angle = degrees }";
     case KeyType::named_sides:
       return "a table of names for xmin, xmax, ymin, ymax, zmin, zmax";
   }

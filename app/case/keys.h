@@ -25,6 +25,7 @@ enum class KeyType {
   band_values,   ///< a number or a formula in x, y, z, or a list of such with one for each band
   size_bound,    ///< a number, or a table NAME = number
   named_points,  ///< a table NAME = [x, y, z]
+  rotation,      ///< "random", or a table of `axis` and `angle`
   named_sides    ///< a table of xmin … zmax = text
 };
 

@@ -25,7 +25,7 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   result.units = read_units(top.section("units"));
   result.mesh = read_mesh_section(top.section("mesh"), file.parent_path());
   result.bands = read_bands(top.section("bands"));
-  result.media = read_media(top.section("media"), result.bands);
+  result.media = read_media(top.section("media"), result.bands, file.parent_path());
   result.walls = read_walls(top.section("walls"), result.bands);
   read_directions(top.section("directions"), result);
   read_space(top.section("space"), result.solve);

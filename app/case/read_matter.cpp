@@ -8,6 +8,7 @@
 
 #include "app/case/band_values.h"
 #include "app/case/medium_coefficients.h"
+#include "app/case/read_phase.h"
 
 namespace etendue {
 namespace {
@@ -19,31 +20,23 @@ std::string band_prefix(const Bands& bands, int band) {
   return bands.count() == 1 ? "" : "band " + bands.names[static_cast<std::size_t>(band)] + ": ";
 }
 
-PhaseFunction read_phase(Section phase) {
-  const std::string model = phase.text_if("model").value_or("");
-  if (model == "isotropic") phase.unused("g", "an isotropic phase function has none");
-  const auto g = phase.number_if("g");
-  if (model != "henyey-greenstein") return PhaseIsotropic{};
-  if (!phase.has("g")) phase.fault("g", "missing; use a number above -1 and below 1");
-  return PhaseHenyeyGreenstein{g.value_or(0)};
-}
-
 bool scatters(const Section& section) {
   return section.has("scattering") || section.has("albedo") ||
          (section.has("extinction") && section.has("absorption"));
 }
 
-std::vector<PhaseFunction> read_phases(Section& section, const Bands& bands) {
+std::vector<PhaseFunction> read_phases(Section& section, const Bands& bands,
+                                       const std::filesystem::path& case_folder) {
   if (!scatters(section)) {
     section.unused("phase", "nothing scatters in this region");
     return {PhaseIsotropic{}};
   }
   const TomlNode* node = section.find("phase");
   if (node == nullptr) return {PhaseIsotropic{}};
-  if (node->is_table()) return {read_phase(section.section("phase"))};
+  if (node->is_table()) return {read_phase(section.section("phase"), case_folder)};
   check_band_count(section, "phase", node->array().size(), bands);
   std::vector<PhaseFunction> phases;
-  for (Section& phase : section.list("phase")) phases.push_back(read_phase(std::move(phase)));
+  for (Section& phase : section.list("phase")) phases.push_back(read_phase(std::move(phase), case_folder));
   return phases;
 }
 
@@ -78,7 +71,7 @@ void fill_in(Section& section, const MediumCase& medium) {
   if (scatters(section) && !section.has("phase")) section.section("phase").resolve("model", "isotropic");
 }
 
-MediumCase read_medium(Section section, const Bands& bands) {
+MediumCase read_medium(Section section, const Bands& bands, const std::filesystem::path& case_folder) {
   MediumCase medium;
   medium.origin = section.origin();
   medium.extinction = read_band_values(section, "extinction", bands);
@@ -88,7 +81,7 @@ MediumCase read_medium(Section section, const Bands& bands) {
   medium.emission = read_band_values(section, "emission", bands);
   medium.power_density = read_band_values(section, "power_density", bands);
   medium.power = read_band_values(section, "power", bands);
-  medium.phase = read_phases(section, bands);
+  medium.phase = read_phases(section, bands, case_folder);
   check_medium(section, medium, bands);
   fill_in(section, medium);
   return medium;
@@ -128,8 +121,12 @@ std::map<std::string, Entry> read_entries(Section section, const Bands& bands, s
 
 }  // namespace
 
-std::map<std::string, MediumCase> read_media(Section media, const Bands& bands) {
-  return read_entries<MediumCase>(std::move(media), bands, "region", read_medium);
+std::map<std::string, MediumCase> read_media(Section media, const Bands& bands,
+                                             const std::filesystem::path& case_folder) {
+  const auto reader = [&case_folder](Section section, const Bands& of) {
+    return read_medium(std::move(section), of, case_folder);
+  };
+  return read_entries<MediumCase>(std::move(media), bands, "region", reader);
 }
 
 std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands) {

@@ -9,7 +9,8 @@
 
 namespace etendue {
 
-std::map<std::string, MediumCase> read_media(Section media, const Bands& bands);
+std::map<std::string, MediumCase> read_media(Section media, const Bands& bands,
+                                             const std::filesystem::path& case_folder);
 std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands);
 
 }  // namespace etendue

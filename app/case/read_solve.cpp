@@ -4,11 +4,25 @@
 #include "solver/angle/direction_set.h"
 
 namespace etendue {
+namespace {
+
+std::optional<Rotation> read_rotation(Section& directions) {
+  const TomlNode* rotation = directions.find("rotation");
+  if (rotation == nullptr || !rotation->is_text())
+    directions.unused("seed", "only a random rotation is drawn");
+  if (rotation == nullptr) return std::nullopt;
+  if (rotation->is_table())
+    return rotation_about(to_vec3(*rotation->find("axis")), rotation->find("angle")->number());
+  return random_rotation(static_cast<std::uint64_t>(directions.integer("seed")));
+}
+
+}  // namespace
 
 void read_directions(Section directions, Case& result) {
   result.direction_set = directions.text("set");
   result.direction_order = directions.integer("order");
   result.directions_origin = directions.origin("order");
+  result.direction_rotation = read_rotation(directions);
   for (const char* name : {"set", "order"})
     if (directions.node().find(name)->faulty) return;  // nothing to say about their combination
   const std::string problem = check_direction_order(result.direction_set, result.direction_order);

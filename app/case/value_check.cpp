@@ -55,6 +55,8 @@ class ValueCheck {
         return node.is_table() ? names(node, &ValueCheck::number) : number(node);
       case KeyType::named_points:
         return names(node, &ValueCheck::point);
+      case KeyType::rotation:
+        return rotation(node);
       case KeyType::named_sides:
         return sides(node);
     }
@@ -136,6 +138,20 @@ class ValueCheck {
     bool sound = true;
     for (auto& [name, item] : node.table().entries) sound = (this->*check)(*item) && sound;
     node.faulty = !sound;
+    return sound;
+  }
+
+  bool rotation(TomlNode& node) {
+    if (node.is_text() && node.text() == "random") return true;
+    const TomlNode* axis = node.is_table() ? node.find("axis") : nullptr;
+    const TomlNode* angle = node.is_table() ? node.find("angle") : nullptr;
+    if (axis == nullptr || angle == nullptr || node.table().entries.size() != 2)
+      return fail(node, fmt::format("is no rotation; use {}", accepted_text(key_)));
+    bool sound = number(*node.find("angle"));
+    sound = point(*node.find("axis")) && sound;
+    node.faulty = !sound;
+    if (sound && to_vec3(*axis).squaredNorm() == 0)
+      return fail(node, "its axis has no direction; use a vector that is not zero");
     return sound;
   }
 

@@ -5,6 +5,7 @@
 #include "app/case/build.h"
 #include "app/command/commands.h"
 #include "app/command/interruption.h"
+#include "app/command/phase_text.h"
 #include "app/command/probes.h"
 #include "app/command/text_table.h"
 #include "app/command/verbose_log.h"
@@ -41,9 +42,10 @@ std::string summary_of(const Case& input) {
   table.add_row({"bands", fmt::format("{}", fmt::join(input.bands.names, ", "))});
   table.add_row({"media", names_of(input.media)});
   table.add_row({"walls", names_of(input.walls)});
+  for (const std::string& phase : phase_texts(input)) table.add_row({"scattering in", phase});
+  const DirectionSet directions = build_directions(input);
   table.add_row(
-      {"directions", fmt::format("{} {}: {}", input.direction_set, input.direction_order,
-                                 make_directions(input.direction_set, input.direction_order).count())});
+      {"directions", fmt::format("{} {}: {}", directions.name(), directions.order(), directions.count())});
   table.add_row({"solve", fmt::format("tolerance {}, at most {} sweeps", input.solve.tolerance,
                                       input.solve.max_sweeps)});
   table.add_row({"probes", probes_line(input.probes)});

@@ -18,7 +18,7 @@ const char* const examples = R"(Examples:
   etendue study case.toml --refine mesh --levels 3
   etendue check case.toml --mesh
   etendue mesh case.toml -o mesh.vtu
-  etendue directions --set ldfe-sq --order 2
+  etendue directions --set ldfe-sq --order 2 -o set.vtp
   etendue keys
 
 Exit codes: 0 done and converged; 1 not converged (results written and marked so); 2 the case, the
@@ -127,6 +127,9 @@ class Parser {
     CLI::Option* order = directions_command_->add_option("--order", directions_.order, "Its order");
     set->type_name("NAME")->needs(order);
     order->type_name("N")->needs(set);
+    directions_command_->add_option("-o,--output", directions_.output, "Also write its directions (.vtp)")
+        ->type_name("FILE")
+        ->needs(set);
   }
 
   void add_later_commands() {

@@ -47,6 +47,7 @@ struct MeshRequest : CaseRequest {
 struct DirectionsRequest {
   std::optional<std::string> set;
   std::optional<int> order;
+  std::optional<std::filesystem::path> output;  ///< of the set, as points
 };
 
 struct KeysRequest {};

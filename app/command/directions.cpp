@@ -6,6 +6,9 @@
 
 #include "app/command/commands.h"
 #include "app/command/text_table.h"
+#include "app/write/output_folder.h"
+#include "app/write/vtk_files.h"
+#include "mesh/base/errors.h"
 #include "solver/angle/direction_set.h"
 
 namespace etendue {
@@ -69,9 +72,22 @@ std::string in_full(const std::string& name, int order) {
   return text;
 }
 
+void write_set(const DirectionsRequest& request) {
+  const std::filesystem::path& output = *request.output;
+  if (output.extension() != ".vtp")
+    throw InputError("command line: directions: --output = " + output.string() +
+                     ": not a name that directions are written to; use a name that ends in .vtp");
+  const DirectionSet set = make_directions(*request.set, *request.order);
+  const std::filesystem::path folder = std::filesystem::absolute(output).parent_path();
+  check_output_directory(folder);
+  make_output_directory(folder);
+  write_directions(set, output);
+}
+
 }  // namespace
 
 ExitCode show_directions(const DirectionsRequest& request, std::ostream& out) {
+  if (request.output) write_set(request);
   out << (request.set ? in_full(*request.set, *request.order) : overview());
   return ExitCode::done;
 }

@@ -9,6 +9,7 @@
 #include "app/command/commands.h"
 #include "app/command/interruption.h"
 #include "app/command/memory.h"
+#include "app/command/phase_text.h"
 #include "app/command/probes.h"
 #include "app/command/progress.h"
 #include "app/command/run_report.h"
@@ -121,7 +122,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   out << mesh_line(mesh) << std::flush;
   check_memory(mesh, input.bands.count());
   const Problem problem = build_problem(input, mesh);
-  const DirectionSet directions = make_directions(input.direction_set, input.direction_order);
+  const DirectionSet directions = build_directions(input);
   const CellLocator locator(mesh);
   const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
   SolveOptions options = solve_options(input, place_probes(input.probes, mesh, locator));
@@ -129,6 +130,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   out << fmt::format("directions: {} ({} {}); bands: {}; threads: {}\n", directions.count(),
                      directions.name(), directions.order(), problem.band_count(), options.threads)
       << std::flush;
+  for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
 
   interruption.note_the_first();
   ProgressDisplay display(resolved_style(request.progress, out), out);

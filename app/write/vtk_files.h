@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/write/results.h"
+#include "solver/angle/direction_set.h"
 
 namespace etendue {
 
@@ -15,5 +16,8 @@ void write_fields(const RunResult& result, const std::filesystem::path& path,
 /// walls.vtp: every boundary triangle with three points of its own, 3 f + i, seen from outside.
 void write_walls(const RunResult& result, const std::filesystem::path& path,
                  const std::filesystem::path& shown);
+
+/// A direction set: its directions as points of the unit sphere, each with its ordinate and weight.
+void write_directions(const DirectionSet& set, const std::filesystem::path& path);
 
 }  // namespace etendue

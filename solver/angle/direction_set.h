@@ -9,6 +9,7 @@
 
 #include "mesh/base/index.h"
 #include "mesh/base/vec3.h"
+#include "solver/angle/rotation.h"
 
 namespace etendue {
 
@@ -49,11 +50,22 @@ class DirectionSet {
 DirectionSet directions_product(int order);
 /// As the product, but with 4, 8, 12 … azimuths from the pole to the equator: order (order + 2) directions.
 DirectionSet directions_triangular(int order);
+/// `order` Gauss-Legendre levels of the cosine about z on each of [-1, 0] and [0, 1] (2 or more), times
+/// 4 order azimuths at half steps: half ranges along z are exact.
+DirectionSet directions_double_gauss(int order);
+/// Fully symmetric LQ_N (Carlson 1971): order (order + 2) directions on `order` levels about each axis.
+DirectionSet directions_level_symmetric(int order);
+/// T_N (Thurgood, Pollard and Becker 1995): 8 order^2 directions, one in each of order^2 triangles per
+/// octant.
+DirectionSet directions_thurgood(int order);
 /// Linear discontinuous finite elements on spherical quadrilaterals (Lau and Adams 2017): 96 order^2.
 DirectionSet directions_ldfe_sq(int order);
 
 /// The set of this name. Throws InputError (without a file) with what is accepted.
 DirectionSet make_directions(const std::string& name, int order);
+/// The same set turned by a rotation, so that no direction keeps a special place among the axes.
+DirectionSet rotated(const DirectionSet& set, const Rotation& rotation);
+
 /// Names that make_directions knows.
 std::vector<std::string> direction_set_names();
 /// Empty where the order suits the set, else why not and what is accepted.

@@ -10,18 +10,23 @@
 namespace etendue {
 namespace {
 
-/// A set's name, maker and how its size grows with the order.
+/// A set's name, maker, how its size grows with the order, and which orders it has.
 struct Family {
   const char* name;
   DirectionSet (*make)(int);
   double (*count)(double order);  ///< a double, since squares of orders overflow
-  bool even;                      ///< only even orders
+  int first = 1;
+  int step = 1;  ///< 2: only even orders
+  int last = 0;  ///< 0: as many as directions are accepted
 };
 
-constexpr std::array<Family, 3> families = {{
-    {"product", directions_product, [](double n) { return 2 * n * n; }, true},
-    {"triangular", directions_triangular, [](double n) { return n * (n + 2); }, true},
-    {"ldfe-sq", directions_ldfe_sq, [](double n) { return 96 * n * n; }, false},
+constexpr std::array<Family, 6> families = {{
+    {"product", directions_product, [](double n) { return 2 * n * n; }, 2, 2},
+    {"triangular", directions_triangular, [](double n) { return n * (n + 2); }, 2, 2},
+    {"double-gauss", directions_double_gauss, [](double n) { return 8 * n * n; }, 2},
+    {"ldfe-sq", directions_ldfe_sq, [](double n) { return 96 * n * n; }},
+    {"level-symmetric", directions_level_symmetric, [](double n) { return n * (n + 2); }, 2, 2, 16},
+    {"thurgood", directions_thurgood, [](double n) { return 8 * n * n; }},
 }};
 
 // Every direction costs a sweep in every iteration: beyond this a run takes days even on small meshes, and
@@ -35,15 +40,15 @@ const Family* find_family(const std::string& name) {
 }
 
 int largest_order(const Family& family) {
-  int order = family.even ? 2 : 1;
-  const int step = order;
-  while (family.count(order + step) <= most_directions) order += step;
+  if (family.last > 0) return family.last;
+  int order = family.first;
+  while (family.count(order + family.step) <= most_directions) order += family.step;
   return order;
 }
 
 std::string accepted(const Family& family) {
-  return std::string("; use ") + (family.even ? "2, 4, 6" : "1, 2, 3") + " … " +
-         std::to_string(largest_order(family));
+  return fmt::format("; use {}, {}, {} … {}", family.first, family.first + family.step,
+                     family.first + 2 * family.step, largest_order(family));
 }
 
 std::string accepted_names() {
@@ -65,9 +70,13 @@ std::string check_direction_order(const std::string& name, int order) {
   const Family* family = find_family(name);
   if (!family) return "no order suits the unknown set \"" + name + "\"; use " + accepted_names();
   if (order < 1) return "must be positive" + accepted(*family);
-  if (family->even && order % 2 != 0)
+  if (order % family->step != 0)
     return "must be even (the levels of a " + name + " set lie in pairs above and below the equator)" +
            accepted(*family);
+  if (order < family->first)
+    return "too small (one level in each hemisphere does not integrate z^2)" + accepted(*family);
+  if (family->last > 0 && order > family->last)
+    return "too large (" + name + " sets of higher order lose their positive weights)" + accepted(*family);
   if (order > largest_order(*family))
     return "too large (" + fmt::format("{:.0f}", family->count(order)) + " directions, more than " +
            std::to_string(most_directions) + ": each costs a sweep in every iteration)" + accepted(*family);

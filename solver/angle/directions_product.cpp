@@ -21,6 +21,12 @@ void append_level(WeightedDirections& octant, double z, double level_weight, int
   }
 }
 
+/// All levels of an octant, mirrored.
+DirectionSet mirrored_set(const char* name, int order, const WeightedDirections& octant) {
+  const WeightedDirections all = mirror_octant(octant);
+  return DirectionSet(name, order, all.directions, all.weights);
+}
+
 /// Gauss-Legendre levels of the cosine about z; `azimuths(k)` gives the azimuths per quadrant on the k-th
 /// level from the pole, k = 1 ... order/2.
 template <class Azimuths>
@@ -31,8 +37,7 @@ DirectionSet on_gauss_levels(const char* name, int order, Azimuths azimuths) {
     const std::size_t level = static_cast<std::size_t>(order - k);
     append_level(octant, levels.nodes[level], levels.weights[level], azimuths(k));
   }
-  const WeightedDirections all = mirror_octant(octant);
-  return DirectionSet(name, order, all.directions, all.weights);
+  return mirrored_set(name, order, octant);
 }
 
 }  // namespace
@@ -43,6 +48,14 @@ DirectionSet directions_product(int order) {
 
 DirectionSet directions_triangular(int order) {
   return on_gauss_levels("triangular", order, [](int k) { return k; });
+}
+
+DirectionSet directions_double_gauss(int order) {
+  const GaussRule levels = gauss_legendre(order);  // on [-1, 1], moved to [0, 1]
+  WeightedDirections octant;
+  for (std::size_t level = 0; level < levels.nodes.size(); ++level)
+    append_level(octant, (1 + levels.nodes[level]) / 2, levels.weights[level] / 2, order);
+  return mirrored_set("double-gauss", order, octant);
 }
 
 }  // namespace etendue

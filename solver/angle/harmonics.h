@@ -48,8 +48,8 @@ struct ScatteringDegree {
   std::string reason;
 };
 
-/// 0 for isotropic scattering; else the smallest degree L >= 1 whose next moment is at most 0.02 (|g|^(L+1)
-/// for Henyey and Greenstein), at most 7 and at most what the set resolves.
+/// 0 for isotropic scattering; else the smallest degree L >= 1 beyond which every moment up to degree 8 is at
+/// most 0.02 (|g|^(L+1) for Henyey and Greenstein), at most 7 and at most what the set resolves.
 ScatteringDegree scattering_degree(const PhaseFunction& phase, const DirectionSet& set);
 
 /// What scattering became on a set.

@@ -26,11 +26,17 @@ std::string reason_text(const char* why, int degree, double moment) {
 }  // namespace
 
 ScatteringDegree scattering_degree(const PhaseFunction& phase, const DirectionSet& set) {
-  if (phase_asymmetry(phase) == 0) return {0, "isotropic"};
+  // The first moment that a degree leaves out is looked at too.
+  std::vector<double> moments;
+  for (int l = 0; l <= highest_degree + 1; ++l) moments.push_back(std::abs(phase_moment(phase, l)));
+  const auto largest_beyond = [&moments](int degree) {
+    return *std::max_element(moments.begin() + degree + 1, moments.end());
+  };
+  if (largest_beyond(0) == 0) return {0, "isotropic"};
   int degree = 1;
-  while (degree < highest_degree && std::abs(phase_moment(phase, degree + 1)) > negligible_moment) ++degree;
+  while (degree < highest_degree && largest_beyond(degree) > negligible_moment) ++degree;
   const int resolved = DiscreteHarmonics(set, degree).full_degree();
-  const bool small = std::abs(phase_moment(phase, degree + 1)) <= negligible_moment;
+  const bool small = largest_beyond(degree) <= negligible_moment;
   const char* why = resolved < degree ? "all that the direction set resolves"
                     : small           ? "what is beyond is below 0.02"
                                       : "the highest used";
@@ -51,12 +57,14 @@ ScatteringAccuracy scattering_accuracy(const PhaseFunction& phase, int degree, c
       first_moment[k] += weighted * set.direction(ordinate);
     }
   }
+  std::vector<double> moment;
+  for (int l = 0; l <= degree; ++l) moment.push_back(phase_moment(phase, l));
   ScatteringAccuracy accuracy;
   for (int m = 0; m < set.count(); ++m) {
     const OrdinateIndex ordinate(m);
     double sum = 0, cosine = 0;
     for (std::size_t k = 0; k < integral.size(); ++k) {
-      const double factor = phase_moment(phase, harmonics.degree_of(static_cast<int>(k))) *
+      const double factor = moment[static_cast<std::size_t>(harmonics.degree_of(static_cast<int>(k)))] *
                             harmonics.of(ordinate)[k] / (4 * std::numbers::pi);
       sum += factor * integral[k];
       cosine += factor * first_moment[k].dot(set.direction(ordinate));

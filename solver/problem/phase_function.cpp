@@ -1,38 +1,46 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/problem/phase_function.h"
 
-#include <cmath>
-#include <cstdio>
-#include <numbers>
+#include <fmt/format.h>
 
 namespace etendue {
-namespace {
 
-/// The asymmetry; 0 for an isotropic phase function, which is the case g = 0 of Henyey and Greenstein's.
-double asymmetry_of(const PhaseFunction& phase) {
-  const auto* function = std::get_if<PhaseHenyeyGreenstein>(&phase);
-  return function ? function->asymmetry : 0;
+double value_of(const PhaseMixture& phase, double mu) {
+  double sum = 0;
+  for (std::size_t i = 0; i < phase.parts.size(); ++i)
+    sum +=
+        phase.shares[i] * std::visit([mu](const auto& part) { return value_of(part, mu); }, phase.parts[i]);
+  return sum;
 }
 
-}  // namespace
+double moment_of(const PhaseMixture& phase, int degree) {
+  double sum = 0;
+  for (std::size_t i = 0; i < phase.parts.size(); ++i)
+    sum += phase.shares[i] *
+           std::visit([degree](const auto& part) { return moment_of(part, degree); }, phase.parts[i]);
+  return sum;
+}
+
+std::string name_of(const PhaseMixture& phase) {
+  std::string text = "mixture of ";
+  for (std::size_t i = 0; i < phase.parts.size(); ++i)
+    text += fmt::format("{}{:.4g} ({})", i == 0 ? "" : " + ", phase.shares[i],
+                        std::visit([](const auto& part) { return name_of(part); }, phase.parts[i]));
+  return text;
+}
 
 double phase_value(const PhaseFunction& phase, double mu) {
-  const double g = asymmetry_of(phase);
-  const double base = 1 + g * g - 2 * g * mu;
-  return (1 - g * g) / (4 * std::numbers::pi * base * std::sqrt(base));
+  return std::visit([mu](const auto& model) { return value_of(model, mu); }, phase);
 }
 
 double phase_moment(const PhaseFunction& phase, int degree) {
-  return degree == 0 ? 1 : std::pow(asymmetry_of(phase), degree);
+  return std::visit([degree](const auto& model) { return moment_of(model, degree); }, phase);
 }
 
-double phase_asymmetry(const PhaseFunction& phase) { return asymmetry_of(phase); }
+double phase_asymmetry(const PhaseFunction& phase) { return phase_moment(phase, 1); }
 
 std::string phase_name(const PhaseFunction& phase) {
-  if (std::holds_alternative<PhaseIsotropic>(phase)) return "isotropic";
-  char text[64];
-  std::snprintf(text, sizeof text, "henyey-greenstein, g = %g", asymmetry_of(phase));
-  return text;
+  return std::visit([](const auto& model) { return name_of(model); }, phase);
 }
 
 }  // namespace etendue

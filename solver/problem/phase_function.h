@@ -3,22 +3,32 @@
 
 #include <string>
 #include <variant>
+#include <vector>
+
+#include "solver/problem/phase_models.h"
+#include "solver/problem/phase_series.h"
+#include "solver/problem/phase_table.h"
 
 namespace etendue {
 
-/// p = 1/(4 pi).
-struct PhaseIsotropic {
-  bool operator==(const PhaseIsotropic&) const = default;
-};
+/// What a mixture can hold.
+using PhasePart = std::variant<PhaseIsotropic, PhaseRayleigh, PhaseHenyeyGreenstein, PhaseCornetteShanks,
+                               PhaseLegendre, PhaseTable>;
 
-/// Henyey and Greenstein (1941): p(mu) = (1 - g^2) / (4 pi (1 + g^2 - 2 g mu)^(3/2)), -1 < g < 1.
-struct PhaseHenyeyGreenstein {
-  double asymmetry = 0;  ///< g = mean cosine
-  bool operator==(const PhaseHenyeyGreenstein&) const = default;
+/// Scatterers of several kinds: the sum of share p over the parts.
+struct PhaseMixture {
+  std::vector<double> shares;  ///< of the scattering coefficient; they sum to 1
+  std::vector<PhasePart> parts;
+  bool operator==(const PhaseMixture&) const = default;
 };
+double value_of(const PhaseMixture& phase, double mu);
+double moment_of(const PhaseMixture& phase, int degree);
+std::string name_of(const PhaseMixture& phase);
 
 /// How light turns when it scatters; the integral over the sphere is 1.
-using PhaseFunction = std::variant<PhaseIsotropic, PhaseHenyeyGreenstein>;
+using PhaseFunction =
+    std::variant<PhaseIsotropic, PhaseRayleigh, PhaseHenyeyGreenstein, PhaseDoubleHenyeyGreenstein,
+                 PhaseCornetteShanks, PhaseLegendre, PhaseTable, PhaseMixture>;
 
 /// Value at the cosine `mu` of the angle of deflection [1/sr].
 double phase_value(const PhaseFunction& phase, double mu);

@@ -35,7 +35,8 @@ const Check keys[] = {
      "slab.toml:7: space.box: misplaced key; \"box\" belongs in [[mesh.box]]"},
     {"MisplacedOrMisspelt", "[output]\nfield = 1\nfile = \"a\"\n",
      "slab.toml:8: output.field = 1: unknown key; did you mean \"fields\"?\n"
-     "slab.toml:9: output.file = \"a\": misplaced key; \"file\" belongs in [mesh]"},
+     "slab.toml:9: output.file = \"a\": misplaced key; \"file\" belongs in [mesh], "
+     "[media.NAME.phase] (NAME: a region or \"*\") or [[media.NAME.phase.mix]] (NAME: a region or \"*\")"},
     {"MisspeltAndMisplaced", "[space]\nabsorbtion = 1\n",
      "slab.toml:8: space.absorbtion = 1: unknown key; did you mean \"absorption\", which belongs in "
      "[media.NAME] (NAME: a "
@@ -75,12 +76,9 @@ const Check later[] = {
      "slab.toml:8: walls.xmin.radiance = \"x\": a formula is not in this version; use a number, or a list "
      "with one for "
      "each band, each at least 0"},
-    {"PhaseModel", "[media.air]\nscattering = 1\nphase = { model = \"rayleigh\" }\n",
-     "slab.toml:9: media.air.phase.model = \"rayleigh\": not in this version; use \"isotropic\" or "
-     "\"henyey-greenstein\""},
     {"DirectionSet", "[directions]\nset = \"lebedev\"\n",
-     "slab.toml:8: directions.set = \"lebedev\": not in this version; use \"product\", \"triangular\" or "
-     "\"ldfe-sq\""},
+     "slab.toml:8: directions.set = \"lebedev\": not in this version; use \"product\", \"triangular\", "
+     "\"double-gauss\", \"ldfe-sq\", \"level-symmetric\" or \"thurgood\""},
     {"SpaceOrder", "[space]\norder = 2\n", "slab.toml:8: space.order = 2: not in this version; use 0 or 1"},
     {"Field", "[output]\nfields = [\"direction_error\"]\n",
      "slab.toml:8: output.fields[0] = \"direction_error\": not in this version; use \"fluence\", "
@@ -157,16 +155,17 @@ const Check values[] = {
      "power_density, power"},
     {"UnknownPhase", "[media.air]\nscattering = 1\nphase = { model = \"henyey-greenstien\", g = 0.5 }\n",
      "slab.toml:9: media.air.phase.model = \"henyey-greenstien\": is not known (did you mean "
-     "\"henyey-greenstein\"?); use "
-     "\"isotropic\" or \"henyey-greenstein\""},
+     "\"henyey-greenstein\"?); use \"isotropic\", \"rayleigh\", \"henyey-greenstein\", "
+     "\"double-henyey-greenstein\", \"cornette-shanks\", \"legendre\", \"table\" or \"mixture\""},
     {"AsymmetryIsOne", "[media.air]\nscattering = 1\nphase = { model = \"henyey-greenstein\", g = 1.0 }\n",
      "slab.toml:9: media.air.phase.g = 1.0: out of range; use a number above -1 and below 1"},
     {"NoAsymmetry", "[media.air]\nscattering = 1\nphase = { model = \"henyey-greenstein\" }\n",
      "slab.toml:9: media.air.phase.g: missing; use a number above -1 and below 1"},
     {"NoModel", "[media.air]\nscattering = 1\nphase = { g = 0.5 }\n",
-     "slab.toml:9: media.air.phase.model: missing; \"isotropic\" or \"henyey-greenstein\""},
+     "slab.toml:9: media.air.phase.model: missing; \"isotropic\", \"rayleigh\", \"henyey-greenstein\", "
+     "\"double-henyey-greenstein\", \"cornette-shanks\", \"legendre\", \"table\" or \"mixture\""},
     {"IsotropicWithAsymmetry", "[media.air]\nscattering = 1\nphase = { model = \"isotropic\", g = 0.5 }\n",
-     "slab.toml:9: media.air.phase.g = 0.5: unused (an isotropic phase function has none); remove it"},
+     "slab.toml:9: media.air.phase.g = 0.5: unused (it is no key of the model isotropic); remove it"},
     {"PhaseWithoutScattering", "[media.air]\nabsorption = 1\nphase = { model = \"isotropic\" }\n",
      "slab.toml:9: media.air.phase: unused (nothing scatters in this region); "
      "remove it"},
@@ -192,7 +191,24 @@ const Check values[] = {
      "below the equator); use 2, 4, 6 … 222"},
     {"UnknownSet", "[directions]\nset = \"lfde-sq\"\n",
      "slab.toml:8: directions.set = \"lfde-sq\": is not known (did you mean \"ldfe-sq\"?); use \"product\", "
-     "\"triangular\" or \"ldfe-sq\""},
+     "\"triangular\", \"double-gauss\", \"ldfe-sq\", \"level-symmetric\" or \"thurgood\""},
+    {"LevelSymmetricTooFine", "[directions]\nset = \"level-symmetric\"\norder = 18\n",
+     "slab.toml:9: directions.order = 18: too large (level-symmetric sets of higher order lose their "
+     "positive "
+     "weights); use 2, 4, 6 … 16"},
+    {"UnknownRotation", "[directions]\nrotation = \"any\"\n",
+     "slab.toml:8: directions.rotation = \"any\": is no rotation; use \"random\" or { axis = [x, y, z], "
+     "angle = "
+     "degrees }"},
+    {"RotationWithoutAngle", "[directions]\nrotation = { axis = [1, 0, 0] }\n",
+     "slab.toml:8: directions.rotation: is no rotation; use \"random\" or { axis = [x, y, z], angle = "
+     "degrees }"},
+    {"RotationAboutNothing", "[directions]\nrotation = { axis = [0, 0, 0], angle = 10 }\n",
+     "slab.toml:8: directions.rotation: its axis has no direction; use a vector that is not zero"},
+    {"RotationAboutAPlane", "[directions]\nrotation = { axis = [1, 0], angle = 10 }\n",
+     "slab.toml:8: directions.rotation.axis = [1, 0]: has 2 entries; use a list of three numbers"},
+    {"SeedOfNothing", "[directions]\nseed = 3\n",
+     "slab.toml:8: directions.seed = 3: unused (only a random rotation is drawn); remove it"},
     {"OrderIsAFloat", "[directions]\norder = 1.0\n",
      "slab.toml:8: directions.order = 1.0: must not be a number; use an integer from 1 to 10000 without a "
      "decimal point"},

@@ -221,13 +221,28 @@ phase = [{ model = "isotropic" }, { model = "henyey-greenstein", g = -0.5 }]
             (std::vector<PhaseFunction>{PhaseIsotropic{}, PhaseHenyeyGreenstein{-0.5}}));
 }
 
+TEST(CaseReader, ReadsARotationOfTheDirections) {
+  EXPECT_FALSE(case_of(cube).direction_rotation);
+  const std::string directions = cube + "[directions]\nrotation = ";
+  const Case turned = case_of(directions + "{ axis = [0, 0, 2], angle = 90 }\n");
+  EXPECT_LT((*turned.direction_rotation * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-15);
+  EXPECT_EQ(case_of(directions + "\"random\"\nseed = 5\n").direction_rotation, random_rotation(5));
+  EXPECT_EQ(case_of(directions + "\"random\"\n").direction_rotation, random_rotation(1));
+}
+
 TEST(ResolvedCase, ReadsBackTheSame) {
   const std::string surface = no_geometry + "[mesh]\nsurface = \"/tmp/room.stl\"\n";
   const std::string mixed =
       cube +
       "[media.air]\nextinction = 2\nalbedo = 0.5\n[media.b]\nextinction = 1\nscattering = 1\n"
       "[[mesh.box]]\nregion = \"b\"\nmin = [0, 0, 0]\nmax = [0.5, 1, 1]\n";
-  for (const std::string& text : {cube, smoke_room, surface, mixed}) {
+  const std::string random = cube + "[directions]\nrotation = \"random\"\n";
+  const std::string turned = cube + "[directions]\nrotation = { axis = [1, 2, 3], angle = 20 }\n";
+  const std::string mixture = cube +
+                              "[media.air]\nscattering = 1\nphase = { model = \"mixture\", mix = [{ weight = "
+                              "1, model = \"rayleigh\" }, "
+                              "{ weight = 3, model = \"henyey-greenstein\", g = 0.7 }] }\n";
+  for (const std::string& text : {cube, smoke_room, surface, mixed, random, turned, mixture}) {
     const std::string resolved = case_of(text).resolved_toml;
     EXPECT_EQ(faults_of(resolved), "") << resolved;
     EXPECT_EQ(case_of(resolved).resolved_toml, resolved);

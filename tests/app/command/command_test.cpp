@@ -107,10 +107,34 @@ TEST(Command, MeshRefusesOtherKindsOfFiles) {
 TEST(Command, DirectionsShowsAllSetsOrOneInFull) {
   const Outcome all = etendue_says({"directions"});
   EXPECT_EQ(all.code, ExitCode::done);
-  for (const char* set : {"product", "triangular", "ldfe-sq"}) EXPECT_TRUE(has(all.out, set)) << set;
+  for (const char* set : {"product", "triangular", "double-gauss", "ldfe-sq", "level-symmetric", "thurgood"})
+    EXPECT_TRUE(has(all.out, set)) << set;
   const Outcome one = etendue_says({"directions", "--set", "product", "--order", "2"});
   EXPECT_TRUE(has(one.out, "ordinate,x,y,z,weight\n0,")) << one.out;
   EXPECT_TRUE(has(one.out, "\n7,"));
+}
+
+TEST(Command, DirectionsWritesASetAsPoints) {
+  const CaseFolder folder;
+  const std::string file = folder.path() / "new" / "set.vtp";
+  const Outcome outcome = etendue_says({"directions", "--set", "thurgood", "--order", "2", "-o", file});
+  EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(file));
+  const Outcome other = etendue_says({"directions", "--set", "thurgood", "--order", "2", "-o", "set.vtu"});
+  EXPECT_EQ(other.code, ExitCode::input_error);
+  EXPECT_TRUE(has(other.err, "ends in .vtp")) << other.err;
+}
+
+TEST(Command, RunRefusesAxisMirrorsWithARotatedSet) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says({"run", folder.file(), "--set", "walls.\"*\"={specular=0.5}", "--set",
+                                        "directions.rotation=random", "--output", folder.results()});
+  EXPECT_EQ(outcome.code, ExitCode::input_error) << outcome.out;
+  EXPECT_TRUE(has(outcome.err, "out of the rotated ")) << outcome.err;
+  const Outcome black = etendue_says(
+      {"run", folder.file(), "--set", "directions.rotation=random", "--output", folder.results()});
+  EXPECT_EQ(black.code, ExitCode::done) << black.err;
+  EXPECT_TRUE(has(black.out, "(rotated ")) << black.out;
 }
 
 TEST(Command, KeysShowsTheReference) {

@@ -257,5 +257,20 @@ TEST(WallsFile, ShowsDisplayPrimariesAsColours) {
   EXPECT_EQ(surface->GetPointData()->GetArray("color")->GetDataType(), VTK_UNSIGNED_CHAR);
 }
 
+TEST(DirectionsFile, HasEveryDirectionWithItsWeight) {
+  const ScratchFolder scratch;
+  const std::filesystem::path path = scratch.path() / "set.vtp";
+  const DirectionSet set = directions_thurgood(2);
+  write_directions(set, path);
+  const auto points = read_back<vtkXMLPolyDataReader, vtkPolyData>(path);
+  ASSERT_EQ(points->GetNumberOfPoints(), 32);
+  EXPECT_EQ(points->GetNumberOfVerts(), 32);
+  for (int m = 0; m < set.count(); ++m) {
+    EXPECT_EQ(Vec3(points->GetPoint(m)), set.direction(OrdinateIndex(m)));
+    EXPECT_EQ(points->GetPointData()->GetArray("weight")->GetTuple1(m), set.weight(OrdinateIndex(m)));
+    EXPECT_EQ(points->GetPointData()->GetArray("ordinate")->GetTuple1(m), m);
+  }
+}
+
 }  // namespace
 }  // namespace etendue

@@ -23,6 +23,9 @@ TEST(DirectionSet, HasTheDocumentedNumberOfDirections) {
     EXPECT_EQ(directions_triangular(n).count(), n * (n + 2));
   }
   for (const int n : {1, 2, 3}) EXPECT_EQ(directions_ldfe_sq(n).count(), 96 * n * n);
+  for (const int n : {2, 3, 6}) EXPECT_EQ(directions_double_gauss(n).count(), 8 * n * n);
+  for (const int n : {1, 2, 5}) EXPECT_EQ(directions_thurgood(n).count(), 8 * n * n);
+  for (int n = 2; n <= 16; n += 2) EXPECT_EQ(directions_level_symmetric(n).count(), n * (n + 2));
 }
 
 TEST(DirectionSet, HasPositiveWeightsThatSumToFourPi) {
@@ -82,6 +85,14 @@ TEST(DirectionSet, IsClosedToTheLastBitUnderMirrorsAtAxisPlanes) {
         EXPECT_EQ(set.weight(OrdinateIndex(partner)), set.weight(OrdinateIndex(m)));
         EXPECT_EQ(set.mirrored(OrdinateIndex(partner), -Vec3::Unit(axis)), m);
       }
+}
+
+TEST(DirectionSet, SomeAreClosedUnderTheOctahedralGroup) {
+  std::array<Vec3, 2> diagonals = {Vec3(1, -1, 0).normalized(), Vec3(0, 1, -1).normalized()};
+  for (const DirectionSet& set : {directions_level_symmetric(2), directions_level_symmetric(12),
+                                  directions_level_symmetric(16), directions_thurgood(7)})
+    for (int m = 0; m < set.count(); ++m)
+      for (const Vec3& normal : diagonals) EXPECT_GE(set.mirrored(OrdinateIndex(m), normal), 0) << label(set);
 }
 
 TEST(DirectionSet, LdfeSqIsClosedToTheLastBitUnderTheOctahedralGroup) {
@@ -151,11 +162,21 @@ TEST(DirectionSet, SaysWhichOrdersAreAccepted) {
   EXPECT_EQ(message_of("triangular", 1000),
             "directions.order = 1000: too large (1002000 directions, more than 100000: each costs a sweep in "
             "every iteration); use 2, 4, 6 … 314");
+  EXPECT_EQ(
+      message_of("double-gauss", 1),
+      "directions.order = 1: too small (one level in each hemisphere does not integrate z^2); use 2, 3, 4 "
+      "… 111");
+  EXPECT_EQ(
+      message_of("level-symmetric", 18),
+      "directions.order = 18: too large (level-symmetric sets of higher order lose their positive weights); "
+      "use 2, 4, 6 … 16");
   EXPECT_NE(message_of("ldfe-sq", 2147483647).find("too large (442721857"), std::string::npos);
   EXPECT_EQ(message_of("ldfe", 1),
-            "directions.set = \"ldfe\": unknown in this version; use product, triangular, ldfe-sq");
+            "directions.set = \"ldfe\": unknown in this version; use product, triangular, double-gauss, "
+            "ldfe-sq, level-symmetric, thurgood");
   EXPECT_EQ(check_direction_order("ldfe", 1),
-            "no order suits the unknown set \"ldfe\"; use product, triangular, ldfe-sq");
+            "no order suits the unknown set \"ldfe\"; use product, triangular, double-gauss, ldfe-sq, "
+            "level-symmetric, thurgood");
 }
 
 TEST(DirectionSet, LargestLdfeSqSetConverges) {

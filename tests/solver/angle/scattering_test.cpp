@@ -12,7 +12,7 @@ namespace {
 
 TEST(Scattering, KeepsEnergyAndAsymmetryOnEverySet) {
   for (const DirectionSet& set : sets_to_test())
-    for (const double g : {-0.5, 0.3, 0.5, 0.7, 0.9})
+    for (const double g : {-0.5, 0.3, 0.5, 0.7, 0.9, 0.98})
       for (const int degree : {1, 3, 7}) {
         const ScatteringAccuracy accuracy = scattering_accuracy(PhaseHenyeyGreenstein{g}, degree, set);
         EXPECT_LT(accuracy.energy_error, 1e-13) << label(set) << ", g = " << g;
@@ -67,6 +67,34 @@ TEST(Scattering, ChoosesTheDegreeByWhatIsLeftOut) {
   EXPECT_EQ(degree(0.5), 5);
   EXPECT_EQ(degree(0.6), 7);
   EXPECT_EQ(degree(0.95), 7);
+}
+
+TEST(Scattering, LooksAtAllMomentsBeyondADegree) {
+  const DirectionSet set = directions_ldfe_sq(1);
+  EXPECT_EQ(scattering_degree(PhaseRayleigh{}, set).degree,
+            2);  // the mean cosine is 0, the next moment is not
+  EXPECT_EQ(scattering_degree(PhaseDoubleHenyeyGreenstein{0.6, -0.6, 0.5}, set).degree, 6);
+  EXPECT_EQ(scattering_degree(PhaseLegendre{{1, 0, 0, 0, 0.05}}, set).degree, 4);
+  EXPECT_EQ(scattering_degree(PhaseLegendre{{1}}, set).degree, 0);
+  EXPECT_EQ(scattering_degree(PhaseMixture{{1}, {PhaseHenyeyGreenstein{0.5}}}, set).degree, 5);
+}
+
+TEST(Scattering, KeepsEnergyAndAsymmetryOfEveryModel) {
+  const std::vector<PhaseFunction> models = {
+      PhaseRayleigh{},
+      PhaseDoubleHenyeyGreenstein{0.8, -0.5, 0.7},
+      PhaseCornetteShanks{0.6},
+      PhaseLegendre{{1, 0.3, 0.1, 0.02}},
+      PhaseTable({-1, -0.2, 0.5, 0.9, 1}, {0.1, 0.2, 0.4, 2, 7}),
+      PhaseMixture{{0.25, 0.75}, {PhaseRayleigh{}, PhaseHenyeyGreenstein{0.7}}}};
+  for (const DirectionSet& set : {directions_ldfe_sq(1), directions_double_gauss(4),
+                                  directions_level_symmetric(8), directions_thurgood(4)})
+    for (const PhaseFunction& phase : models) {
+      const int degree = scattering_degree(phase, set).degree;
+      const ScatteringAccuracy accuracy = scattering_accuracy(phase, degree, set);
+      EXPECT_LT(accuracy.energy_error, 1e-12) << phase_name(phase) << " on " << label(set);
+      EXPECT_NEAR(accuracy.asymmetry, phase_asymmetry(phase), 1e-10) << phase_name(phase);
+    }
 }
 
 TEST(Scattering, GivesTheReasonForItsDegree) {

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read_phase.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "app/case/edit_distance.h"
+#include "app/case/keys.h"
+#include "app/case/number_columns.h"
+#include "app/case/read_mesh.h"
+
+namespace etendue {
+namespace {
+
+/// The keys that a model takes besides its name.
+struct ModelKeys {
+  std::string_view model;
+  std::vector<std::string> keys;
+};
+
+const std::array<ModelKeys, 8>& model_keys() {
+  static const std::array<ModelKeys, 8> models = {{
+      {"isotropic", {}},
+      {"rayleigh", {}},
+      {"henyey-greenstein", {"g"}},
+      {"double-henyey-greenstein", {"g1", "g2", "weight"}},
+      {"cornette-shanks", {"g"}},
+      {"legendre", {"coefficients", "file"}},
+      {"table", {"file"}},
+      {"mixture", {"mix"}},
+  }};
+  return models;
+}
+
+/// The readers of one table: of a phase function, or of a part of a mixture.
+class PhaseReader {
+ public:
+  PhaseReader(Section& section, std::string_view path, const std::filesystem::path& case_folder)
+      : section_(section), path_(path), case_folder_(case_folder) {}
+
+  PhaseFunction read() {
+    const std::string model = section_.text_if("model").value_or("");
+    refuse_others(model);
+    if (model == "rayleigh") return PhaseRayleigh{};
+    if (model == "henyey-greenstein") return PhaseHenyeyGreenstein{number("g")};
+    if (model == "double-henyey-greenstein")
+      return PhaseDoubleHenyeyGreenstein{number("g1"), number("g2"), number("weight")};
+    if (model == "cornette-shanks") return PhaseCornetteShanks{number("g")};
+    if (model == "legendre") return series();
+    if (model == "table") return table();
+    if (model == "mixture") return mixture();
+    return PhaseIsotropic{};
+  }
+
+ private:
+  bool declared(std::string_view key) const {
+    return find_key(path_, key) != nullptr || find_table(fmt::format("{}.{}", path_, key)) != nullptr;
+  }
+
+  /// Keys of other models are faults; where the model is not known, nothing is said about keys.
+  void refuse_others(const std::string& model) {
+    for (const ModelKeys& other : model_keys())
+      for (const std::string& key : other.keys) {
+        if (!declared(key) || (in_mixture() && key == "weight")) continue;
+        if (model.empty())
+          section_.find(key);
+        else if (!takes(model, key))
+          section_.unused(key, "it is no key of the model " + model);
+      }
+  }
+
+  bool in_mixture() const { return path_.ends_with(".mix"); }
+
+  static bool takes(std::string_view model, const std::string& key) {
+    const auto found = std::ranges::find(model_keys(), model, &ModelKeys::model);
+    return found != model_keys().end() && std::ranges::count(found->keys, key) > 0;
+  }
+
+  double number(std::string_view key) {
+    if (!section_.has(key)) section_.fault(key, "missing; use " + accepted_text(*find_key(path_, key)));
+    return section_.number_if(key).value_or(0);
+  }
+
+  /// The columns of `file`; none where something is wrong, which is reported.
+  std::vector<std::vector<double>> columns(const std::vector<std::string>& names) {
+    const TomlNode* file = section_.find("file");
+    if (file == nullptr) return {};
+    try {
+      return read_columns(resolve_path(*file, case_folder_), names);
+    } catch (const InputError& error) {
+      const std::vector<Fault>& faults = error.faults();
+      section_.faults().insert(section_.faults().end(), faults.begin(), faults.end());
+      return {};
+    }
+  }
+
+  PhaseFunction series() {
+    if (section_.has("coefficients") && section_.has("file"))
+      section_.fault("given by coefficients and by a file; use one of the two");
+    if (!section_.has("coefficients") && !section_.has("file"))
+      section_.fault("no moments; use coefficients or file");
+    PhaseLegendre phase;
+    const char* source = "file";
+    if (const TomlNode* list = section_.find("coefficients")) {
+      source = "coefficients";
+      phase.moments.clear();
+      for (const auto& item : list->array()) phase.moments.push_back(item->number());
+    } else if (const auto read = columns({"chi"}); !read.empty()) {
+      phase.moments = read[0];
+    }
+    const std::string problem = series_problem(phase.moments);
+    if (problem.empty()) return phase;
+    section_.fault(source, problem);
+    return PhaseIsotropic{};
+  }
+
+  PhaseFunction table() {
+    if (!section_.has("file")) section_.fault("file", "missing; use the name of a CSV file of mu and p");
+    const auto read = columns({"mu", "p"});
+    if (read.empty()) return PhaseIsotropic{};
+    const std::string problem = table_problem(read[0], read[1]);
+    if (problem.empty()) return PhaseTable(read[0], read[1]);
+    section_.fault("file", problem);
+    return PhaseIsotropic{};
+  }
+
+  PhaseFunction mixture() {
+    PhaseMixture phase;
+    for (Section& part : section_.list("mix")) {
+      phase.shares.push_back(part.number_if("weight").value_or(1));
+      const PhaseFunction read = PhaseReader(part, mix_path, case_folder_).read();
+      std::visit(
+          [&phase](const auto& model) {
+            if constexpr (std::is_constructible_v<PhasePart, decltype(model)>)
+              phase.parts.emplace_back(model);
+          },
+          read);
+    }
+    if (!section_.has("mix"))
+      section_.fault("mix", "missing; use a list of { weight, model, … }");
+    else if (phase.parts.empty() && !section_.node().find("mix")->faulty)
+      section_.fault("mix", "is empty; use a list of { weight, model, … }");
+    if (phase.parts.empty()) return PhaseIsotropic{};
+    const double sum = std::accumulate(phase.shares.begin(), phase.shares.end(), 0.0);
+    for (double& share : phase.shares) share /= sum;
+    return phase;
+  }
+
+  static constexpr std::string_view mix_path = "media.NAME.phase.mix";
+
+  Section& section_;
+  std::string_view path_;
+  const std::filesystem::path& case_folder_;
+};
+
+}  // namespace
+
+PhaseFunction read_phase(Section phase, const std::filesystem::path& case_folder) {
+  return PhaseReader(phase, "media.NAME.phase", case_folder).read();
+}
+
+}  // namespace etendue

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/case/case.h"
+
+namespace etendue {
+
+/// "smoke: henyey-greenstein, g = 0.6" for each medium that does not scatter isotropically, band by band
+/// where they differ. A table's line tells what its values were divided by.
+std::vector<std::string> phase_texts(const Case& input);
+
+}  // namespace etendue

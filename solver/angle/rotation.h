@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "mesh/base/vec3.h"
+
+namespace etendue {
+
+/// An orthogonal matrix of determinant 1.
+using Rotation = Eigen::Matrix3d;
+
+/// About an axis of any length but zero, counterclockwise as seen from its tip.
+Rotation rotation_about(const Vec3& axis, double degrees);
+
+/// Every rotation with the same probability; the same one for a seed on every machine.
+Rotation random_rotation(std::uint64_t seed);
+
+}  // namespace etendue
