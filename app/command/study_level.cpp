@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/command/study_level.h"
+#include "app/case/build.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/case/build.h"
 #include "app/write/output_folder.h"
 
 namespace etendue {
@@ -50,9 +52,8 @@ class Values {
   Values(const RunResult& run, Refinement refinement) : run_(run), refinement_(refinement) {
     if (!run.exact) return;
     radiance_.emplace(run.input.exact->radiance);
-    set_.emplace(refinement == Refinement::mesh
-                     ? make_directions(run.input.direction_set, run.input.direction_order)
-                     : directions_product(reference_order));
+    set_.emplace(refinement == Refinement::mesh ? build_directions(run.input)
+                                                : directions_product(reference_order));
     exact_ = refinement == Refinement::mesh
                  ? *run.exact
                  : compare_with_exact(run.problem, run.solution, *radiance_, *set_);
