@@ -18,15 +18,17 @@ double installed_memory() {
 
 }  // namespace
 
-void check_memory(const TetrahedralMesh& mesh, int bands) {
-  // In each cell and band four values of the fluence and of the three components of the net flux, once in the
-  // solution and once in the file that is written.
-  const double needed = 2.0 * 4 * (1 + 3) * sizeof(double) * bands * mesh.cell_count();
+void check_memory(std::size_t solving, const TetrahedralMesh& mesh, int bands) {
+  // The files hold four values of the fluence and of three components of the net flux in each cell and band.
+  const double writing = 4.0 * (1 + 3) * sizeof(double) * bands * mesh.cell_count();
+  const double needed = static_cast<double>(solving) + writing;
   if (needed <= installed_memory()) return;
-  throw InputError(fmt::format(
-      "mesh: the fields of {} cells and {} bands need {:.3g} GiB and this machine has {:.3g} GiB; use larger "
-      "cells or fewer bands",
-      mesh.cell_count(), bands, needed / gibibyte, installed_memory() / gibibyte));
+  throw InputError(
+      fmt::format("mesh: {} cells and {} bands with these directions and phase functions may need {:.3g} GiB "
+                  "and this machine has "
+                  "{:.3g} GiB; use larger cells, fewer bands, directions or threads, or solve.method = "
+                  "\"source-iteration\"",
+                  mesh.cell_count(), bands, needed / gibibyte, installed_memory() / gibibyte));
 }
 
 std::string out_of_memory_message() {

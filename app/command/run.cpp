@@ -120,13 +120,13 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   const TetrahedralMesh mesh = build_mesh(input, verbose_log(request, err));
   seconds.mesh = watch.lap();
   out << mesh_line(mesh) << std::flush;
-  check_memory(mesh, input.bands.count());
   const Problem problem = build_problem(input, mesh);
   const DirectionSet directions = build_directions(input);
   const CellLocator locator(mesh);
   const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
   SolveOptions options = solve_options(input, place_probes(input.probes, mesh, locator));
   if (exact) options.angular_input = &exact->input;
+  check_memory(estimate_memory(problem, directions, options), mesh, problem.band_count());
   out << fmt::format("directions: {} ({} {}); bands: {}; threads: {}\n", directions.count(),
                      directions.name(), directions.order(), problem.band_count(), options.threads)
       << std::flush;

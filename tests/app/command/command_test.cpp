@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/command/command.h"
+#include "app/command/memory.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 #include <cstdlib>
 
 #include "tests/app/command/small_case.h"
+#include "tests/mesh/tetrahedra/sample_meshes.h"
 
 namespace etendue {
 namespace {
@@ -141,6 +143,20 @@ TEST(Command, KeysShowsTheReference) {
   const Outcome keys = etendue_says({"keys"});
   EXPECT_EQ(keys.code, ExitCode::done);
   EXPECT_TRUE(has(keys.out, "max_sweeps"));
+}
+
+TEST(Memory, RefusesWhatTheMachineDoesNotHaveWithTheFigure) {
+  const TetrahedralMesh mesh = cube_mesh(0.1);
+  EXPECT_NO_THROW(check_memory(1000, mesh, 1));
+  try {
+    check_memory(std::size_t{1} << 60, mesh, 3);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("3 bands with these directions and phase functions may need 1.07e+09 GiB"),
+              std::string::npos)
+        << text;
+  }
 }
 
 }  // namespace
