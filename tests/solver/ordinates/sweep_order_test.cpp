@@ -22,7 +22,8 @@ std::vector<std::int32_t> positions(const SweepOrder& order) {
 
 TEST(SweepOrder, VisitsEveryCellOnceAfterItsUpwindCells) {
   const TetrahedralMesh mesh = cube_with_ball(2e-3);
-  for (const Vec3& direction : directions_triangular(4).directions()) {
+  const DirectionSet directions = directions_triangular(4);
+  for (const Vec3& direction : directions.directions()) {
     const SweepOrder order = make_sweep_order(mesh, direction);
     ASSERT_EQ(std::set<std::int32_t>(order.cells.begin(), order.cells.end()).size(),
               static_cast<std::size_t>(mesh.cell_count()));
