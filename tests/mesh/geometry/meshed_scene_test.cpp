@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
-#include <random>
 
 #include "mesh/geometry/arrangement.h"
 #include "mesh/tetrahedra/tetrahedralize.h"
@@ -96,22 +95,6 @@ TEST(MeshedScene, BoxesThatTouchInAnEdgeOrVertexAreMeshed) {
               {{"a", 1}, {"b", 1}});
   expect_near(meshed({{box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1, 1, 1}, {2, 2, 2})}, {}}).volumes,
               {{"a", 1}, {"b", 1}});
-}
-
-TEST(MeshedScene, TiltedCylindersOfAnyNumberOfSidesAreMeshed) {
-  std::mt19937 random(7);
-  std::normal_distribution<double> part;
-  for (const int facets : {8, 16, 32, 64}) {
-    for (int i = 0; i < 8; ++i) {
-      const Vec3 axis = Vec3(part(random), part(random), part(random)).normalized();
-      const Vec3 from = Vec3::Constant(2) - axis, to = Vec3::Constant(2) + axis;
-      const double ring = facets * 0.5 * 0.09 * std::sin(2 * std::numbers::pi / facets);
-      SCOPED_TRACE(testing::Message() << facets << " sides along " << axis.transpose());
-      expect_near(
-          meshed({{box("air", {0, 0, 0}, {4, 4, 4}), cylinder("jet", from, to, 0.3, facets)}, {}}).volumes,
-          {{"air", 64 - 2 * ring}, {"jet", 2 * ring}});
-    }
-  }
 }
 
 TEST(MeshedScene, RegionInsideAHoleIsMeshed) {

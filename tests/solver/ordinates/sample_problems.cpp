@@ -180,6 +180,16 @@ double fluence_error(const TetrahedralMesh& mesh, const Solution& solution, int 
   return std::sqrt(error / norm);
 }
 
+std::function<double(const Vec3&)> exact_fluence(const DirectionSet& directions,
+                                                 const ManufacturedInput::Field& radiance) {
+  return [&directions, radiance](const Vec3& point) {
+    double sum = 0;
+    for (std::int32_t m = 0; m < directions.count(); ++m)
+      sum += directions.weight(OrdinateIndex(m)) * radiance(point, directions.direction(OrdinateIndex(m)));
+    return sum;
+  };
+}
+
 double largest_deviation(const std::vector<double>& values, double expected) {
   double deviation = 0;
   for (const double value : values) deviation = std::max(deviation, std::abs(value / expected - 1));

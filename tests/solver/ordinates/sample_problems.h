@@ -58,6 +58,9 @@ class ManufacturedInput : public AngularInput {
 /// Relative L2 error of the fluence of band 0 against an exact one, by a rule of degree 4 in each cell.
 double fluence_error(const TetrahedralMesh& mesh, const Solution& solution, int bands,
                      const std::function<double(const Vec3&)>& exact);
+/// Fluence of a radiance that is known at every point and direction. `directions` must outlive it.
+std::function<double(const Vec3&)> exact_fluence(const DirectionSet& directions,
+                                                 const ManufacturedInput::Field& radiance);
 /// Largest |value / expected - 1| over all nodal values.
 double largest_deviation(const std::vector<double>& values, double expected);
 
