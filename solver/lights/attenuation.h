@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+namespace etendue {
+
+/// Integrals along a way of length l through constant extinction s: of e^(-s x) and of x e^(-s x).
+struct AttenuatedWay {
+  double constant;  ///< E0 = (1 - e^(-s l)) / s
+  double linear;    ///< E1 = (1 - (1 + s l) e^(-s l)) / s^2
+};
+
+inline AttenuatedWay attenuated_way(double extinction, double length) {
+  const double t = extinction * length;
+  // The closed form of E1 loses digits like 1/t^2; the series has an error below t^6/5000.
+  if (t < 0.02)
+    return {length * (1 - t / 2 * (1 - t / 3 * (1 - t / 4 * (1 - t / 5)))),
+            length * length * (0.5 - t * (1. / 3 - t * (1. / 8 - t * (1. / 30 - t / 144))))};
+  const double lost = -std::expm1(-t);
+  return {lost / extinction, (lost - t * std::exp(-t)) / (extinction * extinction)};
+}
+
+}  // namespace etendue

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/lights/beam_source.h"
+
+#include <algorithm>
+
+namespace etendue {
+namespace {
+
+/// A direction that comes back to that of the beam through mirrors does so to rounding.
+constexpr double same_direction = 1e-9;
+
+/// What enters: the irradiance times the area of the walls as the beam sees it.
+std::vector<double> power_of(const BeamLight& light, const TetrahedralMesh& mesh) {
+  double area = 0;
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    if (std::count(light.walls.begin(), light.walls.end(), mesh.wall(FaceIndex(f))) > 0)
+      area += std::max(0.0, -light.direction.dot(mesh.area_normal(FaceIndex(f))));
+  std::vector<double> power = light.irradiance;
+  for (double& value : power) value *= area;
+  return power;
+}
+
+}  // namespace
+
+BeamSource::BeamSource(std::string name, const BeamLight& light, const LightPaths& paths)
+    : LightSource(std::move(name), power_of(light, paths.problem().mesh())), light_(light), paths_(paths) {
+  for (const MirrorSet mirrors : paths.mirrors().images_of_direction()) {
+    const Vec3 direction = paths.mirrors().image_direction(mirrors, light.direction);
+    // A beam along a mirror is its own image.
+    const auto same = [&](const Vec3& other) { return (other - direction).norm() < same_direction; };
+    if (std::none_of(directions_.begin(), directions_.end(), same)) directions_.push_back(direction);
+  }
+}
+
+void BeamSource::add_beams(const PointInCell& at, Sight sight, LightDetail, LightBeams& beams) const {
+  for (const Vec3& direction : directions_) {
+    const std::span<double> fluence = beams.add(direction);
+    std::fill(fluence.begin(), fluence.end(), 1.0);
+    if (sight == Sight::attenuated) {
+      const std::optional<WayOut> out = paths_.leave(at, -direction, fluence);
+      const bool lit =
+          out && (out->direction + light_.direction).norm() < same_direction &&
+          std::count(light_.walls.begin(), light_.walls.end(), paths_.problem().mesh().wall(out->face)) > 0;
+      if (!lit) {
+        beams.drop();
+        continue;
+      }
+    }
+    for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] *= light_.irradiance[b];
+  }
+}
+
+}  // namespace etendue

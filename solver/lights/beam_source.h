@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "solver/lights/light_source.h"
+#include "solver/problem/light.h"
+
+namespace etendue {
+
+/// Collimated light that enters through walls, with its images behind mirrors.
+class BeamSource : public LightSource {
+ public:
+  BeamSource(std::string name, const BeamLight& light, const LightPaths& paths);
+
+  void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
+  bool is_near(const Vec3&, double) const override { return false; }
+  const BeamLight& light() const { return light_; }
+
+ private:
+  BeamLight light_;
+  const LightPaths& paths_;
+  std::vector<Vec3> directions_;
+};
+
+}  // namespace etendue

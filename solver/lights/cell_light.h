@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "solver/lights/light_source.h"
+#include "solver/lights/nodal_moments.h"
+#include "solver/lights/point_source.h"
+#include "solver/lights/simplex_rules.h"
+
+namespace etendue {
+
+/// A cell as its light is integrated.
+struct LitCell {
+  LitCell(const LightPaths& paths, CellIndex cell);
+
+  CellIndex index;
+  std::array<Vec3, 4> corners;
+  double volume;
+  double size;  ///< edge of a regular tetrahedron of this volume [length]
+  Vec3 centroid;
+  double thickness;  ///< largest extinction times size
+
+  Vec3 position(const std::array<double, 4>& barycentric) const {
+    return barycentric[0] * corners[0] + barycentric[1] * corners[1] + barycentric[2] * corners[2] +
+           barycentric[3] * corners[3];
+  }
+};
+
+/// Adds the light of a point in its polar frame: with the shape functions a + b r along a direction,
+///
+///     integral over K of shape phi dV = P integral dw i(w) T(in) integral of (a + b r) e^(-s (r - in)) dr.
+void add_in_polar_frame(const LightPaths& paths, const PointSource& source, const LitCell& cell,
+                        NodalMoments& moments);
+
+/// Adds the light of any source by looking at it from points of the cell.
+void add_by_points(const LightSource& source, const LitCell& cell, LightBeams& beams, NodalMoments& moments);
+
+}  // namespace etendue

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/lights/emitter_tree.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace etendue {
+namespace {
+
+/// Unit normals that agree to this lie in one plane; so do the corners of walls that a file gives.
+constexpr double one_plane = 1e-6;
+
+std::size_t corner_count(EmitterShape shape) { return shape == EmitterShape::triangles ? 3 : 4; }
+
+Vec3 area_normal(const EmitterPart& part) {
+  return (part.corners[1] - part.corners[0]).cross(part.corners[2] - part.corners[0]) / 2;
+}
+
+double measure(const EmitterPart& part, EmitterShape shape) {
+  if (shape == EmitterShape::triangles) return area_normal(part).norm();
+  const Vec3 a = part.corners[1] - part.corners[0], b = part.corners[2] - part.corners[0],
+             c = part.corners[3] - part.corners[0];
+  return std::abs(a.cross(b).dot(c)) / 6;
+}
+
+}  // namespace
+
+/// Moments of the brightness, added up over the bands.
+struct EmitterTree::Moments {
+  double zeroth = 0;
+  Vec3 first = Vec3::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  std::vector<double> total;
+  Vec3 normal = Vec3::Zero();
+
+  void add(const Moments& other) {
+    zeroth += other.zeroth;
+    first += other.first;
+    second += other.second;
+    for (std::size_t b = 0; b < total.size(); ++b) total[b] += other.total[b];
+    if ((normal - other.normal).norm() > one_plane) normal.setZero();
+  }
+};
+
+EmitterTree::EmitterTree(EmitterShape shape, std::vector<EmitterPart> parts)
+    : shape_(shape), parts_(std::move(parts)) {
+  std::vector<int> members(parts_.size());
+  std::iota(members.begin(), members.end(), 0);
+  nodes_.reserve(2 * parts_.size());
+  nodes_.emplace_back();
+  build(0, members);
+  for (const EmitterPart& part : parts_)
+    for (std::size_t i = 0; i < corner_count(shape_); ++i) box_.extend(part.corners[i]);
+}
+
+// The integral of (x - c)(x - c)^T over a simplex of dimension d with corners v and centroid c is its measure
+// / ((d + 1)(d + 2)) times the sum of (v - c)(v - c)^T.
+EmitterTree::Moments EmitterTree::moments_of(const EmitterPart& part) const {
+  const std::size_t corners = corner_count(shape_);
+  Moments moments;
+  moments.total = part.brightness;
+  for (double& value : moments.total) value *= measure(part, shape_);
+  moments.zeroth = std::accumulate(moments.total.begin(), moments.total.end(), 0.0);
+  Vec3 centre = Vec3::Zero();
+  for (std::size_t i = 0; i < corners; ++i) centre += part.corners[i] / static_cast<double>(corners);
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < corners; ++i)
+    spread += (part.corners[i] - centre) * (part.corners[i] - centre).transpose();
+  moments.first = moments.zeroth * centre;
+  moments.second =
+      moments.zeroth * (spread / static_cast<double>(corners * (corners + 1)) + centre * centre.transpose());
+  if (shape_ == EmitterShape::triangles) moments.normal = area_normal(part).normalized();
+  return moments;
+}
+
+EmitterTree::Moments EmitterTree::build(int node, std::span<int> members) {
+  Moments moments;
+  if (members.size() == 1) {
+    moments = moments_of(parts_[static_cast<std::size_t>(members[0])]);
+    nodes_[static_cast<std::size_t>(node)].part = members[0];
+  } else {
+    Eigen::AlignedBox3d box;
+    const auto centre = [&](int i) {
+      Vec3 sum = Vec3::Zero();
+      for (std::size_t k = 0; k < corner_count(shape_); ++k)
+        sum += parts_[static_cast<std::size_t>(i)].corners[k];
+      return sum;
+    };
+    for (const int i : members) box.extend(centre(i));
+    Eigen::Index axis = 0;
+    box.sizes().maxCoeff(&axis);
+    const auto middle = members.begin() + static_cast<std::ptrdiff_t>(members.size() / 2);
+    std::nth_element(members.begin(), middle, members.end(), [&](int i, int j) {
+      return std::pair(centre(i)[axis], i) < std::pair(centre(j)[axis], j);
+    });
+    const int left = static_cast<int>(nodes_.size());
+    nodes_.emplace_back();
+    nodes_.emplace_back();
+    nodes_[static_cast<std::size_t>(node)].children = {left, left + 1};
+    moments = build(left, members.first(members.size() / 2));
+    moments.add(build(left + 1, members.subspan(members.size() / 2)));
+  }
+  finish(nodes_[static_cast<std::size_t>(node)], moments, members);
+  return moments;
+}
+
+// For a box the points are those of Gauss, two along each axis.
+void EmitterTree::finish(Node& node, const Moments& moments, std::span<const int> members) const {
+  node.total = moments.total;
+  node.normal = moments.normal;
+  node.centre = moments.first / moments.zeroth;
+  for (const int i : members)
+    for (std::size_t k = 0; k < corner_count(shape_); ++k)
+      node.radius =
+          std::max(node.radius, (parts_[static_cast<std::size_t>(i)].corners[k] - node.centre).norm());
+  const Eigen::Matrix3d covariance = moments.second / moments.zeroth - node.centre * node.centre.transpose();
+  // Rising: of a plane emitter the first is zero.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
+  std::array<Vec3, 3> step;
+  for (int k = 0; k < 3; ++k)
+    step[static_cast<std::size_t>(k)] =
+        std::sqrt(std::max(0.0, axes.eigenvalues()[k])) * axes.eigenvectors().col(k);
+  for (std::size_t i = 0; i < point_count(); ++i) {
+    node.points[i] = node.centre;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (shape_ == EmitterShape::triangles && k == 0) continue;
+      const std::size_t bit = 2 - k;
+      node.points[i] += (i >> bit & 1) != 0 ? step[k] : Vec3(-step[k]);
+    }
+  }
+}
+
+}  // namespace etendue

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "mesh/base/vec3.h"
+
+namespace etendue {
+
+/// A triangle that shines from the side from which its corners stand counterclockwise, or a tetrahedron that
+/// emits throughout.
+struct EmitterPart {
+  std::array<Vec3, 4> corners;  ///< of a triangle three
+  std::vector<double>
+      brightness;  ///< [band] radiance [power/(length^2 sr)] or emission [power/(length^3 sr)]
+  std::vector<double> extinction = {};  ///< [band] inside of a tetrahedron [1/length]
+};
+
+enum class EmitterShape { triangles, tetrahedra };
+
+/// Parts of a light and groups of them: a binary tree.
+class EmitterTree {
+ public:
+  struct Node {
+    Vec3 centre;
+    double radius = 0;              ///< of a ball about the centre that holds all of it
+    std::vector<double> total;      ///< [band] brightness times area or volume
+    std::array<Vec3, 8> points{};   ///< of equal weight, with the same mean and covariance as the emitter
+    Vec3 normal = Vec3::Zero();     ///< of triangles; zero where they do not lie in one plane
+    int part = -1;                  ///< of a leaf
+    std::array<int, 2> children{};  ///< of a group
+  };
+
+  EmitterTree(EmitterShape shape, std::vector<EmitterPart> parts);
+
+  EmitterShape shape() const { return shape_; }
+  /// Of the points of a node, those that are used: four in a plane, eight in space.
+  std::size_t point_count() const { return shape_ == EmitterShape::triangles ? 4 : 8; }
+  const Node& root() const { return nodes_.front(); }
+  const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+  const EmitterPart& part(int i) const { return parts_[static_cast<std::size_t>(i)]; }
+  const Eigen::AlignedBox3d& box() const { return box_; }
+
+ private:
+  struct Moments;
+  Moments moments_of(const EmitterPart& part) const;
+  Moments build(int node, std::span<int> members);
+  void finish(Node& node, const Moments& moments, std::span<const int> members) const;
+
+  EmitterShape shape_;
+  std::vector<EmitterPart> parts_;
+  std::vector<Node> nodes_;
+  Eigen::AlignedBox3d box_;
+};
+
+}  // namespace etendue

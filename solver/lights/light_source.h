@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "solver/lights/light_beams.h"
+#include "solver/lights/light_paths.h"
+
+namespace etendue {
+
+/// Whether media and obstacles are seen.
+enum class Sight { attenuated, clear };
+
+/// How finely a light that is not a point is cut up: parts are taken for four or eight points each where
+/// their radius is below `opening` times their distance, and for one below `single`.
+struct LightDetail {
+  double opening;
+  double single;
+};
+constexpr LightDetail coarse_light{0.5, 0.1};
+constexpr LightDetail fine_light{0.2, 0.01};
+
+class PointSource;
+
+/// Something whose uncollided light is integrated along rays.
+class LightSource {
+ public:
+  LightSource(std::string name, std::vector<double> power)
+      : name_(std::move(name)), power_(std::move(power)) {}
+  virtual ~LightSource() = default;
+
+  const std::string& name() const { return name_; }
+  const std::vector<double>& power() const { return power_; }  ///< [band] that it sends [power]
+
+  /// Adds what arrives at a point. Without attenuation the light comes as in empty space, but behind mirrors.
+  virtual void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const = 0;
+  /// The light as a point, if it is one.
+  virtual const PointSource* as_point() const { return nullptr; }
+  /// Whether it is near enough, or wide enough, for its parts to be looked at one by one from a place of this
+  /// size; beams and points are always looked at directly.
+  virtual bool is_near(const Vec3& place, double size) const = 0;
+  virtual bool is_extended() const { return false; }
+
+ private:
+  std::string name_;
+  std::vector<double> power_;
+};
+
+}  // namespace etendue

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/base/vec3.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// A set of mirror planes, one bit each.
+using MirrorSet = std::uint32_t;
+
+/// The planes of the mirrors, and on which of them each boundary face lies.
+class MirrorPlanes {
+ public:
+  explicit MirrorPlanes(const Problem& problem);
+
+  /// -1 where the face does not mirror in any band.
+  int of(FaceIndex face) const { return of_face_[face.at()]; }
+  bool empty() const { return planes_.empty(); }
+  Vec3 reflected(int plane, const Vec3& direction) const;
+  /// The point behind the mirrors of a set: for planes at right angles their order does not matter.
+  Vec3 image(MirrorSet mirrors, Vec3 point) const;
+  Vec3 image_direction(MirrorSet mirrors, Vec3 direction) const;
+
+  /// All sets of planes: a light is seen once behind each. Throws InputError, naming the walls, where two
+  /// planes are not at right angles: the light would be seen too often, or not in all of the mirror.
+  std::vector<MirrorSet> images_of_point() const;
+  /// Sets that give different directions; planes may be parallel too.
+  std::vector<MirrorSet> images_of_direction() const;
+
+ private:
+  struct Plane {
+    Vec3 normal;
+    double offset;
+    int wall;
+  };
+
+  const Problem& problem_;
+  std::vector<Plane> planes_;
+  std::vector<int> of_face_;
+};
+
+}  // namespace etendue

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/base/vec3.h"
+
+namespace etendue {
+
+/// A direction and its part of a solid angle [sr].
+struct SolidAnglePoint {
+  Vec3 direction;
+  double weight;
+};
+
+/// Directions between three corners (vectors of any length, seen from the origin), of less than a half space.
+using SphericalTriangle = std::array<Vec3, 3>;
+
+/// Appends points of a rule for the solid angle of the triangle: it is split in four until its sides are at
+/// most `largest_side` (chords of the unit sphere), and each part has the seven points of degree 5 (Radon
+/// 1948) in the flat triangle of its corners, y, with dw = det(a, b, c) / |y|^3.
+void append_points(const SphericalTriangle& triangle, double largest_side,
+                   std::vector<SolidAnglePoint>& points);
+
+/// A tetrahedron seen from the origin falls into wedges: directions that come in by one plane and go out by
+/// another, so that all that is integrated over a wedge is smooth.
+struct Wedge {
+  SphericalTriangle directions;
+  Vec3 entry_normal = Vec3::Zero();  ///< of the plane n.x = entry; zero where the origin is inside
+  double entry = 0;
+  Vec3 exit_normal;
+  double exit;
+
+  double way_in(const Vec3& direction) const {
+    return entry_normal.isZero() ? 0 : entry / entry_normal.dot(direction);
+  }
+  double way_out(const Vec3& direction) const { return exit / exit_normal.dot(direction); }
+};
+
+/// The wedges of a tetrahedron. The origin may lie inside, outside, or on a face, an edge or a vertex: faces
+/// whose plane it lies on to 1e-10 of the size take no solid angle.
+std::vector<Wedge> wedges_of(const std::array<Vec3, 4>& vertices);
+
+}  // namespace etendue

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/lights/uncollided_field.h"
+
+#include <optional>
+
+#include "solver/lights/cell_light.h"
+#include "solver/lights/face_light.h"
+#include "solver/lights/vertex_light.h"
+
+namespace etendue {
+namespace {
+
+/// Cells thicker than this are integrated in the polar frame of a point light wherever they are: along the
+/// ray that is exact.
+constexpr double thick = 1.5;
+
+void add_cell(const LightPaths& paths, const LightSource& source, const std::optional<VertexLight>& vertices,
+              const LitCell& cell, LightBeams& beams, NodalMoments& moments) {
+  const PointSource* point = source.as_point();
+  if (point != nullptr && (cell.thickness > thick || source.is_near(cell.centroid, cell.size)))
+    return add_in_polar_frame(paths, *point, cell, moments);
+  if (!vertices || !vertices->add(cell, beams, moments)) add_by_points(source, cell, beams, moments);
+}
+
+void add_cells(const LightPaths& paths, const LightSource& source, int threads, std::vector<double>& fluence,
+               std::vector<double>& net_flux) {
+  const TetrahedralMesh& mesh = paths.problem().mesh();
+  const std::size_t bands = paths.bands();
+  std::optional<VertexLight> vertices;
+  if (source.is_extended()) vertices.emplace(paths, source, threads);
+#pragma omp parallel num_threads(threads)
+  {
+    LightBeams beams(bands);
+    NodalMoments moments(4, 4, bands);
+#pragma omp for schedule(dynamic, 64)
+    for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+      const LitCell cell(paths, CellIndex(c));
+      moments.clear();
+      add_cell(paths, source, vertices, cell, beams, moments);
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t b = 0; b < bands; ++b) {
+          const std::size_t node = cell.index.at() * 4 + i;
+          fluence[node * bands + b] = moments.nodal(i, 0, b, cell.volume);
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            net_flux[(node * 3 + axis) * bands + b] += moments.nodal(i, 1 + axis, b, cell.volume);
+        }
+    }
+  }
+}
+
+void add_walls(const LightPaths& paths, const LightSource& source, int threads,
+               std::vector<double>& irradiance) {
+  const TetrahedralMesh& mesh = paths.problem().mesh();
+  const std::size_t bands = paths.bands();
+#pragma omp parallel num_threads(threads)
+  {
+    LightBeams beams(bands);
+    NodalMoments moments(3, 1, bands);
+#pragma omp for schedule(dynamic, 64)
+    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+      const FaceIndex face(f);
+      moments.clear();
+      add_irradiance(paths, source, face, beams, moments);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t b = 0; b < bands; ++b)
+          irradiance[(face.at() * 3 + i) * bands + b] += moments.nodal(i, 0, b, mesh.area(face));
+    }
+  }
+}
+
+}  // namespace
+
+UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads) {
+  const TetrahedralMesh& mesh = paths.problem().mesh();
+  UncollidedField field;
+  field.fluence.assign(static_cast<std::size_t>(mesh.cell_count()) * 4 * paths.bands(), 0);
+  field.net_flux.assign(3 * field.fluence.size(), 0);
+  field.irradiance.assign(static_cast<std::size_t>(mesh.boundary_face_count()) * 3 * paths.bands(), 0);
+  for (const auto& source : sources) {
+    std::vector<double>& own = field.by_source.emplace_back(field.fluence.size(), 0);
+    add_cells(paths, *source, threads, own, field.net_flux);
+    add_walls(paths, *source, threads, field.irradiance);
+    for (std::size_t i = 0; i < own.size(); ++i) field.fluence[i] += own[i];
+  }
+  return field;
+}
+
+}  // namespace etendue

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solver/lights/light_source.h"
+
+namespace etendue {
+
+/// Uncollided light of all sources on the mesh: projections on the functions that are linear in each cell and
+/// on each boundary face.
+struct UncollidedField {
+  std::vector<std::vector<double>> by_source;  ///< [source][cell][4][band] fluence [power/length^2]
+  std::vector<double> fluence;                 ///< [cell][4][band] their sum
+  std::vector<double> net_flux;                ///< [cell][4][3][band]
+  std::vector<double> irradiance;              ///< [boundary face][3][band]
+};
+
+using LightSources = std::vector<std::unique_ptr<LightSource>>;
+
+/// Integrates the light of the sources. Cells near a point light are integrated in its polar frame, where
+/// the distance squared cancels and the way through a cell is done in closed form; other cells by points,
+/// divided in eight, twice at most, where some of them lie in the shadow; and light with an extent far from
+/// it by its transmittance at the vertices. The same bits for any number of threads.
+UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads);
+
+}  // namespace etendue

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mesh/base/errors.h"
+#include "mesh/base/vec3.h"
+
+namespace etendue {
+
+/// How an emission of the problem is treated: its uncollided light by exact rays, or by the directions.
+enum class Uncollided { automatic, yes, no };
+
+/// Light from a point, the same all about an axis.
+struct PointLight {
+  Vec3 position = Vec3::Zero();
+  std::vector<double> power;  ///< [band] into all directions [power]
+  Vec3 axis = Vec3::UnitZ();  ///< unit
+  /// Intensity over rising angles from the axis [rad], linear between them and zero beyond; only its shape
+  /// counts. Empty: the same in all directions.
+  std::vector<double> angle;
+  std::vector<double> intensity;
+};
+
+/// Collimated light that enters through walls which do not mirror.
+struct BeamLight {
+  Vec3 direction = -Vec3::UnitZ();  ///< unit, in which the light travels
+  std::vector<double> irradiance;   ///< [band] on a plane across the beam [power/length^2]
+  std::vector<int> walls;
+};
+
+/// A flat light inside of the domain that shines from one side and stands in nobody's way.
+struct SurfaceLight {
+  std::vector<Vec3> triangles;   ///< three corners each, counterclockwise seen from the side that shines
+  std::vector<double> radiance;  ///< [band] [power/(length^2 sr)]
+};
+
+/// A light whose uncollided part is exact.
+struct Light {
+  std::string name;
+  std::variant<PointLight, BeamLight, SurfaceLight> kind;
+  Origin origin;
+};
+
+}  // namespace etendue

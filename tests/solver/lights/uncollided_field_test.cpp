@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/lights/uncollided_field.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "mesh/geometry/arrangement.h"
+#include "mesh/tetrahedra/cell_locator.h"
+#include "mesh/tetrahedra/tetrahedralize.h"
+#include "solver/lights/beam_source.h"
+#include "solver/lights/point_source.h"
+#include "tests/solver/ordinates/sample_problems.h"
+
+namespace etendue {
+namespace {
+
+using std::numbers::pi;
+
+LightSources point_at(const Vec3& position, const LightPaths& paths) {
+  PointLight light;
+  light.position = position;
+  light.power = {1};
+  LightSources sources;
+  sources.push_back(std::make_unique<PointSource>("lamp", light, paths));
+  return sources;
+}
+
+LightSources sun(const Vec3& direction, int wall, const LightPaths& paths) {
+  LightSources sources;
+  sources.push_back(std::make_unique<BeamSource>("sun", BeamLight{direction, {1}, {wall}}, paths));
+  return sources;
+}
+
+double integral_over_cells(const TetrahedralMesh& mesh, const std::vector<double>& fluence) {
+  double sum = 0;
+  for (std::size_t i = 0; i < fluence.size(); ++i) sum += fluence[i] * mesh.volumes()[i / 4] / 4;
+  return sum;
+}
+
+double integral_over_walls(const TetrahedralMesh& mesh, const std::vector<double>& irradiance) {
+  double sum = 0;
+  for (std::size_t i = 0; i < irradiance.size(); ++i)
+    sum += irradiance[i] * mesh.area(FaceIndex(static_cast<std::int64_t>(i / 3))) / 3;
+  return sum;
+}
+
+int wall_of(const TetrahedralMesh& mesh, const std::string& name) {
+  return static_cast<int>(std::find(mesh.wall_names().begin(), mesh.wall_names().end(), name) -
+                          mesh.wall_names().begin());
+}
+
+double fluence_at(const TetrahedralMesh& mesh, const std::vector<double>& fluence, const Vec3& point) {
+  const CellPoint at = CellLocator(mesh).find(point)[0];
+  double value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value += at.barycentric[i] * fluence[at.cell.at() * 4 + i];
+  return value;
+}
+
+/// Room with a box in it from which nothing comes back.
+TetrahedralMesh room_with_box() {
+  Geometry geometry;
+  BoxPrimitive room;
+  room.region = "room";
+  geometry.primitives.emplace_back(room);
+  BoxPrimitive box;
+  box.min = {0.4, 0.4, 0.4};
+  box.max = {0.6, 0.6, 0.6};
+  box.hole = true;
+  box.name = "box";
+  geometry.primitives.emplace_back(box);
+  return TetrahedralMesh(tetrahedralize(arrange(geometry), {{4e-4}, 1.4, {}}));
+}
+
+TEST(UncollidedField, OfAPointLightBalances) {
+  const TetrahedralMesh mesh = cube_mesh(1e-3);
+  for (const double absorption : {0.0, 0.7, 20.0}) {
+    const Problem problem =
+        uniform_problem(mesh, uniform_medium(1, absorption, 0, 0), uniform_wall(1, 0, 0, 0));
+    const LightPaths paths(problem);
+    const UncollidedField field = uncollided_field(paths, point_at({0.31, 0.47, 0.62}, paths), 1);
+    const double sum =
+        absorption * integral_over_cells(mesh, field.fluence) + integral_over_walls(mesh, field.irradiance);
+    EXPECT_NEAR(sum, 1, 1e-6) << absorption;
+  }
+}
+
+// On a vertex of the mesh, in an edge, in a face, in a wall.
+TEST(UncollidedField, OfAPointLightBalancesWhereverItStands) {
+  const TetrahedralMesh mesh = cube_mesh(5e-3);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.7, 0, 0), uniform_wall(1, 0, 0, 0));
+  const LightPaths paths(problem);
+  int inner = 0;
+  while (mesh.vertices(CellIndex(inner))[0] < mesh.vertex_count() / 2) ++inner;
+  std::array<Vec3, 4> v;
+  for (std::size_t i = 0; i < 4; ++i) v[i] = mesh.point(VertexIndex(mesh.vertices(CellIndex(inner))[i]));
+  for (const Vec3& position : {v[0], Vec3((v[0] + v[1]) / 2), Vec3((v[0] + v[1] + v[2]) / 3)}) {
+    const bool in_wall = (position.array() * (1 - position.array())).abs().minCoeff() < 1e-9;
+    if (in_wall) continue;
+    const UncollidedField field = uncollided_field(paths, point_at(position, paths), 1);
+    const double sum =
+        0.7 * integral_over_cells(mesh, field.fluence) + integral_over_walls(mesh, field.irradiance);
+    EXPECT_NEAR(sum, 1, 1e-5);
+  }
+  const UncollidedField field = uncollided_field(paths, point_at({0.4, 0.6, 1}, paths), 1);
+  const double sum =
+      0.7 * integral_over_cells(mesh, field.fluence) + integral_over_walls(mesh, field.irradiance);
+  EXPECT_NEAR(sum, 0.5, 1e-5);  // half of it goes into the wall
+}
+
+TEST(UncollidedField, OfAPointLightConverges) {
+  double last = 0;
+  for (const double max_volume : {8e-3, 1e-3, 1.25e-4}) {
+    const TetrahedralMesh mesh = cube_mesh(max_volume);
+    const Problem problem = uniform_problem(mesh, uniform_medium(1, 1.1, 0, 0), uniform_wall(1, 0, 0, 0));
+    const LightPaths paths(problem);
+    const Vec3 lamp(0.46, 0.48, 0.5);
+    const UncollidedField field = uncollided_field(paths, point_at(lamp, paths), 1);
+    double squares = 0;
+    int count = 0;
+    for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+      const double r = (mesh.centroid(CellIndex(c)) - lamp).norm();
+      if (r < 0.3) continue;
+      double value = 0;
+      for (std::size_t i = 0; i < 4; ++i) value += field.fluence[static_cast<std::size_t>(c) * 4 + i] / 4;
+      const double exact = std::exp(-1.1 * r) / (4 * pi * r * r);
+      squares += (value / exact - 1) * (value / exact - 1);
+      ++count;
+    }
+    const double error = std::sqrt(squares / count);
+    if (last > 0) {
+      EXPECT_GT(std::log2(last / error), 1.7);
+    }
+    last = error;
+  }
+}
+
+TEST(UncollidedField, OfTheSunFallsExponentially) {
+  const TetrahedralMesh mesh = cube_mesh(1e-3);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 2, 0, 0), uniform_wall(1, 0, 0, 0));
+  const LightPaths paths(problem);
+  const UncollidedField field = uncollided_field(paths, sun(-Vec3::UnitZ(), wall_of(mesh, "zmax"), paths), 1);
+  for (const double z : {0.1, 0.5, 0.93})
+    EXPECT_NEAR(fluence_at(mesh, field.fluence, {0.4, 0.55, z}), std::exp(-2 * (1 - z)), 5e-3);
+  EXPECT_NEAR(2 * integral_over_cells(mesh, field.fluence) + integral_over_walls(mesh, field.irradiance), 1,
+              1e-6);
+}
+
+TEST(UncollidedField, BeforeAMirrorIsThatOfTheUnfoldedRoom) {
+  const TetrahedralMesh half = cube_mesh(2e-3);
+  const TetrahedralMesh whole = unfolded_mesh(half);
+  std::vector<Wall> walls(half.wall_names().size(), uniform_wall(1, 0, 0, 0));
+  walls[static_cast<std::size_t>(wall_of(half, "xmax"))].specular = {0.8};
+  const Problem mirrored(half, {}, {uniform_medium(1, 0.9, 0, 0)}, walls);
+  const Problem unfolded = uniform_problem(whole, uniform_medium(1, 0.9, 0, 0), uniform_wall(1, 0, 0, 0));
+  const LightPaths before(mirrored), open(unfolded);
+  const Vec3 lamp(0.7, 0.4, 0.3), image(1.3, 0.4, 0.3), there(0.2, 0.8, 0.7);
+  const UncollidedField field = uncollided_field(before, point_at(lamp, before), 1);
+  const double direct = fluence_at(whole, uncollided_field(open, point_at(lamp, open), 1).fluence, there);
+  const double behind = fluence_at(whole, uncollided_field(open, point_at(image, open), 1).fluence, there);
+  EXPECT_NEAR(fluence_at(half, field.fluence, there), direct + 0.8 * behind, 1e-4 * direct);
+}
+
+TEST(UncollidedField, IsDarkBehindABox) {
+  const TetrahedralMesh mesh = room_with_box();
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.1, 0, 0), uniform_wall(1, 0, 0, 0));
+  const LightPaths paths(problem);
+  const Vec3 lamp(0.5, 0.5, 0.9);
+  const UncollidedField of_lamp = uncollided_field(paths, point_at(lamp, paths), 1);
+  const UncollidedField of_sun =
+      uncollided_field(paths, sun(-Vec3::UnitZ(), wall_of(mesh, "zmax"), paths), 1);
+  int dark = 0;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    bool in_both = true;
+    for (const std::int32_t v : mesh.vertices(CellIndex(c))) {
+      const Vec3& p = mesh.point(VertexIndex(v));
+      in_both = in_both && p.z() < 0.41 && std::abs(p.x() - 0.5) < 0.1 && std::abs(p.y() - 0.5) < 0.1;
+    }
+    if (!in_both) continue;
+    ++dark;
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(of_lamp.fluence[static_cast<std::size_t>(c) * 4 + i], 0);
+      EXPECT_EQ(of_sun.fluence[static_cast<std::size_t>(c) * 4 + i], 0);
+    }
+  }
+  EXPECT_GT(dark, 20);
+  const auto kept = [&](const UncollidedField& field) {
+    return 0.1 * integral_over_cells(mesh, field.fluence) + integral_over_walls(mesh, field.irradiance);
+  };
+  EXPECT_NEAR(kept(of_lamp), 1, 1e-3);
+  EXPECT_NEAR(kept(of_sun), 1, 1e-3);
+}
+
+TEST(UncollidedField, IsTheSameForAnyNumberOfThreads) {
+  const TetrahedralMesh mesh = cube_mesh(5e-3);
+  const Problem problem = uniform_problem(mesh, uniform_medium(2, 0.5, 0, 0), uniform_wall(2, 0, 0, 0));
+  const LightPaths paths(problem);
+  PointLight light;
+  light.position = {0.3, 0.4, 0.5};
+  light.power = {1, 2};
+  LightSources sources;
+  sources.push_back(std::make_unique<PointSource>("lamp", light, paths));
+  const UncollidedField one = uncollided_field(paths, sources, 1),
+                        three = uncollided_field(paths, sources, 3);
+  EXPECT_EQ(one.fluence, three.fluence);
+  EXPECT_EQ(one.net_flux, three.net_flux);
+  EXPECT_EQ(one.irradiance, three.irradiance);
+}
+
+}  // namespace
+}  // namespace etendue
