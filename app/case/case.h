@@ -80,6 +80,7 @@ struct OutputCase {
   std::filesystem::path directory;                            ///< resolved
   std::vector<std::string> fields = {"fluence", "net_flux"};  ///< as written, "radiance:K" too
   std::vector<int> radiance_ordinates;                        ///< of the fields "radiance:K"
+  int checkpoint_every = 0;                                   ///< sweeps; 0: never
   Origin origin;
 };
 
@@ -102,6 +103,7 @@ struct Case {
   std::optional<Rotation> direction_rotation;
   Origin directions_origin;
   SolveOptions solve;
+  std::optional<InputFile> initial;  ///< a solution to start from
   std::optional<ExactCase> exact;
   std::vector<Probe> probes;
   OutputCase output;

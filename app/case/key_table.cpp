@@ -360,7 +360,11 @@ std::vector<KeyDeclaration> make_keys() {
        "threads",
        integer,
        {.default_value = "0", .range = {.lowest = 0, .highest = 4096}, .help = "0: all cores."}},
-      {"solve", "initial", any, {.support = later, .help = "An earlier result to start from."}},
+      {"solve",
+       "initial",
+       text,
+       {.help = "A `solution.vtu` of the same mesh and case to start from; what is solved and written may "
+                "differ."}},
 
       {"exact",
        "radiance",
@@ -392,6 +396,12 @@ std::vector<KeyDeclaration> make_keys() {
        texts,
        {.default_value = "[\"fluence\", \"net_flux\"]",
         .help = "\"fluence\", \"net_flux\", \"media\", \"radiance:K\" for the ordinate K (from 0)."}},
+      {"output",
+       "checkpoint_every",
+       integer,
+       {.default_value = "0",
+        .range = {.lowest = 0, .highest = largest_count},
+        .help = "Sweeps after which `solution.vtu` is written while the run goes on; 0: only at its end."}},
   };
 }
 

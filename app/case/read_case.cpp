@@ -29,7 +29,7 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   result.walls = read_walls(top.section("walls"), result.bands);
   read_directions(top.section("directions"), result);
   read_space(top.section("space"), result.solve);
-  read_solve(top.section("solve"), result.solve);
+  read_solve(top.section("solve"), file.parent_path(), result);
   if (top.has("exact")) read_exact(top.section("exact"), result);
   result.probes = read_probes(top);
   result.output = read_output(top.section("output"), file);

@@ -108,6 +108,7 @@ OutputCase read_output(Section section, const std::filesystem::path& case_file) 
   else
     output.directory = case_name(case_file);
   section.resolve("directory", output.directory.string());
+  output.checkpoint_every = section.integer("checkpoint_every");
   output.fields.clear();
   const bool given = section.has("fields");
   section.value("fields");

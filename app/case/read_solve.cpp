@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/read_solve.h"
 
+#include "app/case/read_mesh.h"
 #include "solver/angle/direction_set.h"
 
 namespace etendue {
@@ -37,7 +38,8 @@ void read_space(Section space, SolveOptions& options) {
                                         : Lumping::automatic;
 }
 
-void read_solve(Section solve, SolveOptions& options) {
+void read_solve(Section solve, const std::filesystem::path& case_folder, Case& result) {
+  SolveOptions& options = result.solve;
   const std::string method = solve.text("method");
   options.method = method == "gmres"              ? Method::gmres
                    : method == "source-iteration" ? Method::source_iteration
@@ -46,6 +48,8 @@ void read_solve(Section solve, SolveOptions& options) {
   options.tolerance = solve.number("tolerance");
   options.max_sweeps = solve.integer("max_sweeps");
   options.threads = solve.integer("threads");
+  if (const TomlNode* initial = solve.find("initial"))
+    result.initial = InputFile{resolve_path(*initial, case_folder), initial->origin};
 }
 
 }  // namespace etendue

@@ -9,6 +9,6 @@ namespace etendue {
 /// The tables [directions], [space] and [solve].
 void read_directions(Section directions, Case& result);
 void read_space(Section space, SolveOptions& options);
-void read_solve(Section solve, SolveOptions& options);
+void read_solve(Section solve, const std::filesystem::path& case_folder, Case& result);
 
 }  // namespace etendue

@@ -16,6 +16,7 @@
 #include "app/command/verbose_log.h"
 #include "app/write/output_folder.h"
 #include "app/write/results.h"
+#include "app/write/solution_file.h"
 #include "solver/exact/exact_balance.h"
 
 namespace etendue {
@@ -80,27 +81,57 @@ std::string mesh_line(const TetrahedralMesh& mesh) {
                      mesh.region_names().size(), mesh.wall_names().size());
 }
 
+/// Writes the state of a run that goes on, every so many sweeps. A disk that is full ends no run.
+class Checkpoints {
+ public:
+  Checkpoints(const Case& input, const Problem& problem, std::ostream& err)
+      : input_(input), problem_(problem), err_(err) {}
+
+  void consider(const SweepProgress& progress) {
+    const int every = input_.output.checkpoint_every;
+    if (every == 0 || progress.sweep % every != 0) return;
+    try {
+      write_checkpoint(input_, problem_, progress.state());
+    } catch (const FileError& error) {
+      err_ << "no checkpoint after sweep " << progress.sweep << ": " << error.what() << std::endl;
+    }
+  }
+
+ private:
+  const Case& input_;
+  const Problem& problem_;
+  std::ostream& err_;
+};
+
 Solution solve_visibly(const Problem& problem, const DirectionSet& directions, const SolveOptions& options,
-                       ProgressDisplay& display, const Interruption& interruption) {
+                       ProgressDisplay& display, Checkpoints checkpoints, const Interruption& interruption) {
   Solution solution = solve(problem, directions, options, [&](const SweepProgress& progress) {
     display.show(progress);
+    checkpoints.consider(progress);
     return interruption.noted() ? SolveControl::stop : SolveControl::proceed;
   });
   display.finish();
   return solution;
 }
 
+std::string how_to_go_on(const RunResult& result) {
+  const std::filesystem::path file =
+      std::filesystem::absolute(result.input.output.directory) / "solution.vtu";
+  return fmt::format("to go on from there: --set 'solve.initial=\"{}\"'\n", file.string());
+}
+
 /// The line on standard error that goes with an exit code other than 0.
 ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) {
   if (interrupted) {
     err << "interrupted: the results are whole and are those of "
-        << (result.solution.converged() ? "the converged solution\n" : "the last sweep\n");
+        << (result.solution.converged() ? "the converged solution\n"
+                                        : "the last sweep; " + how_to_go_on(result));
     return ExitCode::interrupted;
   }
   if (result.solution.converged()) return ExitCode::done;
   err << fmt::format(
-      "not converged to solve.tolerance = {} within solve.max_sweeps = {}; the results are marked\n",
-      result.input.solve.tolerance, result.input.solve.max_sweeps);
+      "not converged to solve.tolerance = {} within solve.max_sweeps = {}; the results are marked; {}",
+      result.input.solve.tolerance, result.input.solve.max_sweeps, how_to_go_on(result));
   return ExitCode::not_converged;
 }
 
@@ -126,6 +157,12 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
   SolveOptions options = solve_options(input, place_probes(input.probes, mesh, locator));
   if (exact) options.angular_input = &exact->input;
+  SavedState initial;
+  if (input.initial) {
+    initial = read_initial(*input.initial, input, mesh);
+    options.initial = &initial;
+    out << "starts from " << input.initial->path.string() << std::endl;
+  }
   check_memory(estimate_memory(problem, directions, options), mesh, problem.band_count());
   out << fmt::format("directions: {} ({} {}); bands: {}; threads: {}\n", directions.count(),
                      directions.name(), directions.order(), problem.band_count(), options.threads)
@@ -134,7 +171,8 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
 
   interruption.note_the_first();
   ProgressDisplay display(resolved_style(request.progress, out), out);
-  const Solution solution = solve_visibly(problem, directions, options, display, interruption);
+  const Solution solution =
+      solve_visibly(problem, directions, options, display, Checkpoints(input, problem, err), interruption);
   interruption.note_all();
   RunResult result{.input = input,
                    .problem = problem,

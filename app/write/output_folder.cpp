@@ -83,8 +83,9 @@ void OutputFolder::publish(const std::vector<std::string>& outdated) {
   refuse_folders_in_the_way();
   for (const std::string& name : outdated)
     if (std::find(names_.begin(), names_.end(), name) == names_.end()) remove_file(directory_ / name);
-  // The last file vouches for the others, so the earlier one goes before anything is replaced.
-  if (!names_.empty()) remove_file(directory_ / names_.back());
+  // The last file vouches for the others, so the earlier one goes before anything is replaced. A file that is
+  // alone is replaced in one step.
+  if (names_.size() > 1) remove_file(directory_ / names_.back());
   for (const std::string& name : names_) {
     std::error_code error;
     fs::rename(temporary(name), directory_ / name, error);

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "app/write/output_folder.h"
+#include "app/write/solution_file.h"
 #include "app/write/summary.h"
 #include "app/write/tables.h"
 #include "app/write/vtk_files.h"
@@ -21,6 +22,9 @@ WrittenResults write_results(const RunResult& result) {
   OutputFolder folder(directory);
   write_fields(result, folder.add("fields.vtu"), directory / "fields.vtu");
   write_walls(result, folder.add("walls.vtp"), directory / "walls.vtp");
+  if (!result.solution.state.fluence.empty())
+    write_solution(result.input, result.problem, result.solution.state, folder.add("solution.vtu"),
+                   directory / "solution.vtu");
   if (!result.probes.empty()) folder.add_text("probes.csv", probes_csv(result));
   folder.add_text("walls.csv", walls_csv(result));
   folder.add_text("regions.csv", regions_csv(result));

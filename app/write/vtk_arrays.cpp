@@ -11,6 +11,7 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <system_error>
 
@@ -76,6 +77,16 @@ void add_names(vtkFieldData& fields, const std::string& array, const std::vector
   strings->SetName(array.c_str());
   for (const std::string& name : names) strings->InsertNextValue(name);
   fields.AddArray(strings);
+}
+
+std::array<vtkIdType, 4> positive_order(const TetrahedralMesh& mesh, CellIndex cell) {
+  const auto& v = mesh.vertices(cell);
+  const Vec3& origin = mesh.point(VertexIndex(v[0]));
+  const Vec3 a = mesh.point(VertexIndex(v[1])) - origin;
+  const Vec3 b = mesh.point(VertexIndex(v[2])) - origin;
+  const Vec3 c = mesh.point(VertexIndex(v[3])) - origin;
+  if (a.cross(b).dot(c) > 0) return {0, 1, 2, 3};
+  return {0, 1, 3, 2};
 }
 
 void write_vtk(vtkXMLWriter& writer, const std::filesystem::path& path, const std::filesystem::path& shown) {

@@ -6,11 +6,14 @@
 #include <vtkSmartPointer.h>
 #include <vtkXMLWriter.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "mesh/tetrahedra/tetrahedral_mesh.h"
 
 namespace etendue {
 
@@ -29,6 +32,10 @@ vtkSmartPointer<vtkDataArray> vtk_colors(const std::string& how, std::span<const
 
 /// Adds a list of names to the field data.
 void add_names(vtkFieldData& fields, const std::string& array, const std::vector<std::string>& names);
+
+/// The vertices of a cell, 0 … 3, in an order that VTK takes for a tetrahedron of positive volume. Sorted by
+/// number, about half of the cells stand the other way.
+std::array<vtkIdType, 4> positive_order(const TetrahedralMesh& mesh, CellIndex cell);
 
 /// Writes appended, compressed binary data. What VTK has to say about failures is in the FileError; `shown`
 /// is the path in its message.

@@ -7,7 +7,6 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 
@@ -30,18 +29,6 @@ vtkSmartPointer<vtkPoints> points_of_cells(const TetrahedralMesh& mesh) {
   vtkNew<vtkPoints> points;
   points->SetData(vtk_array({"points", {}, {}}, 3, coordinates));
   return points.Get();
-}
-
-/// The vertices in an order that VTK takes for a tetrahedron of positive volume. Sorted by number, about half
-/// of the cells stand the other way.
-std::array<vtkIdType, 4> positive_order(const TetrahedralMesh& mesh, CellIndex cell) {
-  const auto& v = mesh.vertices(cell);
-  const Vec3& origin = mesh.point(VertexIndex(v[0]));
-  const Vec3 a = mesh.point(VertexIndex(v[1])) - origin;
-  const Vec3 b = mesh.point(VertexIndex(v[2])) - origin;
-  const Vec3 c = mesh.point(VertexIndex(v[3])) - origin;
-  if (a.cross(b).dot(c) > 0) return {0, 1, 2, 3};
-  return {0, 1, 3, 2};
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> separate_cells(const TetrahedralMesh& mesh) {

@@ -103,8 +103,9 @@ class Run {
     basis_.clear();
     const BandScalars start = vectors_.norm(work_);
     const BandScalars size = vectors_.norm(state_);
-    std::vector<BandHessenberg> problems;
-    for (std::size_t b = 0; b < bands_; ++b) problems.emplace_back(result_.bands[b].converged ? 0 : start[b]);
+    problems_.clear();
+    for (std::size_t b = 0; b < bands_; ++b)
+      problems_.emplace_back(result_.bands[b].converged ? 0 : start[b]);
     push_normalised(start);
     for (std::size_t j = 0; j < length_ && !finished(); ++j) {
       sweep_.apply_linear(basis_[j], work_);
@@ -116,20 +117,32 @@ class Run {
       bool done = true;
       for (std::size_t b = 0; b < bands_; ++b) {
         if (result_.bands[b].converged) continue;
-        problems[b].add_column(columns[b]);
-        smallest_[b] = problems[b].smallest_singular_value();
+        problems_[b].add_column(columns[b]);
+        smallest_[b] = problems_[b].smallest_singular_value();
         // From nothing the first residual is the size of the answer.
         const double reference = std::max(size[b], start[b]);
-        result_.bands[b].residual = reference > 0 ? problems[b].residual() / (smallest_[b] * reference) : 0;
+        result_.bands[b].residual = reference > 0 ? problems_[b].residual() / (smallest_[b] * reference) : 0;
         done = done && result_.bands[b].residual <= safety * options_.tolerance;
       }
       if (!report() || done) break;
     }
+    add_correction(state_);
+    basis_.clear();
+  }
+
+  /// What the cycle has found so far.
+  void add_correction(TransportState& to) const {
     for (std::size_t j = 0; j < basis_.size(); ++j) {
       BandScalars factor;
-      for (const BandHessenberg& problem : problems) factor.push_back(problem.coefficient(j));
-      vectors_.add(state_, factor, basis_[j]);
+      for (const BandHessenberg& problem : problems_) factor.push_back(problem.coefficient(j));
+      vectors_.add(to, factor, basis_[j]);
     }
+  }
+
+  SavedState best_state() const {
+    TransportState best = state_;
+    add_correction(best);
+    return saved(best, static_cast<int>(bands_));
   }
 
   void push_normalised(const BandScalars& norm) {
@@ -167,10 +180,13 @@ class Run {
       result_.history.push_back({sweeps_, static_cast<int>(b), errors.back()});
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const SweepProgress progress{
-        sweeps_, options_.max_sweeps,
-        errors,  options_.tolerance,
-        seconds, seconds_left(*std::max_element(errors.begin(), errors.end()), seconds)};
+    const SweepProgress progress{sweeps_,
+                                 options_.max_sweeps,
+                                 errors,
+                                 options_.tolerance,
+                                 seconds,
+                                 seconds_left(*std::max_element(errors.begin(), errors.end()), seconds),
+                                 [this] { return best_state(); }};
     if (!observer_ || observer_(progress) == SolveControl::proceed) return true;
     result_.interrupted = !all_converged();
     return false;
@@ -192,7 +208,8 @@ class Run {
   std::size_t bands_;
   TransportState work_;
   std::size_t length_;
-  std::vector<TransportState> basis_;
+  std::vector<TransportState> basis_;  ///< of the cycle under way; empty between cycles
+  std::vector<BandHessenberg> problems_;
   std::vector<double> smallest_;  ///< [band] smallest singular value of I - T seen so far
   IterationResult result_;
   int sweeps_ = 0;

@@ -89,8 +89,8 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
       std::min<double>(threads, std::ceil(s.ordinates / batch)) *
       (traces + 4 * fields + 2 * s.faces * s.trace_length + batch * s.angular_cells * s.cell_length);
   const double coefficients = s.cells * (static_cast<double>(normals_stride) + 2 * s.stride);
-  // Sources, the record of the last sweep, and the solution: fluence and three components of flux.
-  const double results = fields + moments + 3 * fields + 16 * s.cells * s.stride;
+  // Sources, the record of the last sweep, and the solution: fluence, three components of flux, the state.
+  const double results = fields + moments + 3 * fields + 16 * s.cells * s.stride + state;
   const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
   const double orders = std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * 20);
   return static_cast<std::size_t>(8 * ((2 + basis) * state + workspaces + coefficients + results + kept) +

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/ordinates/saved_state.h"
+
 namespace etendue {
 
 /// How the iteration of one band ended.
@@ -60,6 +62,7 @@ struct Solution {
   std::vector<double> exitance;    ///< [boundary face][3][band] sent into the domain [power/length^2]
   std::vector<double> half_range;  ///< [boundary face] discrete half range [sr]; pi in the limit
   std::vector<OrdinateRadiance> radiance;
+  SavedState state;                          ///< from which another run may go on
   std::vector<double> meters;                ///< [meter][band] irradiance [power/length^2]
   std::vector<BandConvergence> convergence;  ///< [band]
   std::vector<HistoryEntry> history;

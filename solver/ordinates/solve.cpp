@@ -97,6 +97,7 @@ void measure(TransportSweep& sweep, const TransportState& state, Solution& solut
   for (OrdinateRadiance& kept : record.radiance)
     solution.radiance.push_back({kept.ordinate, unpadded(kept.values, nodes, 4, stride, bands)});
   solution.meters = unpadded(record.meters, 1, 1, stride, bands);
+  solution.state = saved(last_state, sweep.cells().bands());
   solution.negative = negative_census(solution.fluence, bands);
 }
 
@@ -107,6 +108,7 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   const std::vector<double> extinction = extinction_of(problem);
   TransportSweep sweep(problem, directions, extinction, options);
   TransportState state(sweep.layout());
+  if (options.initial != nullptr) restore(*options.initial, problem.band_count(), state);
   const std::unique_ptr<Iteration> iteration = make_iteration(options.method);
   Solution solution;
   solution.method = iteration->name();

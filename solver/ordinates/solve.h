@@ -8,6 +8,7 @@
 
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/angle/direction_set.h"
+#include "solver/ordinates/saved_state.h"
 #include "solver/ordinates/solution.h"
 #include "solver/problem/problem.h"
 
@@ -42,6 +43,8 @@ struct SolveOptions {
   std::vector<IrradianceMeter> meters;              ///< read while sweeping: the angular solution is not kept
   /// Source and inflow by direction on top of the problem's; must outlive the solution. Null: none.
   const AngularInput* angular_input = nullptr;
+  /// Where the iteration starts; must outlive the call. Null: from darkness.
+  const SavedState* initial = nullptr;
 };
 
 /// Bytes that solve() may take at its peak, the solution and all Krylov vectors included: an upper estimate.
@@ -56,6 +59,7 @@ struct SweepProgress {
   double tolerance = 0;
   double seconds = 0;       ///< since the first sweep began
   double seconds_left = 0;  ///< estimated from the measured rate of convergence; negative: unknown
+  std::function<SavedState()> state = {};  ///< makes a copy of the best state so far
 };
 
 enum class SolveControl { proceed, stop };

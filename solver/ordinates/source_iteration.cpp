@@ -65,7 +65,10 @@ IterationResult SourceIteration::run(TransportSweep& sweep, TransportState& stat
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const double seconds_left = left < 0 ? -1 : left * seconds / count;
-    const SweepProgress progress{count, options.max_sweeps, errors, options.tolerance, seconds, seconds_left};
+    const SweepProgress progress{
+        count, options.max_sweeps, errors, options.tolerance, seconds, seconds_left, [&] {
+          return saved(state, sweep.cells().bands());
+        }};
     if (observer && observer(progress) == SolveControl::stop) {
       result.interrupted = !done;
       break;

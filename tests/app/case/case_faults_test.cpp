@@ -55,8 +55,6 @@ const Check later[] = {
      "slab.toml:8: walls.window.beam: not in this version; remove it"},
     {"Camera", "[[camera]]\nname = \"front\"\n", "slab.toml:7: camera: not in this version; remove it"},
     {"Sensor", "[[sensor]]\nname = \"front\"\n", "slab.toml:7: sensor: not in this version; remove it"},
-    {"Initial", "[solve]\ninitial = \"solution.vtu\"\n",
-     "slab.toml:8: solve.initial = \"solution.vtu\": not in this version; remove it"},
     {"Method", "[solve]\nmethod = \"photons\"\n",
      "slab.toml:8: solve.method = \"photons\": not in this version; use \"auto\", \"gmres\" or "
      "\"source-iteration\""},

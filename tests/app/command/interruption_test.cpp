@@ -90,7 +90,7 @@ TEST(Interruption, WhileSolvingLeavesWholeResultsThatAreMarked) {
     EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
     EXPECT_EQ(ScratchFolder::names_in(folder.results()),
               (std::vector<std::string>{"fields.vtu", "history.csv", "probes.csv", "regions.csv",
-                                        "summary.json", "walls.csv", "walls.vtp"}));
+                                        "solution.vtu", "summary.json", "walls.csv", "walls.vtp"}));
     const json summary = json::parse(text_of(std::filesystem::path(folder.results()) / "summary.json"));
     EXPECT_EQ(summary["converged"], false);
     EXPECT_EQ(summary["interrupted"], true);
@@ -115,6 +115,32 @@ TEST(Interruption, KilledRunLeavesNoFileUnderItsName) {
   run.send(SIGKILL);
   EXPECT_EQ(run.wait(), -SIGKILL);
   EXPECT_EQ(ScratchFolder::names_in(folder.path()), (std::vector<std::string>{"case.toml", "said"}));
+}
+
+/// Waits until the file is there.
+bool appears(const std::filesystem::path& file) {
+  for (int i = 0; i < 3000 && !std::filesystem::exists(file); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return std::filesystem::exists(file);
+}
+
+TEST(Interruption, KilledRunLeavesItsLastWholeCheckpoint) {
+  const CaseFolder folder;
+  const std::filesystem::path results = folder.results();
+  std::vector<std::string> arguments = endless_run(folder);
+  arguments.insert(arguments.end(), {"--set", "output.checkpoint_every=1"});
+  Process run(arguments, said_in(folder));
+  ASSERT_TRUE(appears(results / "solution.vtu")) << text_of(said_in(folder));
+  // Some checkpoints later, wherever in the writing of one.
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  run.send(SIGKILL);
+  EXPECT_EQ(run.wait(), -SIGKILL);
+  EXPECT_FALSE(std::filesystem::exists(results / "summary.json"));
+  arguments.insert(arguments.end(), {"--set", "solve.max_sweeps=1", "--set",
+                                     "solve.initial='" + (results / "solution.vtu").string() + "'"});
+  Process continued(arguments, said_in(folder));
+  EXPECT_EQ(continued.wait(), 1) << text_of(said_in(folder));
+  EXPECT_NE(text_of(said_in(folder)).find("starts from"), std::string::npos);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/app/command/small_case.h"
 
@@ -16,8 +17,8 @@ using test::Outcome;
 using test::ScratchFolder;
 using test::text_of;
 
-const std::vector<std::string> all_files = {"fields.vtu",   "history.csv", "probes.csv", "regions.csv",
-                                            "summary.json", "walls.csv",   "walls.vtp"};
+const std::vector<std::string> all_files = {"fields.vtu",   "history.csv",  "probes.csv", "regions.csv",
+                                            "solution.vtu", "summary.json", "walls.csv",  "walls.vtp"};
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -70,6 +71,54 @@ TEST(Run, ThatDoesNotConvergeWritesItsResultsMarked) {
   EXPECT_TRUE(has(outcome.err, "not converged")) << outcome.err;
   EXPECT_EQ(summary_in(folder.results())["converged"], false);
   EXPECT_EQ(ScratchFolder::names_in(folder.results()), all_files);
+}
+
+std::string initial_in(const CaseFolder& folder) {
+  return "solve.initial='" + folder.results() + "/solution.vtu'";
+}
+
+/// The fluence at the probe, [band].
+std::vector<double> probed(const CaseFolder& folder) {
+  std::istringstream table(text_of(std::filesystem::path(folder.results()) / "probes.csv"));
+  std::vector<double> values;
+  std::string line;
+  for (std::getline(table, line); std::getline(table, line);) {
+    std::istringstream row(line);
+    std::string word;
+    for (int column = 0; column < 7; ++column) std::getline(row, word, ',');
+    values.push_back(std::stod(word));
+  }
+  return values;
+}
+
+TEST(Run, GoesOnFromItsSolutionToTheSameAnswer) {
+  const CaseFolder folder;
+  const std::vector<std::string> tight = {"run", folder.file(), "--set", "solve.tolerance=1e-9"};
+  ASSERT_EQ(etendue_says(tight).code, ExitCode::done);
+  const std::vector<double> expected = probed(folder);
+  std::vector<std::string> arguments = tight;
+  arguments.insert(arguments.end(), {"--set", "solve.max_sweeps=4"});
+  const Outcome stopped = etendue_says(arguments);
+  ASSERT_EQ(stopped.code, ExitCode::not_converged);
+  EXPECT_TRUE(has(stopped.err, "--set 'solve.initial=\"" + folder.results() + "/solution.vtu\"'"))
+      << stopped.err;
+  arguments = tight;
+  arguments.insert(arguments.end(), {"--set", initial_in(folder)});
+  ASSERT_EQ(etendue_says(arguments).code, ExitCode::done);
+  const std::vector<double> continued = probed(folder);
+  ASSERT_EQ(continued.size(), 3U);
+  for (std::size_t b = 0; b < 3; ++b) EXPECT_NEAR(continued[b], expected[b], 1e-8 * expected[b]);
+}
+
+TEST(Run, DoesNotGoOnFromAnotherCase) {
+  const CaseFolder folder;
+  ASSERT_EQ(etendue_says({"run", folder.file()}).code, ExitCode::done);
+  const Outcome outcome =
+      etendue_says({"run", folder.file(), "--set", initial_in(folder), "--set", "media.smoke.scattering=2",
+                    "--output", (folder.path() / "other").string()});
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "is a solution of another case ([media] differ)")) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "other"));
 }
 
 TEST(Run, RefusesAnOutputDirectoryThatIsAFileBeforeItMeshes) {

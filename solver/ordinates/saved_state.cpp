@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/ordinates/saved_state.h"
+
+#include <algorithm>
+#include <span>
+
+#include "mesh/base/errors.h"
+#include "solver/ordinates/sweep_kernel.h"
+#include "solver/ordinates/transport_state.h"
+
+namespace etendue {
+namespace {
+
+std::vector<double> unpadded(std::span<const double> values, std::size_t bands, std::size_t stride) {
+  std::vector<double> result;
+  result.reserve(values.size() / stride * bands);
+  for (std::size_t row = 0; row < values.size(); row += stride)
+    result.insert(result.end(), &values[row], &values[row] + bands);
+  return result;
+}
+
+void pad(const std::vector<double>& from, std::size_t bands, std::size_t stride, std::span<double> values) {
+  if (from.size() / bands != values.size() / stride)
+    throw InputError(
+        "the state to start from is not of this kind (other elements, directions, scattering or mirrors)");
+  for (std::size_t row = 0; row * bands < from.size(); ++row)
+    std::copy(&from[row * bands], &from[row * bands] + bands, &values[row * stride]);
+}
+
+}  // namespace
+
+SavedState saved(const TransportState& state, int bands) {
+  const auto count = static_cast<std::size_t>(bands);
+  const auto stride = static_cast<std::size_t>(lane_stride(bands));
+  return {bands,
+          unpadded(state.fluence(), count, stride),
+          unpadded(state.moments(), count, stride),
+          unpadded(state.irradiance(), count, stride),
+          unpadded(state.mirrors(), count, stride),
+          unpadded(state.lagged(), count, stride)};
+}
+
+void restore(const SavedState& from, int bands, TransportState& state) {
+  if (from.bands != bands) throw InputError("the state to start from has another number of bands");
+  const auto count = static_cast<std::size_t>(bands);
+  const auto stride = static_cast<std::size_t>(lane_stride(bands));
+  pad(from.fluence, count, stride, state.fluence());
+  pad(from.moments, count, stride, state.moments());
+  pad(from.irradiance, count, stride, state.irradiance());
+  pad(from.mirrors, count, stride, state.mirrors());
+  pad(from.lagged, count, stride, state.lagged());
+}
+
+}  // namespace etendue

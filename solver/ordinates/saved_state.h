@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+namespace etendue {
+
+class TransportState;
+
+/// All that one sweep hands to the next (TransportState), without the padding of lanes: what a file keeps and
+/// another run may start from. The band is the fastest index everywhere.
+struct SavedState {
+  int bands = 0;
+  std::vector<double> fluence;     ///< [cell][node][band], 4 nodes, or 1 of constant elements
+  std::vector<double> moments;     ///< [angular cell][moment][node][band]
+  std::vector<double> irradiance;  ///< [boundary face][face node][band]
+  std::vector<double> mirrors;     ///< [mirror face][pair of ordinates][face node][band]
+  std::vector<double> lagged;      ///< [lagged face of all pairs][2 ordinates][face node][band]
+};
+
+/// The values of a state, to the last bit.
+SavedState saved(const TransportState& state, int bands);
+
+/// Gives a state the values that were saved. Throws InputError where they are not of its kind.
+void restore(const SavedState& from, int bands, TransportState& state);
+
+}  // namespace etendue
