@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "solver/ordinates/lanes.h"
+#include "solver/ordinates/kernel_inline.h"
 
 namespace etendue {
 
@@ -17,28 +17,32 @@ namespace etendue {
 // the identity plus rank two. The mass is consistent with alpha_mass = beta_mass = 0.6 sigma_t V, and lumped
 // with alpha_mass = 3 sigma_t V, beta_mass = 0. Both keep the column sums, so both keep the cell's balance.
 
+//
+// T is a number, or a packet of them (packet.h).
+
 /// The areas of the four faces seen along one direction [length^2].
+template <class T>
 struct FaceFlows {
-  double leaving[4];   ///< p_f
-  double entering[4];  ///< n_f
-  double total;        ///< P
+  T leaving[4];   ///< p_f
+  T entering[4];  ///< n_f
+  T total;        ///< P
 };
 
-ETENDUE_KERNEL_INLINE FaceFlows face_flows(const double* a) {
-  FaceFlows flows;
-  flows.total = 0;
+template <class T>
+ETENDUE_KERNEL_INLINE FaceFlows<T> face_flows(const T (&a)[4]) {
+  FaceFlows<T> flows;
   for (int f = 0; f < 4; ++f) {
-    flows.leaving[f] = a[f] > 0 ? a[f] : 0;
+    flows.leaving[f] = a[f] > 0 ? a[f] : T{};
     flows.entering[f] = flows.leaving[f] - a[f];
-    flows.total += flows.leaving[f];
   }
+  flows.total = (flows.leaving[0] + flows.leaving[1]) + (flows.leaving[2] + flows.leaving[3]);
   return flows;
 }
 
-/// Adds to the right-hand side what enters through face f with the nodal values `u` at its three vertices:
+/// Adds to the right-hand side what enters through face f with the nodal values u[0 … 2] at its vertices:
 /// 12 times n_f times the face's mass matrix, n_f (sum of u + u_i).
 template <class T>
-ETENDUE_KERNEL_INLINE void add_inflow(const FaceFlows& flows, int f, const T (&u)[3], T (&right)[4]) {
+ETENDUE_KERNEL_INLINE void add_inflow(const FaceFlows<T>& flows, int f, const T* u, T (&right)[4]) {
   const T sum = flows.entering[f] * (u[0] + u[1] + u[2]);
   int corner = 0;
   for (int i = 0; i < 4; ++i) {
@@ -50,7 +54,7 @@ ETENDUE_KERNEL_INLINE void add_inflow(const FaceFlows& flows, int f, const T (&u
 /// The nodal values from 12 times the right-hand side, in closed form: with S the sum of the values and
 /// T = p . u, two equations in two unknowns whose determinant is positive, in vacuum too.
 template <class T>
-ETENDUE_KERNEL_INLINE void solve_cell(const FaceFlows& flows, const T& alpha_mass, const T& beta_mass,
+ETENDUE_KERNEL_INLINE void solve_cell(const FaceFlows<T>& flows, const T& alpha_mass, const T& beta_mass,
                                       const T (&right)[4], T (&u)[4]) {
   const T sum_right = (right[0] + right[1]) + (right[2] + right[3]);
   const T weighted_right = (flows.leaving[0] * right[0] + flows.leaving[1] * right[1]) +

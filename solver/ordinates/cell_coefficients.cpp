@@ -10,19 +10,15 @@ namespace {
 /// Cells thicker than this oscillate with the consistent mass where light enters (docs/theory.md).
 constexpr double lumping_thickness = 2;
 
-AlignedArray outward_normals(const TetrahedralMesh& mesh) {
-  AlignedArray normals(static_cast<std::size_t>(mesh.cell_count()) * normals_stride);
-  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-    double* record = normals.data() + static_cast<std::size_t>(c) * normals_stride;
-    for (std::size_t f = 0; f < 4; ++f) {
-      const FaceIndex face(mesh.faces(CellIndex(c))[f]);
-      // One normal for both sides of a face: what leaves one cell enters the other, to the last bit.
-      const double side = mesh.owner(face) == CellIndex(c) ? 1 : -1;
-      for (int axis = 0; axis < 3; ++axis)
-        record[3 * f + static_cast<std::size_t>(axis)] = side * mesh.area_normal(face)[axis];
-    }
+/// Outward area normals of faces 0, 1 and 2.
+void write_normals(const TetrahedralMesh& mesh, CellIndex cell, double* record) {
+  for (std::size_t f = 0; f < 3; ++f) {
+    const FaceIndex face(mesh.faces(cell)[f]);
+    // One normal for both sides of a face: what leaves one cell enters the other, to the last bits.
+    const double side = mesh.owner(face) == cell ? 1 : -1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      record[3 * axis + f] = side * mesh.area_normal(face)[static_cast<Eigen::Index>(axis)];
   }
-  return normals;
 }
 
 bool lumps(Lumping lumping, double thickness) {
@@ -38,25 +34,36 @@ CellCoefficients::CellCoefficients(const TetrahedralMesh& mesh, std::span<const 
     : basis_(basis),
       bands_(bands),
       stride_(lane_stride(bands)),
+      mesh_(mesh),
       volumes_(mesh.volumes()),
-      normals_(outward_normals(mesh)),
-      mass_(static_cast<std::size_t>(mesh.cell_count()) * 2 * static_cast<std::size_t>(stride_)),
+      extinction_(extinction.begin(), extinction.end()),
       lumped_(extinction.size(), 0) {
-  const auto width = static_cast<std::size_t>(stride_);
+  if (basis == Basis::constant) return;
   for (std::size_t c = 0; c < volumes_.size(); ++c)
     for (std::size_t b = 0; b < static_cast<std::size_t>(bands); ++b) {
       const std::size_t at = c * static_cast<std::size_t>(bands) + b;
-      const double absorbed = extinction[at] * volumes_[c];
-      double* mass = mass_.data() + c * 2 * width + b;
-      if (basis == Basis::constant) {
-        mass[0] = absorbed;
-      } else if (lumps(lumping, extinction[at] * cell_size(volumes_[c]))) {
-        lumped_[at] = 1;
-        mass[0] = 3 * absorbed;
-      } else {
-        mass[0] = mass[width] = 0.6 * absorbed;
-      }
+      lumped_[at] = lumps(lumping, extinction_[at] * cell_size(volumes_[c])) ? 1 : 0;
     }
+}
+
+double CellCoefficients::mass(CellIndex cell, int band) const {
+  const std::size_t at = cell.at() * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band);
+  const double absorbed = extinction_[at] * volumes_[cell.at()];
+  if (basis_ == Basis::constant) return absorbed;
+  return lumped_[at] != 0 ? -3 * absorbed : 0.6 * absorbed;
+}
+
+AlignedArray CellCoefficients::make_records() const {
+  const RecordLayout record = layout();
+  AlignedArray records((volumes_.size() + 1) * record.length);
+  for (std::int32_t c = 0; c < mesh_.cell_count(); ++c) {
+    double* own = records.data() + static_cast<std::size_t>(c) * record.length;
+    write_normals(mesh_, CellIndex(c), own);
+    for (int b = 0; b < bands_; ++b) own[record.mass + static_cast<std::size_t>(b)] = mass(CellIndex(c), b);
+  }
+  double* idle = records.data() + volumes_.size() * record.length;
+  for (int b = 0; b < stride_; ++b) idle[record.mass + static_cast<std::size_t>(b)] = 1;
+  return records;
 }
 
 bool CellCoefficients::is_lumped(CellIndex cell, int band) const {

@@ -9,10 +9,11 @@
 
 namespace etendue {
 
-/// What the cell balance needs of each cell, whatever the direction: normals and the mass terms.
+/// What the cell balance needs of each cell, whatever the direction.
 class CellCoefficients {
  public:
   /// `extinction` is [cell][band] [1/length]; it need not be that of the problem (a time step adds to it).
+  /// The mesh must outlive it.
   CellCoefficients(const TetrahedralMesh& mesh, std::span<const double> extinction, int bands, Basis basis,
                    Lumping lumping);
 
@@ -28,8 +29,10 @@ class CellCoefficients {
   std::size_t trace_length() const {
     return static_cast<std::size_t>(face_nodes()) * static_cast<std::size_t>(stride_);
   }
-  const double* normals() const { return normals_.data(); }
-  const double* mass() const { return mass_.data(); }
+  RecordLayout layout() const { return record_layout(basis_, stride_); }
+  /// The records that sweeps read, [cell + 1][layout().length], with no source yet. The last is the idle
+  /// cell's.
+  AlignedArray make_records() const;
 
   /// Factors (sum, own) of the right-hand side of a source s in one cell and band:
   /// right_i = sum (s_0 + s_1 + s_2 + s_3) + own s_i.
@@ -39,6 +42,8 @@ class CellCoefficients {
   };
   SourceFactors source_factors(CellIndex cell, int band) const;
   bool is_lumped(CellIndex cell, int band) const;
+  /// As the record holds it (cell_record.h).
+  double mass(CellIndex cell, int band) const;
   /// Pairs of a cell and a band whose mass is lumped.
   long lumped_count() const;
 
@@ -46,10 +51,10 @@ class CellCoefficients {
   Basis basis_;
   int bands_;
   int stride_;
+  const TetrahedralMesh& mesh_;
   std::span<const double> volumes_;
-  AlignedArray normals_;      ///< [cell][normals_stride]
-  AlignedArray mass_;         ///< [cell][2][stride]
-  std::vector<char> lumped_;  ///< [cell][band]
+  std::vector<double> extinction_;  ///< [cell][band] [1/length]
+  std::vector<char> lumped_;        ///< [cell][band]
 };
 
 /// Edge of the regular tetrahedron of this volume: the size of a cell in "extinction times cell size".

@@ -18,8 +18,9 @@ struct Sizes {
   double cells = 0;
   double faces = 0;  ///< on the boundary
   double ordinates = 0;
-  double cell_length = 0;   ///< doubles
-  double trace_length = 0;  ///< doubles
+  double cell_length = 0;    ///< doubles
+  double trace_length = 0;   ///< doubles
+  double record_length = 0;  ///< doubles
   double stride = 0;
   double angular_cells = 0;
   double moments = 1;
@@ -46,6 +47,7 @@ Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const Sol
   sizes.stride = lane_stride(problem.band_count());
   sizes.cell_length = nodes_per_cell(basis) * sizes.stride;
   sizes.trace_length = nodes_per_face(basis) * sizes.stride;
+  sizes.record_length = static_cast<double>(record_layout(basis, lane_stride(problem.band_count())).length);
   std::vector<int> degrees;
   for (const Medium& medium : problem.media()) {
     int degree = 0;
@@ -82,19 +84,20 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
                                         static_cast<double>(shortest_krylov_basis),
                                         static_cast<double>(longest_krylov_basis) + 1);
   const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
-  // A front through the mesh is live at a time: some cells^(2/3), with room.
-  const double traces = (s.faces + 4 * std::pow(s.cells, 2.0 / 3)) * s.trace_length;
+  // Cells at the boundary keep their slots; besides, a front through the mesh is live at a time.
+  const double slots = (2 * s.faces + 8 * std::pow(s.cells, 2.0 / 3)) * s.cell_length;
   const double batch = ordinates_per_batch(directions.count());
   const double workspaces =
       std::min<double>(threads, std::ceil(s.ordinates / batch)) *
-      (traces + 4 * fields + 2 * s.faces * s.trace_length + batch * s.angular_cells * s.cell_length);
-  const double coefficients = s.cells * (static_cast<double>(normals_stride) + 2 * s.stride);
-  // Sources, the record of the last sweep, and the solution: fluence, three components of flux, the state.
-  const double results = fields + moments + 3 * fields + 16 * s.cells * s.stride + state;
+      (slots + 4 * fields + 2 * s.faces * s.trace_length + batch * s.angular_cells * s.cell_length);
+  const double records = s.cells * static_cast<double>(s.record_length);
+  // Sources of moments, the record of the last sweep, and the solution: fluence, three components of flux,
+  // the state.
+  const double results = moments + 3 * fields + 16 * s.cells * s.stride + state;
   const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
-  const double orders = std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * 20);
-  return static_cast<std::size_t>(8 * ((2 + basis) * state + workspaces + coefficients + results + kept) +
-                                  orders);
+  const double orders =
+      std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * sizeof(SweepVisit));
+  return static_cast<std::size_t>(8 * ((2 + basis) * state + workspaces + records + results + kept) + orders);
 }
 
 }  // namespace etendue

@@ -50,7 +50,7 @@ ScatteringMoments::ScatteringMoments(const Problem& problem, const DirectionSet&
 
 void ScatteringMoments::find_angular_cells(std::span<const CellIndex> observed) {
   const TetrahedralMesh& mesh = problem_.mesh();
-  index_.assign(static_cast<std::size_t>(mesh.cell_count()), 0);
+  index_.assign(static_cast<std::size_t>(mesh.cell_count()) + 1, 0);
   for (const CellIndex cell : observed) index_[cell.at()] = 1;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
@@ -84,7 +84,8 @@ void ScatteringMoments::fill_factors() {
 }
 
 void ScatteringMoments::form_source(const TransportState& state, Emission emission, std::int32_t first,
-                                    std::int32_t last, double* isotropic, double* moments) const {
+                                    std::int32_t last, double* records, double* moments) const {
+  const RecordLayout layout = cells_.layout();
   const std::size_t nodes = static_cast<std::size_t>(cells_.nodes());
   const std::size_t stride = static_cast<std::size_t>(cells_.stride());
   const int bands = problem_.band_count();
@@ -101,7 +102,7 @@ void ScatteringMoments::form_source(const TransportState& state, Emission emissi
     const std::int32_t row = index_[cell.at()];
     const double* fluence = state.fluence().data() + cell.at() * row_length_;
     double* right = row > 0 ? moments + static_cast<std::size_t>(row - 1) * count() * row_length_
-                            : isotropic + cell.at() * row_length_;
+                            : records + cell.at() * layout.length + layout.source;
     const auto region = static_cast<std::size_t>(problem_.mesh().region(cell));
     for (int b = 0; b < bands; ++b) {
       const auto band = static_cast<std::size_t>(b);

@@ -32,7 +32,7 @@ class ScatteringMoments {
   std::size_t moments_size() const {
     return row_count() * static_cast<std::size_t>(moment_count()) * row_length_;
   }
-  /// [cell] row, 0 without; null where no cell is angular.
+  /// [cell + 1] row, 0 without, as the idle cell; null where no cell is angular.
   const std::int32_t* index() const { return angular_cells_.empty() ? nullptr : index_.data(); }
   std::int32_t row(CellIndex cell) const { return index_[cell.at()]; }
   std::span<const std::int32_t> angular_cells() const { return angular_cells_; }
@@ -42,9 +42,9 @@ class ScatteringMoments {
   const double* integration(OrdinateIndex m) const { return &integration_[m.at() * count()]; }
 
   /// Right-hand sides of emission and scattering of a state, for cells first … last - 1: the isotropic part
-  /// [cell][node][stride], and moments [row][moment][node][stride] for angular cells.
+  /// into the source of the cells' records, and moments [row][moment][node][stride] for angular cells.
   void form_source(const TransportState& state, Emission emission, std::int32_t first, std::int32_t last,
-                   double* isotropic, double* moments) const;
+                   double* records, double* moments) const;
 
   const std::vector<KernelReport>& kernels() const { return kernels_; }
 

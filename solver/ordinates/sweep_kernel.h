@@ -4,35 +4,29 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "solver/ordinates/cell_record.h"
+#include "solver/ordinates/sweep_visit.h"
+
 namespace etendue {
 
-/// Polynomial space of the kernel.
-enum class Basis { constant, linear };
-
-constexpr int nodes_per_cell(Basis basis) { return basis == Basis::linear ? 4 : 1; }
-constexpr int nodes_per_face(Basis basis) { return basis == Basis::linear ? 3 : 1; }
-
-/// Doubles from one cell's outward area normals [4][3] to the next; a record fills two cache lines.
-inline constexpr std::size_t normals_stride = 16;
-
 /// One direction's sweep over all cells, as bare arrays. `stride` is the number of bands rounded up to whole
-/// lanes; in all arrays the band is the fastest index. Right-hand sides are multiplied by 12 (linear basis).
+/// lanes; in all arrays the band is the fastest index. What stands for each cell has one more entry at the
+/// end, for the idle cell that fills up incomplete packets (its record has a mass and nothing else).
 struct SweepTask {
-  std::int32_t cell_count = 0;
-  const std::int32_t* cells = nullptr;  ///< [position] cell
-  const std::int32_t* slots = nullptr;  ///< [position][4]
-  bool backwards = false;               ///< walk the positions from the last to the first
+  const SweepVisit* visits = nullptr;    ///< [position]
+  const std::int32_t* levels = nullptr;  ///< [level + 1] first position, and the end
+  std::int32_t level_count = 0;
+  std::uint32_t idle_cell = 0;  ///< the number of cells
+  bool backwards = false;       ///< walk the positions from the last to the first
   double direction[3] = {};
   double weight = 0;                ///< [sr]
   std::ptrdiff_t stride = 1;        ///< bands, rounded up to lanes
-  const double* normals = nullptr;  ///< [cell][4][3] padded to normals_stride [length^2]
-  const double* mass = nullptr;     ///< [cell][2][stride] alpha_mass, beta_mass (cell_balance.h)
-  const double* source = nullptr;   ///< [cell][node][stride] right-hand side of isotropic sources
+  const double* records = nullptr;  ///< [cell][record length] cell_record.h
+  double* slots = nullptr;          ///< [slot][node][stride] radiance
+  double* fluence = nullptr;        ///< [cell][node][stride] += weight u
   const std::int32_t* angular_index =
       nullptr;                 ///< [cell] row in `angular`; 0, a scratch row, without; null: no cell has one
   double* angular = nullptr;   ///< [row][node][stride] in: right-hand side of this direction; out: radiance
-  double* traces = nullptr;    ///< [slot][face node][stride] radiance on faces
-  double* fluence = nullptr;   ///< [cell][node][stride] += weight u
   double* net_flux = nullptr;  ///< [cell][3][node][stride] += weight direction u; null: not wanted
 };
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/ordinates/sweep_order.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
+#include "mesh/base/errors.h"
 #include "solver/ordinates/cycle_breaking.h"
 
 namespace etendue {
@@ -22,6 +26,35 @@ std::vector<Passage> passages(const TetrahedralMesh& mesh, const Vec3& direction
   return result;
 }
 
+/// Cells that become ready together, given back in the order of their numbers: along the space-filling curve,
+/// so that neighbours in the order are neighbours in memory.
+class ReadyCells {
+ public:
+  explicit ReadyCells(std::size_t cells) : bits_(cells / 64 + 1), first_(bits_.size()) {}
+
+  void add(std::int32_t cell) {
+    const auto word = static_cast<std::size_t>(cell) / 64;
+    bits_[word] |= std::uint64_t{1} << (static_cast<unsigned>(cell) % 64);
+    first_ = std::min(first_, word);
+    last_ = std::max(last_, word + 1);
+  }
+
+  /// Appends them to `cells` and forgets them.
+  void move_to(std::vector<std::uint32_t>& cells) {
+    for (std::size_t word = first_; word < last_; ++word)
+      for (std::uint64_t& bits = bits_[word]; bits != 0; bits &= bits - 1)
+        cells.push_back(static_cast<std::uint32_t>(64 * word) +
+                        static_cast<std::uint32_t>(std::countr_zero(bits)));
+    first_ = bits_.size();
+    last_ = 0;
+  }
+
+ private:
+  std::vector<std::uint64_t> bits_;
+  std::size_t first_;
+  std::size_t last_ = 0;
+};
+
 /// The cells in levels: each level needs only those before it.
 class LevelSchedule {
  public:
@@ -33,24 +66,23 @@ class LevelSchedule {
         waiting_(static_cast<std::size_t>(mesh.cell_count())) {
     const auto sides = mesh.face_cells();
     for (std::size_t f = static_cast<std::size_t>(mesh.boundary_face_count()); f < sides.size(); ++f)
-      if (passage[f] != Passage::none && !lagged[f])
+      if (passage[f] != Passage::none && !is_lagged(f))
         ++waiting_[static_cast<std::size_t>(sides[f][passage[f] == Passage::from_owner ? 1 : 0])];
   }
 
   /// Fewer cells than the mesh has where cycles are left.
-  void run(std::vector<std::int32_t>& cells, std::vector<std::int32_t>& levels) {
+  void run(std::vector<std::uint32_t>& cells, std::vector<std::int32_t>& levels) {
     cells.clear();
     levels.assign(1, 0);
     cells.reserve(waiting_.size());
+    ReadyCells ready(waiting_.size());
     for (std::size_t c = 0; c < waiting_.size(); ++c)
-      if (waiting_[c] == 0) cells.push_back(static_cast<std::int32_t>(c));
+      if (waiting_[c] == 0) ready.add(static_cast<std::int32_t>(c));
     std::size_t level = 0;
-    while (level < cells.size()) {
+    for (ready.move_to(cells); level < cells.size(); ready.move_to(cells)) {
       const std::size_t end = cells.size();
       levels.push_back(static_cast<std::int32_t>(end));
-      for (std::size_t i = level; i < end; ++i) release(cells[i], cells);
-      // Along the space-filling curve within a level: neighbours in the order are neighbours in memory.
-      std::sort(cells.begin() + static_cast<std::ptrdiff_t>(end), cells.end());
+      for (std::size_t i = level; i < end; ++i) release(cells[i], ready);
       level = end;
     }
   }
@@ -58,22 +90,25 @@ class LevelSchedule {
   bool is_waiting(std::int32_t cell) const { return waiting_[static_cast<std::size_t>(cell)] > 0; }
 
  private:
-  void release(std::int32_t cell, std::vector<std::int32_t>& ready) {
+  bool is_lagged(std::size_t face) const { return !lagged_.empty() && lagged_[face] != 0; }
+
+  /// Lets go of the cells behind.
+  void release(std::uint32_t cell, ReadyCells& ready) {
     for (const std::int32_t face : mesh_.faces(CellIndex(cell))) {
       const auto f = static_cast<std::size_t>(face);
-      if (face < mesh_.boundary_face_count() || lagged_[f]) continue;
+      if (passage_[f] == Passage::none || is_lagged(f)) continue;
       const auto& sides = mesh_.face_cells()[f];
-      const int from = passage_[f] == Passage::from_owner ? 0 : 1;
-      if (passage_[f] == Passage::none || sides[static_cast<std::size_t>(from)] != cell) continue;
-      const std::int32_t behind = sides[static_cast<std::size_t>(1 - from)];
-      if (--waiting_[static_cast<std::size_t>(behind)] == 0) ready.push_back(behind);
+      const std::size_t from = passage_[f] == Passage::from_owner ? 0 : 1;
+      const std::int32_t behind = sides[1 - from];
+      if (behind < 0 || static_cast<std::uint32_t>(sides[from]) != cell) continue;
+      if (--waiting_[static_cast<std::size_t>(behind)] == 0) ready.add(behind);
     }
   }
 
   const TetrahedralMesh& mesh_;
   const std::vector<Passage>& passage_;
-  const std::vector<char>& lagged_;
-  std::vector<std::int32_t> waiting_;  ///< [cell] faces that light still has to come through
+  const std::vector<char>& lagged_;   ///< [face], or empty where none is
+  std::vector<std::int8_t> waiting_;  ///< [cell] faces that light still has to come through
 };
 
 /// Faces to lag so that the cells that still wait can be ordered.
@@ -92,91 +127,123 @@ std::vector<std::int32_t> faces_to_lag(const TetrahedralMesh& mesh, const Vec3& 
   return feedback_faces(mesh.cell_count(), edges);
 }
 
-/// Gives each face a slot while the cells are walked in their order.
+/// Gives each cell a slot while the cells are walked in their order. A slot is taken before any cell that a
+/// cell exchanges light with is visited, and given back after the last of them: so the order can be walked
+/// backwards as well, and a packet of cells can read all that it needs before it writes.
 class SlotAllocation {
  public:
-  SlotAllocation(const TetrahedralMesh& mesh, const std::vector<Passage>& passage, SweepOrder& order)
-      : mesh_(mesh), passage_(passage), order_(order), face_slot_(passage.size(), -1) {
-    next_ = 1 + mesh.boundary_face_count();
-    for (LaggedFace& face : order.lagged) {
-      face.upwind_slot = next_++;
-      face.downwind_slot = next_++;
-      face_slot_[static_cast<std::size_t>(face.face)] = face.upwind_slot;
-    }
+  SlotAllocation(const TetrahedralMesh& mesh, const WallSlots& walls, const std::vector<Passage>& passage,
+                 std::vector<LaggedFace>& lagged)
+      : mesh_(mesh),
+        walls_(walls),
+        passage_(passage),
+        next_(walls.count()),
+        slot_(walls.of_cells().begin(), walls.of_cells().end()),
+        visits_left_(slot_.size(), 1) {
+    // What a lagged face delivers is put there before a sweep and read after it.
+    for (LaggedFace& face : lagged)
+      for (FaceCode* side : {&face.upwind, &face.downwind}) {
+        std::uint32_t& slot = slot_[side->slot];
+        if (slot == 0) slot = next_++;
+        side->slot = slot;
+      }
+    first_recycled_ = next_;
+    const auto sides = mesh.face_cells();
+    for (std::size_t f = static_cast<std::size_t>(mesh.boundary_face_count()); f < sides.size(); ++f)
+      if (passage[f] != Passage::none)
+        for (const std::int32_t cell : sides[f]) ++visits_left_[static_cast<std::size_t>(cell)];
   }
 
-  void run() {
-    order_.slots.resize(4 * order_.cells.size());
-    for (std::size_t i = 0; i < order_.cells.size(); ++i) visit(order_.cells[i], &order_.slots[4 * i]);
-    order_.slot_count = next_;
+  void run(std::span<const std::uint32_t> cells, std::vector<SweepVisit>& visits) {
+    visits.resize(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) visit(cells[i], visits[i]);
   }
+
+  std::uint32_t slot_count() const { return next_; }
 
  private:
-  // Slots to write are taken before those that were read are given back: the four of a cell differ, which
-  // the backward sweep needs as much as the forward one.
-  void visit(std::int32_t cell, std::int32_t* slots) {
+  void visit(std::uint32_t cell, SweepVisit& result) {
     const auto& faces = mesh_.faces(CellIndex(cell));
-    std::int32_t finished[4];
-    int finished_count = 0;
+    std::uint32_t parallel = 0;
+    std::uint32_t concerned[5] = {cell};
+    std::size_t count = 1;
+    result.slot = take(cell);
     for (std::size_t k = 0; k < 4; ++k) {
       const auto f = static_cast<std::size_t>(faces[k]);
       if (passage_[f] == Passage::none) {
-        slots[k] = 0;
+        parallel |= std::uint32_t{1} << (visit_cell_bits + static_cast<int>(k));
       } else if (faces[k] < mesh_.boundary_face_count()) {
-        slots[k] = 1 + faces[k];
-      } else if (is_lagged(f)) {
-        // The downwind slot follows the upwind one.
-        slots[k] = face_slot_[f] + (leaves(f, cell) ? 0 : 1);
-      } else if (leaves(f, cell)) {
-        slots[k] = face_slot_[f] = take();
+        result.faces[k] = packed({walls_.inflow(faces[k]), 3});
       } else {
-        slots[k] = finished[finished_count++] = face_slot_[f];
+        const auto& sides = mesh_.face_cells()[f];
+        const CellIndex other(sides[static_cast<std::uint32_t>(sides[0]) == cell ? 1 : 0]);
+        concerned[count++] = static_cast<std::uint32_t>(other.value());
+        result.faces[k] = packed({take(static_cast<std::uint32_t>(other.value())),
+                                  opposite_node(mesh_, other, FaceIndex(faces[k]))});
       }
     }
-    free_.insert(free_.end(), finished, finished + finished_count);
+    result.cell_and_parallel = cell | parallel;
+    for (std::size_t i = 0; i < count; ++i) give_back(concerned[i]);
   }
 
-  bool is_lagged(std::size_t face) const {
-    const std::int32_t first = 1 + mesh_.boundary_face_count();
-    return !order_.lagged.empty() && face_slot_[face] >= first &&
-           face_slot_[face] < first + 2 * static_cast<std::int32_t>(order_.lagged.size());
-  }
-
-  bool leaves(std::size_t face, std::int32_t cell) const {
-    return (passage_[face] == Passage::from_owner) == (mesh_.face_cells()[face][0] == cell);
-  }
-
-  std::int32_t take() {
-    if (free_.empty()) return next_++;
-    const std::int32_t slot = free_.back();
+  std::uint32_t take(std::uint32_t cell) {
+    std::uint32_t& slot = slot_[cell];
+    if (slot != 0) return slot;
+    if (free_.empty()) return slot = next_++;
+    slot = free_.back();
     free_.pop_back();
     return slot;
   }
 
+  void give_back(std::uint32_t cell) {
+    if (--visits_left_[cell] == 0 && slot_[cell] >= first_recycled_) free_.push_back(slot_[cell]);
+  }
+
   const TetrahedralMesh& mesh_;
+  const WallSlots& walls_;
   const std::vector<Passage>& passage_;
-  SweepOrder& order_;
-  std::vector<std::int32_t> face_slot_;
-  std::vector<std::int32_t> free_;
-  std::int32_t next_ = 0;
+  std::uint32_t next_;
+  std::uint32_t first_recycled_ = 0;
+  std::vector<std::uint32_t> slot_;       ///< [cell] 0 until it is taken
+  std::vector<std::int8_t> visits_left_;  ///< [cell] its own and those of the cells around
+  std::vector<std::uint32_t> free_;
 };
+
+/// The visits must be able to name all cells.
+void check_size(const TetrahedralMesh& mesh) {
+  if (mesh.cell_count() >= most_cells)
+    throw InputError(
+        fmt::format("the mesh has {} cells; a sweep can order {}", mesh.cell_count(), most_cells - 1));
+}
 
 }  // namespace
 
-SweepOrder make_sweep_order(const TetrahedralMesh& mesh, const Vec3& direction) {
+SweepOrder make_sweep_order(const TetrahedralMesh& mesh, const WallSlots& walls, const Vec3& direction) {
+  check_size(mesh);
   SweepOrder order;
+  std::vector<std::uint32_t> cells;
   const std::vector<Passage> passage = passages(mesh, direction);
-  std::vector<char> lagged(passage.size(), 0);
+  std::vector<char> lagged;
   LevelSchedule schedule(mesh, passage, lagged);
-  schedule.run(order.cells, order.levels);
-  if (order.cells.size() < static_cast<std::size_t>(mesh.cell_count())) {
-    for (const std::int32_t face : faces_to_lag(mesh, direction, passage, schedule)) {
-      order.lagged.push_back({face, 0, 0});
-      lagged[static_cast<std::size_t>(face)] = 1;
+  schedule.run(cells, order.levels);
+  if (cells.size() < static_cast<std::size_t>(mesh.cell_count())) {
+    lagged.assign(passage.size(), 0);
+    for (const std::int32_t f : faces_to_lag(mesh, direction, passage, schedule)) {
+      const FaceIndex face(f);
+      const bool from_owner = passage[face.at()] == Passage::from_owner;
+      const CellIndex upwind = from_owner ? mesh.owner(face) : mesh.neighbour(face);
+      const CellIndex downwind = from_owner ? mesh.neighbour(face) : mesh.owner(face);
+      order.lagged.push_back(
+          {f,
+           {static_cast<std::uint32_t>(upwind.value()), opposite_node(mesh, upwind, face)},
+           {static_cast<std::uint32_t>(downwind.value()), opposite_node(mesh, downwind, face)}});
+      lagged[face.at()] = 1;
     }
-    LevelSchedule(mesh, passage, lagged).run(order.cells, order.levels);
+    LevelSchedule(mesh, passage, lagged).run(cells, order.levels);
   }
-  SlotAllocation(mesh, passage, order).run();
+  SlotAllocation allocation(mesh, walls, passage, order.lagged);
+  allocation.run(cells, order.visits);
+  order.slot_count = allocation.slot_count();
   return order;
 }
 

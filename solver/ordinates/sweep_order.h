@@ -6,32 +6,29 @@
 #include <vector>
 
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
+#include "solver/ordinates/sweep_slots.h"
 
 namespace etendue {
 
 /// A face whose two sides do not wait for each other, because waiting would close a cycle: the cell behind it
-/// reads what the cell before it sent in the last sweep.
+/// reads what the cell before it held before this sweep.
 struct LaggedFace {
   std::int32_t face = 0;
-  std::int32_t upwind_slot = 0;    ///< written by the cell that the light leaves
-  std::int32_t downwind_slot = 0;  ///< read by the cell that the light enters
+  /// The slots of the cells on its two sides, and the face as these see it. Light goes from the first to the
+  /// second along the direction of the order, the other way along the opposite one.
+  FaceCode upwind;
+  FaceCode downwind;
 };
 
-/// The order in which one direction visits the cells, and where each cell finds and leaves the traces on its
-/// faces. The opposite direction uses the same order backwards.
-///
-/// Slot 0 belongs to faces parallel to the direction, through which nothing passes. Slot 1 + f belongs to
-/// boundary face f. Then come two for each lagged face, and the rest are used again as soon as the cell
-/// behind a face has read it: they stay in cache.
+/// The order in which one direction visits the cells. The opposite direction uses the same order backwards.
 struct SweepOrder {
-  std::vector<std::int32_t> cells;   ///< [position] cell
-  std::vector<std::int32_t> slots;   ///< [position][4] slot of each face of that cell
+  std::vector<SweepVisit> visits;    ///< [position]
   std::vector<std::int32_t> levels;  ///< first position of each level of independent cells, and the end
   std::vector<LaggedFace> lagged;
-  std::int32_t slot_count = 0;
+  std::uint32_t slot_count = 0;
 
   std::size_t bytes() const {
-    return (cells.size() + slots.size() + levels.size()) * sizeof(std::int32_t) +
+    return visits.size() * sizeof(SweepVisit) + levels.size() * sizeof(std::int32_t) +
            lagged.size() * sizeof(LaggedFace);
   }
 };
@@ -48,6 +45,6 @@ inline double seen_area(const Vec3& area_normal, const Vec3& direction) {
 
 /// The order for one direction. Every cell stands behind all cells that send light into it, but for lagged
 /// faces (Tarjan's components, then a greedy feedback arc set; none is expected on Delaunay meshes).
-SweepOrder make_sweep_order(const TetrahedralMesh& mesh, const Vec3& direction);
+SweepOrder make_sweep_order(const TetrahedralMesh& mesh, const WallSlots& walls, const Vec3& direction);
 
 }  // namespace etendue

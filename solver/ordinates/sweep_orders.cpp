@@ -7,17 +7,21 @@ namespace etendue {
 
 SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t bytes,
                          int threads)
-    : mesh_(mesh), directions_(directions), orders_(static_cast<std::size_t>(directions.count() / 2)) {
+    : mesh_(mesh),
+      directions_(directions),
+      orders_(static_cast<std::size_t>(directions.count() / 2)),
+      walls_(mesh) {
   const auto pairs = static_cast<std::int32_t>(orders_.size());
   // All orders of a mesh are about as large: which are kept is decided beforehand, by their number.
-  const std::size_t one = static_cast<std::size_t>(mesh.cell_count()) * 5 * sizeof(std::int32_t);
+  const std::size_t one = static_cast<std::size_t>(mesh.cell_count()) * sizeof(SweepVisit);
   kept_count_ = static_cast<int>(std::min(orders_.size(), bytes / std::max<std::size_t>(one, 1)));
   std::vector<std::size_t> lagged(orders_.size(), 0);
-  std::vector<std::int32_t> slots(orders_.size(), 0);
+  std::vector<std::uint32_t> slots(orders_.size(), 0);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
   for (std::int32_t pair = 0; pair < pairs; ++pair) {
     const auto p = static_cast<std::size_t>(pair);
-    SweepOrder order = make_sweep_order(mesh, directions.direction(OrdinateIndex(std::int64_t{2} * pair)));
+    SweepOrder order =
+        make_sweep_order(mesh, walls_, directions.direction(OrdinateIndex(std::int64_t{2} * pair)));
     lagged[p] = order.lagged.size();
     slots[p] = order.slot_count;
     if (pair < kept_count_) orders_[p] = std::move(order);
@@ -30,7 +34,7 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
 const SweepOrder& SweepOrders::of_pair(std::int32_t pair, SweepOrder& scratch) const {
   const auto& kept = orders_[static_cast<std::size_t>(pair)];
   if (kept) return *kept;
-  scratch = make_sweep_order(mesh_, directions_.direction(OrdinateIndex(std::int64_t{2} * pair)));
+  scratch = make_sweep_order(mesh_, walls_, directions_.direction(OrdinateIndex(std::int64_t{2} * pair)));
   return scratch;
 }
 

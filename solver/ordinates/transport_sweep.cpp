@@ -69,8 +69,9 @@ std::int32_t ordinates_per_batch(int ordinates) {
 
 /// What one thread needs while it sweeps a batch; sums are zero between batches.
 struct TransportSweep::Workspace {
-  AlignedArray traces;
-  AlignedArray fluence;
+  AlignedArray radiance;  ///< of `slots`
+  SweepSlots slots;
+  AlignedArray fluence;  ///< [cell + 1][node][stride]
   AlignedArray irradiance;
   AlignedArray angular;  ///< [ordinate of the batch][1 + row][node][stride]
   AlignedArray net_flux;
@@ -91,22 +92,22 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
       cells_(problem.mesh(), extinction, problem.band_count(),
              options.order == SpaceOrder::linear ? Basis::linear : Basis::constant, options.lumping),
       scattering_(problem, directions, cells_, observed_cells()),
-      walls_(problem, directions, cells_.stride(), cells_.face_nodes()),
       orders_(timed_orders(problem.mesh(), directions, options, threads_, order_seconds_)),
+      walls_(problem, directions, orders_.walls(), cells_.stride(), cells_.face_nodes()),
       kernels_(choose_kernels(cells_.basis(), cells_.stride())),
-      source_(static_cast<std::size_t>(problem.mesh().cell_count()) * scattering_.row_length()),
+      records_(cells_.make_records()),
       moment_source_(scattering_.moments_size()) {
   threads_ = std::min(threads_, static_cast<int>(batch_count()));
   // Where a batch is done in less time than threads need to meet, one is faster.
   if (std::int64_t{problem.mesh().cell_count()} * ordinates_per_batch(directions.count()) <
       smallest_shared_batch)
     threads_ = 1;
-  const std::size_t trace_length = cells_.trace_length();
   const std::size_t rows = scattering_.row_count() > 0 ? scattering_.row_count() + 1 : 0;
   for (int t = 0; t < threads_; ++t) {
     auto work = std::make_unique<Workspace>();
-    work->traces = AlignedArray(static_cast<std::size_t>(orders_.largest_slot_count()) * trace_length);
-    work->fluence = AlignedArray(source_.size());
+    work->radiance = AlignedArray(orders_.largest_slot_count() * cells_.cell_length());
+    work->slots = {work->radiance.data(), cells_.cell_length(), static_cast<std::size_t>(cells_.stride())};
+    work->fluence = AlignedArray(fluence_size() + cells_.cell_length());
     work->irradiance = AlignedArray(walls_.irradiance_size());
     work->angular = AlignedArray(static_cast<std::size_t>(ordinates_per_batch(directions.count())) * rows *
                                  scattering_.row_length());
@@ -130,9 +131,13 @@ std::int32_t TransportSweep::batch_count() const {
   return (directions_.count() + size - 1) / size;
 }
 
+std::size_t TransportSweep::fluence_size() const {
+  return static_cast<std::size_t>(problem_.mesh().cell_count()) * cells_.cell_length();
+}
+
 StateLayout TransportSweep::layout() const {
   const auto trace_length = cells_.trace_length();
-  return {source_.size(), scattering_.moments_size(), walls_.irradiance_size(), walls_.mirror_size(),
+  return {fluence_size(), scattering_.moments_size(), walls_.irradiance_size(), walls_.mirror_size(),
           2 * orders_.lagged_total() * trace_length};
 }
 
@@ -147,7 +152,7 @@ void TransportSweep::form_source(const TransportState& last) {
 #pragma omp parallel for schedule(static) num_threads(threads_)
   for (std::int32_t first = 0; first < cells; first += merge_block) {
     const ProcessorTimer timer(processor_seconds_);
-    scattering_.form_source(last, emission_, first, std::min(cells, first + merge_block), source_.data(),
+    scattering_.form_source(last, emission_, first, std::min(cells, first + merge_block), records_.data(),
                             moment_source_.data());
   }
 }
@@ -168,21 +173,23 @@ void TransportSweep::sweep_all(const TransportState& last, TransportState& next,
   std::fill(next.moments().begin(), next.moments().end(), 0.0);
   std::fill(next.irradiance().begin(), next.irradiance().end(), 0.0);
   if (record != nullptr) {
-    record->net_flux = AlignedArray(3 * source_.size());
+    record->net_flux = AlignedArray(3 * fluence_size());
     record->exitance = AlignedArray(walls_.irradiance_size());
     record->meters.assign(meters_.size() * static_cast<std::size_t>(cells_.stride()), 0);
     record->radiance.clear();
     for (const int ordinate : keep_ordinates_)
-      record->radiance.push_back({ordinate, std::vector<double>(source_.size())});
+      record->radiance.push_back({ordinate, std::vector<double>(fluence_size())});
     if (!keep_ordinates_.empty()) {
-      all_cells_index_.resize(static_cast<std::size_t>(problem_.mesh().cell_count()));
-      std::iota(all_cells_index_.begin(), all_cells_index_.end(), 1);
+      all_cells_index_.resize(static_cast<std::size_t>(problem_.mesh().cell_count()) + 1);
+      std::iota(all_cells_index_.begin(), all_cells_index_.end() - 1, 1);
+      all_cells_index_.back() = 0;
     }
     for (auto& work : workspaces_) {
-      work->net_flux = AlignedArray(record->net_flux.size());
+      // The idle cell has a flux too.
+      work->net_flux = AlignedArray(record->net_flux.size() + 3 * cells_.cell_length());
       work->exitance = AlignedArray(record->exitance.size());
       work->meters.assign(record->meters.size(), 0);
-      if (!keep_ordinates_.empty()) work->whole = AlignedArray(source_.size() + scattering_.row_length());
+      if (!keep_ordinates_.empty()) work->whole = AlignedArray(fluence_size() + scattering_.row_length());
     }
   }
   for (std::int32_t first = 0; first < batch_count(); first += threads_) {
@@ -235,33 +242,32 @@ void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last,
 void TransportSweep::sweep_ordinate(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
                                     TransportState& next, SweepRecord* record, double* angular,
                                     Workspace& work) {
-  walls_.send(m, last, emission_, work.traces.data(), work.exitance.span());
+  walls_.send(m, last, emission_, work.slots, work.exitance.span());
   if (angular_input_ != nullptr && emission_ == Emission::included)
-    add_angular_inflow(m, work.traces.data(), work.exitance.span());
-  exchange_lagged(m, order, last, work);
+    add_angular_inflow(m, work.slots, work.exitance.span());
+  set_lagged(m, order, last, work.slots);
   run_kernel(m, order, record, angular, work);
-  walls_.receive(m, work.traces.data(), work.irradiance.span(), next.mirrors());
-  keep_lagged(m, order, next, work);
+  walls_.receive(m, work.slots, work.irradiance.span(), next.mirrors());
+  keep_lagged(m, order, next, work.slots);
   if (record != nullptr && !meters_.empty()) read_meters(m, angular, work.meters);
 }
 
 void TransportSweep::run_kernel(OrdinateIndex m, const SweepOrder& order, SweepRecord* record,
                                 double* angular, Workspace& work) {
   SweepTask task;
-  task.cell_count = problem_.mesh().cell_count();
-  task.cells = order.cells.data();
-  task.slots = order.slots.data();
+  task.visits = order.visits.data();
+  task.levels = order.levels.data();
+  task.level_count = static_cast<std::int32_t>(order.levels.size()) - 1;
+  task.idle_cell = static_cast<std::uint32_t>(problem_.mesh().cell_count());
   task.backwards = m.value() % 2 == 1;
   for (int axis = 0; axis < 3; ++axis) task.direction[axis] = directions_.direction(m)[axis];
   task.weight = directions_.weight(m);
   task.stride = cells_.stride();
-  task.normals = cells_.normals();
-  task.mass = cells_.mass();
-  task.source = source_.data();
+  task.records = records_.data();
+  task.slots = work.radiance.data();
+  task.fluence = work.fluence.data();
   task.angular_index = scattering_.index();
   task.angular = angular;
-  task.traces = work.traces.data();
-  task.fluence = work.fluence.data();
   task.net_flux = record != nullptr ? work.net_flux.data() : nullptr;
   const auto kept = std::find(keep_ordinates_.begin(), keep_ordinates_.end(), m.value());
   if (record == nullptr || kept == keep_ordinates_.end()) {
@@ -272,29 +278,33 @@ void TransportSweep::run_kernel(OrdinateIndex m, const SweepOrder& order, SweepR
                  work.whole.span());
 }
 
-void TransportSweep::exchange_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
-                                     Workspace& work) const {
+// The cell before a lagged face holds, until its turn comes, what it held in the last sweep.
+void TransportSweep::set_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
+                                const SweepSlots& slots) const {
+  const auto stride = static_cast<std::size_t>(cells_.stride());
   const auto length = cells_.trace_length();
   const std::size_t parity = m.at() % 2;
   for (std::size_t i = 0; i < order.lagged.size(); ++i) {
-    const LaggedFace& face = order.lagged[i];
+    const FaceCode before = parity == 0 ? order.lagged[i].upwind : order.lagged[i].downwind;
     const double* value =
         last.lagged().data() + (2 * (orders_.lagged_start(m.value() / 2) + i) + parity) * length;
-    const std::int32_t read = parity == 0 ? face.downwind_slot : face.upwind_slot;
-    std::copy(value, value + length, work.traces.data() + static_cast<std::size_t>(read) * length);
+    for (std::size_t at = 0; at < length; at += stride)
+      std::copy(value + at, value + at + stride, slots.face_node(before, at / stride));
   }
 }
 
 void TransportSweep::keep_lagged(OrdinateIndex m, const SweepOrder& order, TransportState& next,
-                                 const Workspace& work) const {
+                                 const SweepSlots& slots) const {
+  const auto stride = static_cast<std::size_t>(cells_.stride());
   const auto length = cells_.trace_length();
   const std::size_t parity = m.at() % 2;
   for (std::size_t i = 0; i < order.lagged.size(); ++i) {
-    const LaggedFace& face = order.lagged[i];
-    const std::int32_t written = parity == 0 ? face.upwind_slot : face.downwind_slot;
-    const double* value = work.traces.data() + static_cast<std::size_t>(written) * length;
-    std::copy(value, value + length,
-              next.lagged().data() + (2 * (orders_.lagged_start(m.value() / 2) + i) + parity) * length);
+    const FaceCode before = parity == 0 ? order.lagged[i].upwind : order.lagged[i].downwind;
+    double* value = next.lagged().data() + (2 * (orders_.lagged_start(m.value() / 2) + i) + parity) * length;
+    for (std::size_t at = 0; at < length; at += stride) {
+      const double* node = slots.face_node(before, at / stride);
+      std::copy(node, node + stride, value + at);
+    }
   }
 }
 

@@ -73,12 +73,12 @@ class TransportSweep {
   void run_kernel(OrdinateIndex m, const SweepOrder& order, SweepRecord* record, double* angular,
                   Workspace& work);
   void sweep_and_keep(SweepTask task, OrdinateRadiance& kept, std::span<double> whole_rows) const;
-  void exchange_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
-                       Workspace& work) const;
+  void set_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
+                  const SweepSlots& slots) const;
   void keep_lagged(OrdinateIndex m, const SweepOrder& order, TransportState& next,
-                   const Workspace& work) const;
+                   const SweepSlots& slots) const;
   void add_angular_source(OrdinateIndex m, double* angular) const;
-  void add_angular_inflow(OrdinateIndex m, double* traces, std::span<double> exitance) const;
+  void add_angular_inflow(OrdinateIndex m, const SweepSlots& slots, std::span<double> exitance) const;
   void read_meters(OrdinateIndex m, const double* angular, std::span<double> meters) const;
   void merge(std::int32_t first_batch, int batches, TransportState& next, SweepRecord* record);
   void merge_cells(std::int32_t first, std::int32_t last, int batches, TransportState& next,
@@ -87,6 +87,7 @@ class TransportSweep {
                      TransportState& next) const;
   std::vector<CellIndex> observed_cells() const;
   std::int32_t batch_count() const;
+  std::size_t fluence_size() const;
 
   const Problem& problem_;
   const DirectionSet& directions_;
@@ -96,13 +97,13 @@ class TransportSweep {
   int threads_;
   CellCoefficients cells_;
   ScatteringMoments scattering_;
-  WallExchange walls_;
   double order_seconds_ = 0;
   SweepOrders orders_;
+  WallExchange walls_;
   SweepKernels kernels_;
-  AlignedArray source_;                        ///< [cell][node][stride]
-  AlignedArray moment_source_;                 ///< [row][moment][node][stride]
-  std::vector<std::int32_t> all_cells_index_;  ///< [cell] cell + 1, to keep an ordinate's whole radiance
+  AlignedArray records_;        ///< [cell + 1][record length], the source of the last sweep in them
+  AlignedArray moment_source_;  ///< [row][moment][node][stride]
+  std::vector<std::int32_t> all_cells_index_;  ///< [cell + 1] cell + 1, to keep an ordinate's whole radiance
   std::vector<std::unique_ptr<Workspace>> workspaces_;
   Emission emission_ = Emission::included;  ///< of the sweep that is under way
   int sweep_count_ = 0;

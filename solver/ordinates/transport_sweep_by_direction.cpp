@@ -31,7 +31,8 @@ void TransportSweep::add_angular_source(OrdinateIndex m, double* angular) const 
   }
 }
 
-void TransportSweep::add_angular_inflow(OrdinateIndex m, double* traces, std::span<double> exitance) const {
+void TransportSweep::add_angular_inflow(OrdinateIndex m, const SweepSlots& slots,
+                                        std::span<double> exitance) const {
   const auto bands = static_cast<std::size_t>(cells_.bands());
   const auto stride = static_cast<std::size_t>(cells_.stride());
   const auto nodes = static_cast<std::size_t>(cells_.face_nodes());
@@ -47,7 +48,7 @@ void TransportSweep::add_angular_inflow(OrdinateIndex m, double* traces, std::sp
       for (std::size_t b = 0; b < bands; ++b) {
         const double value =
             nodes == 1 ? (values[b] + values[bands + b] + values[2 * bands + b]) / 3 : values[i * bands + b];
-        traces[((1 + face.at()) * nodes + i) * stride + b] += value;
+        slots.slot(orders_.walls().inflow(f))[i * stride + b] += value;
         if (!exitance.empty()) exitance[(face.at() * nodes + i) * stride + b] += factor * value;
       }
   }
@@ -79,7 +80,11 @@ void TransportSweep::sweep_and_keep(SweepTask task, OrdinateRadiance& kept,
   double* angular = task.angular;
   const std::size_t length = scattering_.row_length();
   double* whole = whole_rows.data() + length;
-  std::copy(source_.data(), source_.data() + source_.size(), whole);
+  const RecordLayout layout = cells_.layout();
+  for (std::size_t c = 0; c < static_cast<std::size_t>(problem_.mesh().cell_count()); ++c) {
+    const double* source = records_.data() + c * layout.length + layout.source;
+    std::copy(source, source + length, whole + c * length);
+  }
   for (const std::int32_t cell : scattering_.angular_cells()) {
     const double* row = angular + static_cast<std::size_t>(scattering_.row(CellIndex(cell))) * length;
     std::copy(row, row + length, whole + static_cast<std::size_t>(cell) * length);
@@ -87,7 +92,7 @@ void TransportSweep::sweep_and_keep(SweepTask task, OrdinateRadiance& kept,
   task.angular_index = all_cells_index_.data();
   task.angular = whole_rows.data();
   kernels_.sweep(task);
-  std::copy(whole, whole + source_.size(), kept.values.begin());
+  std::copy(whole, whole + fluence_size(), kept.values.begin());
   for (const std::int32_t cell : scattering_.angular_cells()) {
     const double* row = whole + static_cast<std::size_t>(cell) * length;
     std::copy(row, row + length,

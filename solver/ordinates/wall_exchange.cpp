@@ -29,10 +29,12 @@ bool any_positive(const std::vector<double>& values) {
 
 }  // namespace
 
-WallExchange::WallExchange(const Problem& problem, const DirectionSet& directions, int stride, int face_nodes)
+WallExchange::WallExchange(const Problem& problem, const DirectionSet& directions,
+                           const WallSlots& wall_slots, int stride, int face_nodes)
     : mesh_(problem.mesh()),
       problem_(problem),
       directions_(directions),
+      wall_slots_(wall_slots),
       stride_(static_cast<std::size_t>(stride)),
       face_length_(static_cast<std::size_t>(face_nodes) * stride_),
       radiance_(padded(problem.walls(), &Wall::radiance, stride_)),
@@ -109,15 +111,15 @@ std::size_t WallExchange::mirror_at(std::size_t row, std::int32_t ordinate) cons
          face_length_;
 }
 
-void WallExchange::send(OrdinateIndex m, const TransportState& last, Emission emission, double* traces,
-                        std::span<double> exitance) const {
+void WallExchange::send(OrdinateIndex m, const TransportState& last, Emission emission,
+                        const SweepSlots& slots, std::span<double> exitance) const {
   const Vec3& direction = directions_.direction(m);
   for (std::size_t f = 0; f < half_range_.size(); ++f) {
     const FaceIndex face(static_cast<std::int64_t>(f));
     const double seen = seen_area(mesh_.area_normal(face), direction);
     if (seen >= 0) continue;
     const auto wall = static_cast<std::size_t>(mesh_.wall(face));
-    double* trace = traces + (1 + f) * face_length_;
+    double* trace = slots.slot(wall_slots_.inflow(face.value()));
     for (std::size_t i = 0; i < face_length_; ++i)
       trace[i] = emission == Emission::included ? radiance_[wall * stride_ + i % stride_] : 0;
     if (wall_diffuse_[wall]) {
@@ -140,19 +142,22 @@ void WallExchange::send(OrdinateIndex m, const TransportState& last, Emission em
   }
 }
 
-void WallExchange::receive(OrdinateIndex m, const double* traces, std::span<double> irradiance,
+void WallExchange::receive(OrdinateIndex m, const SweepSlots& slots, std::span<double> irradiance,
                            std::span<double> mirrors) const {
   const Vec3& direction = directions_.direction(m);
   for (std::size_t f = 0; f < half_range_.size(); ++f) {
     const FaceIndex face(static_cast<std::int64_t>(f));
     const double seen = seen_area(mesh_.area_normal(face), direction);
     if (seen <= 0) continue;
-    const double* trace = traces + (1 + f) * face_length_;
     const double factor = seen / mesh_.area(face) * directions_.weight(m);
-    for (std::size_t i = 0; i < face_length_; ++i) irradiance[f * face_length_ + i] += factor * trace[i];
-    if (mirror_row_[f] < 0) continue;
-    double* kept = mirrors.data() + mirror_at(static_cast<std::size_t>(mirror_row_[f]), m.value());
-    std::copy(trace, trace + face_length_, kept);
+    double* kept = mirror_row_[f] < 0
+                       ? nullptr
+                       : mirrors.data() + mirror_at(static_cast<std::size_t>(mirror_row_[f]), m.value());
+    for (std::size_t at = 0; at < face_length_; at += stride_) {
+      const double* trace = slots.face_node(wall_slots_.inside(face.value()), at / stride_);
+      for (std::size_t b = 0; b < stride_; ++b) irradiance[f * face_length_ + at + b] += factor * trace[b];
+      if (kept != nullptr) std::copy(trace, trace + stride_, kept + at);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/angle/direction_set.h"
+#include "solver/ordinates/sweep_slots.h"
 #include "solver/ordinates/transport_state.h"
 #include "solver/problem/problem.h"
 
@@ -20,7 +21,8 @@ namespace etendue {
 class WallExchange {
  public:
   /// Throws InputError where a mirror's partner ordinate is not in the set. The arguments must outlive it.
-  WallExchange(const Problem& problem, const DirectionSet& directions, int stride, int face_nodes);
+  WallExchange(const Problem& problem, const DirectionSet& directions, const WallSlots& wall_slots,
+               int stride, int face_nodes);
 
   std::size_t irradiance_size() const;
   std::size_t mirror_size() const;
@@ -33,13 +35,14 @@ class WallExchange {
     return wall_reflects_[static_cast<std::size_t>(mesh_.wall(face))] != 0;
   }
 
-  /// Traces [1 + boundary face][face node][stride] of what enters along ordinate m, from the last state. Adds
-  /// what is sent to `exitance` [boundary face][face node][stride] unless that is empty.
-  void send(OrdinateIndex m, const TransportState& last, Emission emission, double* traces,
+  /// Writes the inflow slots along ordinate m, from the last state. Adds what is sent to `exitance`
+  /// [boundary face][face node][stride] unless that is empty.
+  void send(OrdinateIndex m, const TransportState& last, Emission emission, const SweepSlots& slots,
             std::span<double> exitance) const;
 
-  /// Takes up what left along ordinate m: adds to `irradiance`, and writes the mirrors' part of `next`.
-  void receive(OrdinateIndex m, const double* traces, std::span<double> irradiance,
+  /// Takes up what left along ordinate m, from the radiance of the cells at the walls: adds to `irradiance`,
+  /// and writes the mirrors' part of `next`.
+  void receive(OrdinateIndex m, const SweepSlots& slots, std::span<double> irradiance,
                std::span<double> mirrors) const;
 
  private:
@@ -55,6 +58,7 @@ class WallExchange {
   const TetrahedralMesh& mesh_;
   const Problem& problem_;
   const DirectionSet& directions_;
+  const WallSlots& wall_slots_;
   std::size_t stride_;
   std::size_t face_length_;                 ///< face nodes times stride
   std::vector<double> half_range_;          ///< [boundary face]

@@ -98,7 +98,7 @@ TEST_P(CellBalance, ConstantInflowInVoidStaysConstant) {
     RandomCell cell = next();
     cell.volume_extinction = 0;
     for (double& value : cell.right) value = 0;
-    const FaceFlows flows = face_flows(cell.a);
+    const FaceFlows<double> flows = face_flows(cell.a);
     const double ones[3] = {1, 1, 1};
     for (int f = 0; f < 4; ++f) add_inflow(flows, f, ones, cell.right);
     double u[4];
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Mass, CellBalance, testing::Values(false, true),
 TEST(LumpedCellBalance, KeepsThickCellsNearlyPositive) {
   // Unit inflow through one face of an optically thick cell: the consistent mass swings far below zero.
   const double a[4] = {-1, 0.5, 0.3, 0.2};
-  const FaceFlows flows = face_flows(a);
+  const FaceFlows<double> flows = face_flows(a);
   double right[4] = {};
   const double ones[3] = {1, 1, 1};
   add_inflow(flows, 0, ones, right);

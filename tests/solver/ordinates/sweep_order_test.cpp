@@ -14,19 +14,24 @@ namespace etendue {
 namespace {
 
 std::vector<std::int32_t> positions(const SweepOrder& order) {
-  std::vector<std::int32_t> position(order.cells.size());
-  for (std::size_t i = 0; i < order.cells.size(); ++i)
-    position[static_cast<std::size_t>(order.cells[i])] = static_cast<std::int32_t>(i);
+  std::vector<std::int32_t> position(order.visits.size());
+  for (std::size_t i = 0; i < order.visits.size(); ++i)
+    position[visited_cell(order.visits[i])] = static_cast<std::int32_t>(i);
   return position;
+}
+
+std::set<std::uint32_t> visited_cells(const SweepOrder& order) {
+  std::set<std::uint32_t> cells;
+  for (const SweepVisit& visit : order.visits) cells.insert(visited_cell(visit));
+  return cells;
 }
 
 TEST(SweepOrder, VisitsEveryCellOnceAfterItsUpwindCells) {
   const TetrahedralMesh mesh = cube_with_ball(2e-3);
   const DirectionSet directions = directions_triangular(4);
   for (const Vec3& direction : directions.directions()) {
-    const SweepOrder order = make_sweep_order(mesh, direction);
-    ASSERT_EQ(std::set<std::int32_t>(order.cells.begin(), order.cells.end()).size(),
-              static_cast<std::size_t>(mesh.cell_count()));
+    const SweepOrder order = make_sweep_order(mesh, WallSlots(mesh), direction);
+    ASSERT_EQ(visited_cells(order).size(), static_cast<std::size_t>(mesh.cell_count()));
     EXPECT_TRUE(order.lagged.empty());
     const std::vector<std::int32_t> position = positions(order);
     for (std::int32_t f = mesh.boundary_face_count(); f < mesh.face_count(); ++f) {
@@ -42,7 +47,7 @@ TEST(SweepOrder, VisitsEveryCellOnceAfterItsUpwindCells) {
 
 TEST(SweepOrder, CellsOfOneLevelDoNotWaitForEachOther) {
   const TetrahedralMesh mesh = cube_mesh(5e-3);
-  const SweepOrder order = make_sweep_order(mesh, Vec3(0.3, 0.5, 0.8).normalized());
+  const SweepOrder order = make_sweep_order(mesh, WallSlots(mesh), Vec3(0.3, 0.5, 0.8).normalized());
   const std::vector<std::int32_t> position = positions(order);
   const auto level = [&](CellIndex cell) {
     return std::upper_bound(order.levels.begin(), order.levels.end(), position[cell.at()]) -
@@ -54,62 +59,102 @@ TEST(SweepOrder, CellsOfOneLevelDoNotWaitForEachOther) {
   EXPECT_EQ(order.levels.back(), mesh.cell_count());
 }
 
-/// Walks the order as the kernel does, writing into every slot the cell and face that write it, and reading
-/// back.
-void expect_slots_deliver(const TetrahedralMesh& mesh, const SweepOrder& order, const Vec3& direction,
-                          bool backwards) {
-  std::vector<std::int32_t> content(static_cast<std::size_t>(order.slot_count), -1);
-  std::set<std::int32_t> lagged;
-  for (const LaggedFace& face : order.lagged) lagged.insert(face.face);
-  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) content[1 + static_cast<std::size_t>(f)] = f;
-  for (std::size_t i = 0; i < order.cells.size(); ++i) {
-    const std::size_t at = backwards ? order.cells.size() - 1 - i : i;
-    const CellIndex cell(order.cells[at]);
-    std::set<std::int32_t> own;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const FaceIndex face(mesh.faces(cell)[k]);
-      const std::int32_t slot = order.slots[4 * at + k];
-      const double side = mesh.owner(face) == cell ? 1 : -1;
-      const double a = side * seen_area(mesh.area_normal(face), direction);
-      EXPECT_EQ(slot == 0, a == 0);
-      if (a == 0) continue;
-      EXPECT_TRUE(own.insert(slot).second) << "two faces of a cell share a slot";
-      if (a > 0 || lagged.contains(face.value())) continue;
-      EXPECT_EQ(content[static_cast<std::size_t>(slot)], face.value());
-    }
-    // The kernel writes all four, also those that it has read.
-    for (std::size_t k = 0; k < 4; ++k)
-      content[static_cast<std::size_t>(order.slots[4 * at + k])] = mesh.faces(cell)[k];
+TEST(SweepOrder, BothSidesAgreeOnParallelFaces) {
+  const TetrahedralMesh mesh = cube_mesh(2e-3);
+  for (const Vec3& direction : {Vec3(0.3, 0.5, 0.8), Vec3(0, 0, 1), Vec3(1, 1, 0)}) {
+    const SweepOrder order = make_sweep_order(mesh, WallSlots(mesh), direction.normalized());
+    for (const SweepVisit& visit : order.visits)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const FaceIndex face(mesh.faces(CellIndex(visited_cell(visit)))[k]);
+        const bool parallel = (parallel_faces(visit) >> k & 1) != 0;
+        EXPECT_EQ(parallel, seen_area(mesh.area_normal(face), direction.normalized()) == 0);
+      }
   }
 }
 
-TEST(SweepOrder, SlotsDeliverWhatTheUpwindCellWrote) {
+TEST(SweepOrder, LevelsFollowTheCurveThroughSpace) {
+  const TetrahedralMesh mesh = cube_mesh(2e-3);
+  const SweepOrder order = make_sweep_order(mesh, WallSlots(mesh), Vec3(0.3, 0.5, 0.8).normalized());
+  for (std::size_t l = 0; l + 1 < order.levels.size(); ++l)
+    for (std::int32_t i = order.levels[l] + 1; i < order.levels[l + 1]; ++i)
+      EXPECT_LT(visited_cell(order.visits[static_cast<std::size_t>(i) - 1]),
+                visited_cell(order.visits[static_cast<std::size_t>(i)]));
+}
+
+/// Walks the order as the kernel does, leaving the cell's number in its slot, and reading back.
+void expect_slots_deliver(const TetrahedralMesh& mesh, const SweepOrder& order, const Vec3& direction,
+                          bool backwards) {
+  const WallSlots walls(mesh);
+  std::vector<std::int64_t> content(order.slot_count, -1);
+  std::set<std::int32_t> lagged;
+  for (const LaggedFace& face : order.lagged) lagged.insert(face.face);
+  for (std::size_t i = 0; i < order.visits.size(); ++i) {
+    const SweepVisit& visit = order.visits[backwards ? order.visits.size() - 1 - i : i];
+    const CellIndex cell(visited_cell(visit));
+    for (std::size_t k = 0; k < 4; ++k) {
+      const FaceIndex face(mesh.faces(cell)[k]);
+      const FaceCode code = unpacked(visit.faces[k]);
+      const double side = mesh.owner(face) == cell ? 1 : -1;
+      const double a = side * seen_area(mesh.area_normal(face), direction);
+      if (a == 0) {
+        EXPECT_EQ(code.slot, 0);
+      } else if (face.value() < mesh.boundary_face_count()) {
+        EXPECT_EQ(code.slot, walls.inflow(face.value()));
+        EXPECT_EQ(code.opposite, 3);
+        EXPECT_EQ(walls.inside(face.value()).slot, visit.slot);
+      } else {
+        const CellIndex other = side > 0 ? mesh.neighbour(face) : mesh.owner(face);
+        EXPECT_EQ(mesh.faces(other)[code.opposite], face.value());
+        const bool waits = a < 0 && !lagged.contains(face.value());
+        EXPECT_TRUE(!waits || content[code.slot] == other.value());
+      }
+    }
+    content[visit.slot] = cell.value();
+  }
+  // The walls read when all is done.
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    EXPECT_EQ(content[walls.inside(f).slot], mesh.owner(FaceIndex(f)).value());
+}
+
+TEST(SweepOrder, SlotsDeliverWhatTheUpwindCellLeft) {
   const TetrahedralMesh mesh = cube_mesh(2e-3);
   for (const Vec3& direction : {Vec3(0.3, 0.5, 0.8), Vec3(-0.9, 0.1, 0.2), Vec3(0, 0, 1)}) {
-    const SweepOrder order = make_sweep_order(mesh, direction.normalized());
+    const SweepOrder order = make_sweep_order(mesh, WallSlots(mesh), direction.normalized());
     expect_slots_deliver(mesh, order, direction.normalized(), false);
     expect_slots_deliver(mesh, order, -direction.normalized(), true);
   }
 }
 
+TEST(SweepOrder, RecyclesSlots) {
+  const TetrahedralMesh mesh = cube_mesh(2.25e-4);
+  const WallSlots walls(mesh);
+  const SweepOrder order = make_sweep_order(mesh, walls, Vec3(0.3, 0.5, 0.8).normalized());
+  EXPECT_LT(order.slot_count - walls.count(), static_cast<std::uint32_t>(mesh.cell_count() / 4));
+}
+
+/// The slots of a lagged face are its own: no other cell's radiance passes through them.
+void expect_lagged_slots(const TetrahedralMesh& mesh, const SweepOrder& order) {
+  std::map<std::uint32_t, std::set<std::uint32_t>> users;
+  for (const SweepVisit& visit : order.visits) users[visit.slot].insert(visited_cell(visit));
+  for (const LaggedFace& lagged : order.lagged)
+    for (const FaceCode& side : {lagged.upwind, lagged.downwind}) {
+      ASSERT_EQ(users[side.slot].size(), 1U);
+      EXPECT_EQ(mesh.faces(CellIndex(*users[side.slot].begin()))[side.opposite], lagged.face);
+    }
+}
+
 TEST(SweepOrder, BreaksTheCycleOfATwistedRing) {
   const TetrahedralMesh mesh = cyclic_ring();
-  const SweepOrder order = make_sweep_order(mesh, Vec3::UnitZ());
+  const SweepOrder order = make_sweep_order(mesh, WallSlots(mesh), Vec3::UnitZ());
   ASSERT_FALSE(order.lagged.empty());
-  EXPECT_EQ(std::set<std::int32_t>(order.cells.begin(), order.cells.end()).size(),
-            static_cast<std::size_t>(mesh.cell_count()));
+  EXPECT_EQ(visited_cells(order).size(), static_cast<std::size_t>(mesh.cell_count()));
   // Only what must be is lagged: one face for each blade's cycle at most, of the ring's many.
   EXPECT_LT(order.lagged.size(),
             static_cast<std::size_t>(mesh.face_count() - mesh.boundary_face_count()) / 8);
   expect_slots_deliver(mesh, order, Vec3::UnitZ(), false);
   expect_slots_deliver(mesh, order, -Vec3::UnitZ(), true);
-  EXPECT_TRUE(make_sweep_order(mesh, Vec3::UnitX()).lagged.empty());
-}
-
-TEST(SweepOrder, RecyclesSlots) {
-  const TetrahedralMesh mesh = cube_mesh(2.25e-4);
-  const SweepOrder order = make_sweep_order(mesh, Vec3(0.3, 0.5, 0.8).normalized());
-  EXPECT_LT(order.slot_count - mesh.boundary_face_count(), mesh.face_count() / 8);
+  expect_lagged_slots(mesh, order);
+  EXPECT_TRUE(make_sweep_order(mesh, WallSlots(mesh), Vec3::UnitX()).lagged.empty());
 }
 
 }  // namespace
