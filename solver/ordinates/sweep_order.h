@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
-#include "solver/ordinates/sweep_slots.h"
+#include "solver/ordinates/sweep_graph.h"
 
 namespace etendue {
 
@@ -45,6 +45,6 @@ inline double seen_area(const Vec3& area_normal, const Vec3& direction) {
 
 /// The order for one direction. Every cell stands behind all cells that send light into it, but for lagged
 /// faces (Tarjan's components, then a greedy feedback arc set; none is expected on Delaunay meshes).
-SweepOrder make_sweep_order(const TetrahedralMesh& mesh, const WallSlots& walls, const Vec3& direction);
+SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction);
 
 }  // namespace etendue

@@ -30,14 +30,13 @@ class SweepOrders {
   std::size_t lagged_start(std::int32_t pair) const { return lagged_start_[static_cast<std::size_t>(pair)]; }
   std::size_t lagged_total() const { return lagged_start_.back(); }
   std::uint32_t largest_slot_count() const { return largest_slot_count_; }
-  const WallSlots& walls() const { return walls_; }
+  const WallSlots& walls() const { return graph_.walls(); }
 
  private:
-  const TetrahedralMesh& mesh_;
+  SweepGraph graph_;
   const DirectionSet& directions_;
   std::vector<std::optional<SweepOrder>> orders_;
   std::vector<std::size_t> lagged_start_;
-  WallSlots walls_;
   std::uint32_t largest_slot_count_ = 0;
   int kept_count_ = 0;
 };

@@ -30,7 +30,7 @@ TEST(SweepOrder, VisitsEveryCellOnceAfterItsUpwindCells) {
   const TetrahedralMesh mesh = cube_with_ball(2e-3);
   const DirectionSet directions = directions_triangular(4);
   for (const Vec3& direction : directions.directions()) {
-    const SweepOrder order = make_sweep_order(mesh, WallSlots(mesh), direction);
+    const SweepOrder order = make_sweep_order(SweepGraph(mesh), direction);
     ASSERT_EQ(visited_cells(order).size(), static_cast<std::size_t>(mesh.cell_count()));
     EXPECT_TRUE(order.lagged.empty());
     const std::vector<std::int32_t> position = positions(order);
@@ -47,7 +47,7 @@ TEST(SweepOrder, VisitsEveryCellOnceAfterItsUpwindCells) {
 
 TEST(SweepOrder, CellsOfOneLevelDoNotWaitForEachOther) {
   const TetrahedralMesh mesh = cube_mesh(5e-3);
-  const SweepOrder order = make_sweep_order(mesh, WallSlots(mesh), Vec3(0.3, 0.5, 0.8).normalized());
+  const SweepOrder order = make_sweep_order(SweepGraph(mesh), Vec3(0.3, 0.5, 0.8).normalized());
   const std::vector<std::int32_t> position = positions(order);
   const auto level = [&](CellIndex cell) {
     return std::upper_bound(order.levels.begin(), order.levels.end(), position[cell.at()]) -
@@ -62,7 +62,7 @@ TEST(SweepOrder, CellsOfOneLevelDoNotWaitForEachOther) {
 TEST(SweepOrder, BothSidesAgreeOnParallelFaces) {
   const TetrahedralMesh mesh = cube_mesh(2e-3);
   for (const Vec3& direction : {Vec3(0.3, 0.5, 0.8), Vec3(0, 0, 1), Vec3(1, 1, 0)}) {
-    const SweepOrder order = make_sweep_order(mesh, WallSlots(mesh), direction.normalized());
+    const SweepOrder order = make_sweep_order(SweepGraph(mesh), direction.normalized());
     for (const SweepVisit& visit : order.visits)
       for (std::size_t k = 0; k < 4; ++k) {
         const FaceIndex face(mesh.faces(CellIndex(visited_cell(visit)))[k]);
@@ -74,7 +74,7 @@ TEST(SweepOrder, BothSidesAgreeOnParallelFaces) {
 
 TEST(SweepOrder, LevelsFollowTheCurveThroughSpace) {
   const TetrahedralMesh mesh = cube_mesh(2e-3);
-  const SweepOrder order = make_sweep_order(mesh, WallSlots(mesh), Vec3(0.3, 0.5, 0.8).normalized());
+  const SweepOrder order = make_sweep_order(SweepGraph(mesh), Vec3(0.3, 0.5, 0.8).normalized());
   for (std::size_t l = 0; l + 1 < order.levels.size(); ++l)
     for (std::int32_t i = order.levels[l] + 1; i < order.levels[l + 1]; ++i)
       EXPECT_LT(visited_cell(order.visits[static_cast<std::size_t>(i) - 1]),
@@ -119,7 +119,7 @@ void expect_slots_deliver(const TetrahedralMesh& mesh, const SweepOrder& order, 
 TEST(SweepOrder, SlotsDeliverWhatTheUpwindCellLeft) {
   const TetrahedralMesh mesh = cube_mesh(2e-3);
   for (const Vec3& direction : {Vec3(0.3, 0.5, 0.8), Vec3(-0.9, 0.1, 0.2), Vec3(0, 0, 1)}) {
-    const SweepOrder order = make_sweep_order(mesh, WallSlots(mesh), direction.normalized());
+    const SweepOrder order = make_sweep_order(SweepGraph(mesh), direction.normalized());
     expect_slots_deliver(mesh, order, direction.normalized(), false);
     expect_slots_deliver(mesh, order, -direction.normalized(), true);
   }
@@ -128,7 +128,7 @@ TEST(SweepOrder, SlotsDeliverWhatTheUpwindCellLeft) {
 TEST(SweepOrder, RecyclesSlots) {
   const TetrahedralMesh mesh = cube_mesh(2.25e-4);
   const WallSlots walls(mesh);
-  const SweepOrder order = make_sweep_order(mesh, walls, Vec3(0.3, 0.5, 0.8).normalized());
+  const SweepOrder order = make_sweep_order(SweepGraph(mesh), Vec3(0.3, 0.5, 0.8).normalized());
   EXPECT_LT(order.slot_count - walls.count(), static_cast<std::uint32_t>(mesh.cell_count() / 4));
 }
 
@@ -145,7 +145,7 @@ void expect_lagged_slots(const TetrahedralMesh& mesh, const SweepOrder& order) {
 
 TEST(SweepOrder, BreaksTheCycleOfATwistedRing) {
   const TetrahedralMesh mesh = cyclic_ring();
-  const SweepOrder order = make_sweep_order(mesh, WallSlots(mesh), Vec3::UnitZ());
+  const SweepOrder order = make_sweep_order(SweepGraph(mesh), Vec3::UnitZ());
   ASSERT_FALSE(order.lagged.empty());
   EXPECT_EQ(visited_cells(order).size(), static_cast<std::size_t>(mesh.cell_count()));
   // Only what must be is lagged: one face for each blade's cycle at most, of the ring's many.
@@ -154,7 +154,7 @@ TEST(SweepOrder, BreaksTheCycleOfATwistedRing) {
   expect_slots_deliver(mesh, order, Vec3::UnitZ(), false);
   expect_slots_deliver(mesh, order, -Vec3::UnitZ(), true);
   expect_lagged_slots(mesh, order);
-  EXPECT_TRUE(make_sweep_order(mesh, WallSlots(mesh), Vec3::UnitX()).lagged.empty());
+  EXPECT_TRUE(make_sweep_order(SweepGraph(mesh), Vec3::UnitX()).lagged.empty());
 }
 
 }  // namespace
