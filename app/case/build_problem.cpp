@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <numbers>
-
 #include "app/case/band_values.h"
 #include "app/case/build.h"
 #include "app/case/medium_coefficients.h"
@@ -37,10 +35,11 @@ Medium medium_of(const MediumCase& entry, const std::string& region, double volu
     const MatterValues matter = matter_values(entry, band);
     medium.absorption.push_back(coefficient(matter.absorption));
     medium.scattering.push_back(coefficient(matter.scattering));
-    // q = P / (4 pi V) with the volume that is meshed, so that the power comes out whatever the facets.
+    // q = P / (4 pi V), in the plane P / (2 pi V), with the volume that is meshed, so that the power comes
+    // out whatever the facets.
     if (entry.power)
       medium.emission.emplace_back(std::get<double>(value_of(*entry.power, band)) /
-                                   (4 * std::numbers::pi * volume));
+                                   (full_range(entry.space) * volume));
     else
       medium.emission.push_back(coefficient(emission_value(entry, band)));
     const bool common = entry.phase.size() == 1;
@@ -76,7 +75,7 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
   std::vector<Wall> walls;
   for (const std::string& name : mesh.wall_names())
     walls.push_back(wall_of(entry_of(input.walls, name), name, bands));
-  return Problem(mesh, input.bands, std::move(media), std::move(walls));
+  return Problem(mesh, input.bands, std::move(media), std::move(walls), input.angular_space);
 }
 
 DirectionSet build_directions(const Case& input) {

@@ -13,6 +13,7 @@
 #include "mesh/geometry/geometry.h"
 #include "solver/angle/rotation.h"
 #include "solver/ordinates/solve.h"
+#include "solver/problem/angular_space.h"
 #include "solver/problem/phase_function.h"
 
 namespace etendue {
@@ -56,6 +57,7 @@ struct MediumCase {
   std::optional<BandValues> power;   ///< of the whole region; numbers [power]
   std::vector<PhaseFunction> phase;  ///< one for all bands or one for each
   Origin origin;
+  AngularSpace space = AngularSpace::sphere;  ///< what power is divided by
 };
 
 struct WallCase {
@@ -101,6 +103,7 @@ struct Case {
   std::string direction_set = "ldfe-sq";
   int direction_order = 1;
   std::optional<Rotation> direction_rotation;
+  AngularSpace angular_space = AngularSpace::sphere;
   Origin directions_origin;
   SolveOptions solve;
   std::optional<InputFile> initial;  ///< a solution to start from

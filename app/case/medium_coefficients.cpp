@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "app/case/band_values.h"
 
@@ -68,7 +67,7 @@ MatterValues matter_values(const MediumCase& medium, int band) {
 
 Value emission_value(const MediumCase& medium, int band) {
   if (medium.emission || !medium.power_density) return band_value(medium.emission, band);
-  return product(value_of(*medium.power_density, band), 1 / (4 * std::numbers::pi));
+  return product(value_of(*medium.power_density, band), 1 / full_range(medium.space));
 }
 
 std::string matter_problem(const MediumCase& medium, int band) {
@@ -107,8 +106,9 @@ std::string emission_problem(const MediumCase& medium, int band) {
            "power";
   if (!medium.emission || !medium.power_density) return "";
   const Value density = value_of(*medium.power_density, band);
-  return comparison("power_density", density, "4 pi emission",
-                    product(value_of(*medium.emission, band), 4 * std::numbers::pi));
+  const char* rule = medium.space == AngularSpace::sphere ? "4 pi emission" : "2 pi emission";
+  return comparison("power_density", density, rule,
+                    product(value_of(*medium.emission, band), full_range(medium.space)));
 }
 
 }  // namespace etendue

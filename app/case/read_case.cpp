@@ -25,9 +25,9 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   result.units = read_units(top.section("units"));
   result.mesh = read_mesh_section(top.section("mesh"), file.parent_path());
   result.bands = read_bands(top.section("bands"));
-  result.media = read_media(top.section("media"), result.bands, file.parent_path());
-  result.walls = read_walls(top.section("walls"), result.bands);
   read_directions(top.section("directions"), result);
+  result.media = read_media(top.section("media"), {result.bands, result.angular_space, file.parent_path()});
+  result.walls = read_walls(top.section("walls"), result.bands);
   read_space(top.section("space"), result.solve);
   read_solve(top.section("solve"), file.parent_path(), result);
   if (top.has("exact")) read_exact(top.section("exact"), result);

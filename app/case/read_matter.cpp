@@ -25,18 +25,18 @@ bool scatters(const Section& section) {
          (section.has("extinction") && section.has("absorption"));
 }
 
-std::vector<PhaseFunction> read_phases(Section& section, const Bands& bands,
-                                       const std::filesystem::path& case_folder) {
+std::vector<PhaseFunction> read_phases(Section& section, const MatterContext& context) {
   if (!scatters(section)) {
     section.unused("phase", "nothing scatters in this region");
     return {PhaseIsotropic{}};
   }
   const TomlNode* node = section.find("phase");
   if (node == nullptr) return {PhaseIsotropic{}};
-  if (node->is_table()) return {read_phase(section.section("phase"), case_folder)};
-  check_band_count(section, "phase", node->array().size(), bands);
+  if (node->is_table()) return {read_phase(section.section("phase"), {context.space, context.case_folder})};
+  check_band_count(section, "phase", node->array().size(), context.bands);
   std::vector<PhaseFunction> phases;
-  for (Section& phase : section.list("phase")) phases.push_back(read_phase(std::move(phase), case_folder));
+  for (Section& phase : section.list("phase"))
+    phases.push_back(read_phase(std::move(phase), {context.space, context.case_folder}));
   return phases;
 }
 
@@ -71,8 +71,10 @@ void fill_in(Section& section, const MediumCase& medium) {
   if (scatters(section) && !section.has("phase")) section.section("phase").resolve("model", "isotropic");
 }
 
-MediumCase read_medium(Section section, const Bands& bands, const std::filesystem::path& case_folder) {
+MediumCase read_medium(Section section, const MatterContext& context) {
+  const Bands& bands = context.bands;
   MediumCase medium;
+  medium.space = context.space;
   medium.origin = section.origin();
   medium.extinction = read_band_values(section, "extinction", bands);
   medium.albedo = read_band_values(section, "albedo", bands);
@@ -81,7 +83,7 @@ MediumCase read_medium(Section section, const Bands& bands, const std::filesyste
   medium.emission = read_band_values(section, "emission", bands);
   medium.power_density = read_band_values(section, "power_density", bands);
   medium.power = read_band_values(section, "power", bands);
-  medium.phase = read_phases(section, bands, case_folder);
+  medium.phase = read_phases(section, context);
   check_medium(section, medium, bands);
   fill_in(section, medium);
   return medium;
@@ -121,12 +123,11 @@ std::map<std::string, Entry> read_entries(Section section, const Bands& bands, s
 
 }  // namespace
 
-std::map<std::string, MediumCase> read_media(Section media, const Bands& bands,
-                                             const std::filesystem::path& case_folder) {
-  const auto reader = [&case_folder](Section section, const Bands& of) {
-    return read_medium(std::move(section), of, case_folder);
+std::map<std::string, MediumCase> read_media(Section media, const MatterContext& context) {
+  const auto reader = [&context](Section section, const Bands&) {
+    return read_medium(std::move(section), context);
   };
-  return read_entries<MediumCase>(std::move(media), bands, "region", reader);
+  return read_entries<MediumCase>(std::move(media), context.bands, "region", reader);
 }
 
 std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands) {

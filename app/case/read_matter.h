@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -9,8 +10,14 @@
 
 namespace etendue {
 
-std::map<std::string, MediumCase> read_media(Section media, const Bands& bands,
-                                             const std::filesystem::path& case_folder);
+/// What media are read with.
+struct MatterContext {
+  const Bands& bands;
+  AngularSpace space;
+  std::filesystem::path case_folder;
+};
+
+std::map<std::string, MediumCase> read_media(Section media, const MatterContext& context);
 std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands);
 
 }  // namespace etendue

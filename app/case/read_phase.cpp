@@ -38,8 +38,8 @@ const std::array<ModelKeys, 8>& model_keys() {
 /// The readers of one table: of a phase function, or of a part of a mixture.
 class PhaseReader {
  public:
-  PhaseReader(Section& section, std::string_view path, const std::filesystem::path& case_folder)
-      : section_(section), path_(path), case_folder_(case_folder) {}
+  PhaseReader(Section& section, std::string_view path, const PhaseContext& context)
+      : section_(section), path_(path), context_(context) {}
 
   PhaseFunction read() {
     const std::string model = section_.text_if("model").value_or("");
@@ -89,7 +89,7 @@ class PhaseReader {
     const TomlNode* file = section_.find("file");
     if (file == nullptr) return {};
     try {
-      return read_columns(resolve_path(*file, case_folder_), names);
+      return read_columns(resolve_path(*file, context_.case_folder), names);
     } catch (const InputError& error) {
       const std::vector<Fault>& faults = error.faults();
       section_.faults().insert(section_.faults().end(), faults.begin(), faults.end());
@@ -111,7 +111,7 @@ class PhaseReader {
     } else if (const auto read = columns({"chi"}); !read.empty()) {
       phase.moments = read[0];
     }
-    const std::string problem = series_problem(phase.moments);
+    const std::string problem = series_problem(phase.moments, context_.space);
     if (problem.empty()) return phase;
     section_.fault(source, problem);
     return PhaseIsotropic{};
@@ -131,7 +131,7 @@ class PhaseReader {
     PhaseMixture phase;
     for (Section& part : section_.list("mix")) {
       phase.shares.push_back(part.number_if("weight").value_or(1));
-      const PhaseFunction read = PhaseReader(part, mix_path, case_folder_).read();
+      const PhaseFunction read = PhaseReader(part, mix_path, context_).read();
       std::visit(
           [&phase](const auto& model) {
             if constexpr (std::is_constructible_v<PhasePart, decltype(model)>)
@@ -153,13 +153,13 @@ class PhaseReader {
 
   Section& section_;
   std::string_view path_;
-  const std::filesystem::path& case_folder_;
+  const PhaseContext& context_;
 };
 
 }  // namespace
 
-PhaseFunction read_phase(Section phase, const std::filesystem::path& case_folder) {
-  return PhaseReader(phase, "media.NAME.phase", case_folder).read();
+PhaseFunction read_phase(Section phase, const PhaseContext& context) {
+  return PhaseReader(phase, "media.NAME.phase", context).read();
 }
 
 }  // namespace etendue

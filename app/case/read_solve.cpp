@@ -7,14 +7,18 @@
 namespace etendue {
 namespace {
 
-std::optional<Rotation> read_rotation(Section& directions) {
+std::optional<Rotation> read_rotation(Section& directions, AngularSpace space) {
   const TomlNode* rotation = directions.find("rotation");
   if (rotation == nullptr || !rotation->is_text())
     directions.unused("seed", "only a random rotation is drawn");
   if (rotation == nullptr) return std::nullopt;
-  if (rotation->is_table())
-    return rotation_about(to_vec3(*rotation->find("axis")), rotation->find("angle")->number());
-  return random_rotation(static_cast<std::uint64_t>(directions.integer("seed")));
+  if (rotation->is_table()) {
+    const Vec3 axis = to_vec3(*rotation->find("axis"));
+    if (space == AngularSpace::plane && axis.head<2>().norm() > 0)
+      directions.fault("rotation", "turns directions out of the plane z = const; use axis = [0, 0, 1]");
+    return rotation_about(axis, rotation->find("angle")->number());
+  }
+  return random_rotation(static_cast<std::uint64_t>(directions.integer("seed")), space);
 }
 
 }  // namespace
@@ -23,7 +27,8 @@ void read_directions(Section directions, Case& result) {
   result.direction_set = directions.text("set");
   result.direction_order = directions.integer("order");
   result.directions_origin = directions.origin("order");
-  result.direction_rotation = read_rotation(directions);
+  result.angular_space = angular_space(result.direction_set);
+  result.direction_rotation = read_rotation(directions, result.angular_space);
   for (const char* name : {"set", "order"})
     if (directions.node().find(name)->faulty) return;  // nothing to say about their combination
   const std::string problem = check_direction_order(result.direction_set, result.direction_order);

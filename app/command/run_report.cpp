@@ -33,9 +33,10 @@ std::string emitted_power_text(const RunResult& result, const std::string& unit)
       const double deviation = power.emitted - power.emitted_exact;
       if (std::abs(deviation) <= noticeable_deviation * std::abs(power.emitted_exact)) continue;
       text +=
-          fmt::format("  {} emits {:.6g} {} in band {} on these directions; pi L A = {:.6g} ({:+.2g} %)\n",
+          fmt::format("  {} emits {:.6g} {} in band {} on these directions; {} L A = {:.6g} ({:+.2g} %)\n",
                       result.problem.walls()[w].name, power.emitted, unit, band_name(result, b),
-                      power.emitted_exact, 100 * deviation / power.emitted_exact);
+                      result.problem.space() == AngularSpace::sphere ? "pi" : "2", power.emitted_exact,
+                      100 * deviation / power.emitted_exact);
     }
   return text;
 }

@@ -25,6 +25,7 @@ struct LevelResult {
   int cells = 0;
   double size = 0;  ///< h = (volume/cells)^(1/3) [length]
   int directions = 0;
+  AngularSpace space = AngularSpace::sphere;
   int sweeps = 0;       ///< of the slowest band
   double residual = 0;  ///< largest estimated relative error of the iteration
   double seconds = 0;
@@ -41,7 +42,8 @@ struct StudyRow {
 
 /// Errors and observed orders, quantity by quantity. The error of a fluence norm is the value itself; of
 /// other quantities it is the distance from the exact value, or else from that of the finest level, which
-/// then has none. Orders are against h, or against the size of the directions, (4 pi/directions)^(1/2).
+/// then has none. Orders are against h, or against the size of the directions, (4 pi/directions)^(1/2)
+/// (in the plane 2 pi/directions).
 std::vector<StudyRow> study_rows(const std::vector<LevelResult>& levels, Refinement refinement);
 
 std::string study_csv(const std::vector<StudyRow>& rows, Refinement refinement);

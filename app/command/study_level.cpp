@@ -19,7 +19,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* file_name = "level.json";
 // The exact integrals of a study of directions: exact to degree 35, and a set that doubling seldom meets.
-constexpr int reference_order = 18;
+constexpr int reference_order = 18, reference_order_in_plane = 76;
+
+DirectionSet reference_directions(AngularSpace space) {
+  return space == AngularSpace::sphere ? directions_product(reference_order)
+                                       : directions_flatland(reference_order_in_plane);
+}
 
 const char* name_of(Refinement refinement) { return refinement == Refinement::mesh ? "mesh" : "directions"; }
 
@@ -53,7 +58,7 @@ class Values {
     if (!run.exact) return;
     radiance_.emplace(run.input.exact->radiance);
     set_.emplace(refinement == Refinement::mesh ? build_directions(run.input)
-                                                : directions_product(reference_order));
+                                                : reference_directions(run.input.angular_space));
     exact_ = refinement == Refinement::mesh
                  ? *run.exact
                  : compare_with_exact(run.problem, run.solution, *radiance_, *set_);
@@ -138,6 +143,7 @@ LevelResult level_result(const RunResult& run, int level, Refinement refinement)
   for (const double cell : run.problem.mesh().volumes()) volume += cell;
   result.size = std::cbrt(volume / result.cells);
   result.directions = run.solution.directions;
+  result.space = run.input.angular_space;
   for (const BandConvergence& band : run.solution.convergence) {
     result.sweeps = std::max(result.sweeps, band.sweeps);
     result.residual = std::max(result.residual, band.residual);
@@ -174,6 +180,7 @@ std::optional<LevelResult> saved_level(const Case& input, int level, Refinement 
                        .cells = json.at("cells"),
                        .size = json.at("h"),
                        .directions = json.at("directions"),
+                       .space = input.angular_space,
                        .sweeps = json.at("sweeps"),
                        .residual = json.at("residual"),
                        .seconds = json.at("seconds"),

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "app/command/study.h"
 #include "app/command/text_table.h"
@@ -24,7 +23,8 @@ bool is_norm(const std::string& quantity) { return quantity.starts_with("fluence
 
 double refined_size(const LevelResult& level, Refinement refinement) {
   if (refinement == Refinement::mesh) return level.size;
-  return std::sqrt(4 * std::numbers::pi / level.directions);
+  const double each = full_range(level.space) / level.directions;
+  return level.space == AngularSpace::sphere ? std::sqrt(each) : each;
 }
 
 const StudyValue* find_value(const LevelResult& level, const StudyValue& like) {
@@ -144,8 +144,9 @@ std::string study_text(const std::vector<StudyRow>& rows, const std::vector<Leve
   }
   std::string text =
       fmt::format("\nstudy of the {}; the order is that of the error against {}\n", name_of(refinement),
-                  refinement == Refinement::mesh ? "h = (volume/cells)^(1/3)"
-                                                 : "the size of the directions, (4 pi/directions)^(1/2)");
+                  refinement == Refinement::mesh
+                      ? "h = (volume/cells)^(1/3)"
+                      : "the size of the directions, (4 pi/directions)^(1/2), in flatland 2 pi/directions");
   text += table.text();
   if (!all) text += "  probes, walls and regions: many, see study.csv\n";
   return text + iteration_text(rows);

@@ -13,14 +13,14 @@ std::string per(const std::string& power, const std::string& below) {
 
 }  // namespace
 
-UnitLabels::UnitLabels(const Units& units)
+UnitLabels::UnitLabels(const Units& units, AngularSpace space)
     : length(units.length),
       volume(units.length + "^3"),
       area(units.length + "^2"),
       power(units.power),
       flux(per(power, area)),
-      radiance(per(power, area + " sr")),
+      radiance(per(power, area + (space == AngularSpace::sphere ? " sr" : " rad"))),
       coefficient("1/" + length),
-      emission(per(power, volume + " sr")) {}
+      emission(per(power, volume + (space == AngularSpace::sphere ? " sr" : " rad"))) {}
 
 }  // namespace etendue

@@ -33,7 +33,8 @@ void write_directions(const DirectionSet& set, const std::filesystem::path& path
   vtkNew<vtkPolyData> sphere;
   sphere->SetPoints(points_of_directions(set));
   sphere->SetVerts(vertices);
-  sphere->GetPointData()->AddArray(vtk_array({"weight", {}, "sr"}, 1, set.weights()));
+  sphere->GetPointData()->AddArray(
+      vtk_array({"weight", {}, set.space() == AngularSpace::sphere ? "sr" : "rad"}, 1, set.weights()));
   sphere->GetPointData()->AddArray(vtk_array({"ordinate", {}, {}}, ordinates));
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(sphere);

@@ -60,7 +60,7 @@ class FieldsOfCells {
  public:
   explicit FieldsOfCells(const RunResult& result)
       : result_(result),
-        units_(result.input.units),
+        units_(result.input.units, result.input.angular_space),
         bands_(result.problem.bands().names),
         grid_(separate_cells(result.problem.mesh())) {}
 

@@ -6,6 +6,7 @@
 
 #include "solver/angle/direction_set.h"
 #include "solver/angle/spherical_harmonics.h"
+#include "solver/problem/angular_space.h"
 #include "solver/problem/phase_function.h"
 
 namespace etendue {
@@ -15,23 +16,31 @@ using std::numbers::pi;
 
 /// Highest degree up to which every harmonic but the first integrates to zero.
 int exact_degree(const DirectionSet& set) {
-  constexpr int highest = 63;
+  constexpr int highest = 159;
   constexpr double tolerance = 1e-9;
-  std::vector<double> integrals(harmonic_count(highest), 0.0), values(integrals.size());
-  for (std::size_t m = 0; m < set.directions().size(); ++m) {
-    spherical_harmonics(set.directions()[m], highest, values);
-    for (std::size_t k = 0; k < values.size(); ++k) integrals[k] += set.weights()[m] * values[k];
+  // Most sets end early: degrees are looked at in steps that double.
+  for (int degree = 9;; degree = std::min(2 * degree + 1, highest)) {
+    const auto count = static_cast<std::size_t>(harmonic_count(set.space(), degree));
+    std::vector<double> integrals(count, 0.0), values(count);
+    for (std::size_t m = 0; m < set.directions().size(); ++m) {
+      harmonics(set.space(), set.directions()[m], degree, values);
+      for (std::size_t k = 0; k < count; ++k) integrals[k] += set.weights()[m] * values[k];
+    }
+    int l = 1;
+    for (std::size_t k = 1; k < count; ++k) {
+      if (k == static_cast<std::size_t>(harmonic_count(set.space(), l))) ++l;
+      if (std::abs(integrals[k]) > tolerance) return l - 1;
+    }
+    if (degree == highest) return highest;
   }
-  for (int k = 1; k < harmonic_count(highest); ++k)
-    if (std::abs(integrals[static_cast<std::size_t>(k)]) > tolerance)
-      return static_cast<int>(std::sqrt(k)) - 1;
-  return highest;
 }
 
-/// A direction with the same probability in every solid angle; the same numbers on every machine.
-Vec3 random_direction(std::mt19937_64& random) {
+/// A direction with the same probability in every solid angle, or angle of the plane; the same numbers on
+/// every machine.
+Vec3 random_direction(std::mt19937_64& random, AngularSpace space) {
   const auto uniform = [&random] { return static_cast<double>(random() >> 11) * 0x1p-53; };
-  const double z = 2 * uniform() - 1, azimuth = 2 * pi * uniform(), radius = std::sqrt(1 - z * z);
+  const double z = space == AngularSpace::sphere ? 2 * uniform() - 1 : 0, azimuth = 2 * pi * uniform(),
+               radius = std::sqrt(1 - z * z);
   return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
 }
 
@@ -40,7 +49,7 @@ double half_range_error_rms(const DirectionSet& set) {
   std::mt19937_64 random(1);
   double sum = 0;
   for (int i = 0; i < normals; ++i) {
-    const double error = set.half_range(random_direction(random)) / pi - 1;
+    const double error = set.half_range(random_direction(random, set.space())) / half_range(set.space()) - 1;
     sum += error * error;
   }
   return std::sqrt(sum / normals);
@@ -49,7 +58,8 @@ double half_range_error_rms(const DirectionSet& set) {
 /// Largest error of the integral of a Henyey-Greenstein function about an ordinate, over all ordinates of a
 /// set of up to 4,000 and evenly spaced ones of a larger set.
 double kernel_row_error(const DirectionSet& set) {
-  const PhaseFunction phase = PhaseHenyeyGreenstein{0.8};
+  PhaseFunction phase = PhaseHenyeyGreenstein{0.8};
+  if (set.space() == AngularSpace::plane) phase = in_plane(phase);
   const int stride = std::max(1, set.count() / 2000);
   double largest = 0;
   for (int m = 0; m < set.count(); m += stride) {
@@ -69,7 +79,7 @@ DirectionSetReport report_directions(const DirectionSet& set) {
   DirectionSetReport report;
   report.count = set.count();
   const auto [smallest, largest] = std::minmax_element(set.weights().begin(), set.weights().end());
-  const double mean = 4 * pi / set.count();
+  const double mean = full_range(set.space()) / set.count();
   report.smallest_weight = *smallest / mean;
   report.largest_weight = *largest / mean;
 
@@ -81,12 +91,14 @@ DirectionSetReport report_directions(const DirectionSet& set) {
     second += set.weights()[m] * direction * direction.transpose();
   }
   report.first_moment_error = first.norm();
-  report.second_moment_error = (second - 4 * pi / 3 * Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  Eigen::Matrix3d exact = Eigen::Matrix3d::Identity() * full_range(set.space()) / dimension(set.space());
+  if (set.space() == AngularSpace::plane) exact(2, 2) = 0;
+  report.second_moment_error = (second - exact).cwiseAbs().maxCoeff();
 
   report.degree = exact_degree(set);
-  for (int axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < dimension(set.space()); ++axis)
     report.axis_half_range_error[static_cast<std::size_t>(axis)] =
-        std::abs(set.half_range(Vec3::Unit(axis)) / pi - 1);
+        std::abs(set.half_range(Vec3::Unit(axis)) / half_range(set.space()) - 1);
   report.half_range_error_rms = half_range_error_rms(set);
   report.kernel_row_error = kernel_row_error(set);
   return report;

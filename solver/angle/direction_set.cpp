@@ -38,31 +38,36 @@ int find_direction(std::span<const Vec3> directions, const std::vector<std::int3
   return -1;
 }
 
-void check_directions(const std::vector<Vec3>& directions, const std::vector<double>& weights) {
+void check_directions(const std::vector<Vec3>& directions, const std::vector<double>& weights,
+                      AngularSpace space) {
   if (directions.size() != weights.size() || directions.empty())
     throw std::invalid_argument("a direction set needs one weight for each direction");
   for (const Vec3& direction : directions)
     if (!(std::abs(direction.norm() - 1) <= same_direction))
       throw std::invalid_argument("a direction is not a unit vector");
+  if (space == AngularSpace::plane)
+    for (const Vec3& direction : directions)
+      if (direction.z() != 0) throw std::invalid_argument("a direction leaves the plane");
   for (const double weight : weights)
     if (!(weight > 0)) throw std::invalid_argument("a weight is not positive");
 }
 
-/// The factor that makes the weights sum to 4 pi.
-double weight_scale(const std::vector<double>& weights) {
+/// The factor that makes the weights sum to 4 pi, or 2 pi in the plane.
+double weight_scale(const std::vector<double>& weights, AngularSpace space) {
   const long double sum = std::accumulate(weights.begin(), weights.end(), 0.0L);
-  const double scale = static_cast<double>(4 * std::numbers::pi_v<long double> / sum);
-  if (!(std::abs(scale - 1) <= 1e-12)) throw std::invalid_argument("weights do not sum to 4 pi");
+  const int multiple = space == AngularSpace::sphere ? 4 : 2;
+  const double scale = static_cast<double>(multiple * std::numbers::pi_v<long double> / sum);
+  if (!(std::abs(scale - 1) <= 1e-12)) throw std::invalid_argument("weights do not sum to the full range");
   return scale;
 }
 
 }  // namespace
 
 DirectionSet::DirectionSet(std::string name, int order, const std::vector<Vec3>& directions,
-                           const std::vector<double>& weights)
-    : name_(std::move(name)), order_(order) {
-  check_directions(directions, weights);
-  const double scale = weight_scale(weights);
+                           const std::vector<double>& weights, AngularSpace space)
+    : name_(std::move(name)), order_(order), space_(space) {
+  check_directions(directions, weights, space);
+  const double scale = weight_scale(weights, space);
   const std::vector<std::int32_t> by_x = sorted_by_x(directions);
   for (const std::int32_t m : upper_directions_along_curve(directions)) {
     const std::size_t at = static_cast<std::size_t>(m);

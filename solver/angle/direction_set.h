@@ -10,21 +10,25 @@
 #include "mesh/base/index.h"
 #include "mesh/base/vec3.h"
 #include "solver/angle/rotation.h"
+#include "solver/problem/angular_space.h"
 
 namespace etendue {
 
-/// Directions in which light travels, and the solid angle of each. Weights sum to 4 pi, the opposite of every
-/// direction is in the set, and the directions stand in pairs: 2k and 2k+1 are opposite. Consecutive pairs
-/// are close in angle, octant by octant.
+/// Directions in which light travels, and the solid angle of each. Weights sum to 4 pi (in the plane: angles
+/// that sum to 2 pi, and every direction has z = 0), the opposite of every direction is in the set, and the
+/// directions stand in pairs: 2k and 2k+1 are opposite. Consecutive pairs are close in angle, octant by
+/// octant.
 class DirectionSet {
  public:
   /// Unit directions and weights [sr] in any order. Weights are scaled by a factor within 1e-12 of 1 to sum
-  /// to 4 pi. Throws std::invalid_argument where an opposite is missing or the sum is off.
+  /// to the full range. Throws std::invalid_argument where an opposite is missing, the sum is off or a
+  /// direction leaves the plane.
   DirectionSet(std::string name, int order, const std::vector<Vec3>& directions,
-               const std::vector<double>& weights);
+               const std::vector<double>& weights, AngularSpace space = AngularSpace::sphere);
 
   const std::string& name() const { return name_; }
   int order() const { return order_; }
+  AngularSpace space() const { return space_; }
   int count() const { return static_cast<int>(directions_.size()); }
   const Vec3& direction(OrdinateIndex m) const { return directions_[m.at()]; }
   double weight(OrdinateIndex m) const { return weights_[m.at()]; }  ///< [sr]
@@ -35,12 +39,14 @@ class DirectionSet {
   /// the set or has another weight.
   int mirrored(OrdinateIndex m, const Vec3& normal) const;
 
-  /// Discrete half range: the sum of w |w.n| over the directions with w.n < 0 [sr]; pi in the limit.
+  /// Discrete half range: the sum of w |w.n| over the directions with w.n < 0 [sr]; pi in the limit,
+  /// or 2 in the plane.
   double half_range(const Vec3& normal) const;
 
  private:
   std::string name_;
   int order_;
+  AngularSpace space_;
   std::vector<Vec3> directions_;
   std::vector<double> weights_;
   std::vector<std::int32_t> by_x_;  ///< ordinates by rising x, to find one by its direction
@@ -61,27 +67,37 @@ DirectionSet directions_thurgood(int order);
 /// Linear discontinuous finite elements on spherical quadrilaterals (Lau and Adams 2017): 96 order^2.
 DirectionSet directions_ldfe_sq(int order);
 
+/// Flatland: `order` directions (a multiple of 4) at half steps on the circle z = 0, of equal weights that
+/// sum to 2 pi. Exact for cos(k t) and sin(k t) up to k = order - 1.
+DirectionSet directions_flatland(int order);
+
 /// The set of this name. Throws InputError (without a file) with what is accepted.
 DirectionSet make_directions(const std::string& name, int order);
-/// The same set turned by a rotation, so that no direction keeps a special place among the axes.
+/// The same set turned by a rotation, so that no direction keeps a special place among the axes. Throws
+/// std::invalid_argument where directions leave the plane.
 DirectionSet rotated(const DirectionSet& set, const Rotation& rotation);
 
 /// Names that make_directions knows.
 std::vector<std::string> direction_set_names();
+/// Where the directions of the set of this name lie.
+AngularSpace angular_space(const std::string& set_name);
 /// Empty where the order suits the set, else why not and what is accepted.
 std::string check_direction_order(const std::string& name, int order);
 
 /// What a set integrates exactly, measured.
 struct DirectionSetReport {
   int count = 0;
-  double smallest_weight = 0;      ///< relative to the mean
-  double largest_weight = 0;       ///< relative to the mean
-  double first_moment_error = 0;   ///< |sum of w direction|
-  double second_moment_error = 0;  ///< largest entry of |sum of w direction direction^T - 4 pi/3 I|
-  /// The highest up to which all spherical harmonics (so all polynomials) are exact to 1e-9; 63: or more.
+  double smallest_weight = 0;     ///< relative to the mean
+  double largest_weight = 0;      ///< relative to the mean
+  double first_moment_error = 0;  ///< |sum of w direction|
+  double second_moment_error =
+      0;  ///< largest entry of |sum of w direction direction^T - full range/dimension I|
+  /// The highest up to which all spherical harmonics (so all polynomials) are exact to 1e-9; in the plane all
+  /// cos(k t) and sin(k t). 159: or more.
   int degree = 0;
-  std::array<double, 3> axis_half_range_error{};  ///< relative error of the half range along x, y, z
-  double half_range_error_rms = 0;                ///< over 2,000 random normals
+  /// Relative error of the half range along x, y, z; in the plane 0 along z.
+  std::array<double, 3> axis_half_range_error{};
+  double half_range_error_rms = 0;  ///< over 2,000 random normals
   /// Largest |sum of w p - 1| for Henyey-Greenstein, g = 0.8, over 2,000 or more of the ordinates.
   double kernel_row_error = 0;
 };

@@ -18,15 +18,17 @@ struct Family {
   int first = 1;
   int step = 1;  ///< 2: only even orders
   int last = 0;  ///< 0: as many as directions are accepted
+  AngularSpace space = AngularSpace::sphere;
 };
 
-constexpr std::array<Family, 6> families = {{
+constexpr std::array<Family, 7> families = {{
     {"product", directions_product, [](double n) { return 2 * n * n; }, 2, 2},
     {"triangular", directions_triangular, [](double n) { return n * (n + 2); }, 2, 2},
     {"double-gauss", directions_double_gauss, [](double n) { return 8 * n * n; }, 2},
     {"ldfe-sq", directions_ldfe_sq, [](double n) { return 96 * n * n; }},
     {"level-symmetric", directions_level_symmetric, [](double n) { return n * (n + 2); }, 2, 2, 16},
     {"thurgood", directions_thurgood, [](double n) { return 8 * n * n; }},
+    {"flatland", directions_flatland, [](double n) { return n; }, 4, 4, 0, AngularSpace::plane},
 }};
 
 // Every direction costs a sweep in every iteration: beyond this a run takes days even on small meshes, and
@@ -66,10 +68,17 @@ std::vector<std::string> direction_set_names() {
   return names;
 }
 
+AngularSpace angular_space(const std::string& set_name) {
+  const Family* family = find_family(set_name);
+  return family ? family->space : AngularSpace::sphere;
+}
+
 std::string check_direction_order(const std::string& name, int order) {
   const Family* family = find_family(name);
   if (!family) return "no order suits the unknown set \"" + name + "\"; use " + accepted_names();
   if (order < 1) return "must be positive" + accepted(*family);
+  if (family->step == 4 && order % 4 != 0)
+    return "must be a multiple of 4 (so that mirrors across x and y keep the set)" + accepted(*family);
   if (order % family->step != 0)
     return "must be even (the levels of a " + name + " set lie in pairs above and below the equator)" +
            accepted(*family);

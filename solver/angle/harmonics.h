@@ -12,16 +12,19 @@ namespace etendue {
 
 /// Real spherical harmonics on the ordinates of a set, orthonormalised there degree by degree:
 ///
-///     sum over m of w_m Y_j(m) Y_k(m) = 4 pi delta_jk.
+///     sum over m of w_m Y_j(m) Y_k(m) = 4 pi delta_jk      (2 pi in the plane).
 ///
 /// Raw harmonics of degree 4 and more are not orthogonal on most sets, and scattering through them gains or
 /// loses energy; these conserve it, and the mean cosine, to rounding on every set. Y_0 = 1, and Y_1, Y_2, Y_3
-/// are sqrt 3 times x, y, z. A function that depends on those before it on this set is left out.
+/// are sqrt 3 times x, y, z; in the plane Y_1, Y_2 are sqrt 2 times x, y. A function that depends on those
+/// before it on this set is left out.
 ///
 /// Scattering with moments chi_l (phase_moment) sends into ordinate m the source
 ///
 ///     S(m) = sigma_s/(4 pi) sum over k of chi_degree(k) Y_k(m) phi_k,   phi_k = sum over n of w_n Y_k(n)
-///     u_n.
+///     u_n
+///
+/// and in the plane sigma_s/(2 pi) stands before the sum.
 class DiscreteHarmonics {
  public:
   DiscreteHarmonics(const DirectionSet& set, int degree);
@@ -38,6 +41,7 @@ class DiscreteHarmonics {
   int full_degree() const;
 
  private:
+  AngularSpace space_;
   std::vector<int> degrees_;    ///< [k]
   std::vector<double> values_;  ///< [ordinate][k]
 };

@@ -16,9 +16,10 @@ Rotation rotation_about(const Vec3& axis, double degrees) {
 
 // A point on the sphere in four dimensions is a quaternion; uniform points give uniform rotations
 // (Shoemake 1992).
-Rotation random_rotation(std::uint64_t seed) {
+Rotation random_rotation(std::uint64_t seed, AngularSpace space) {
   std::mt19937_64 random(seed);
   const auto uniform = [&random] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  if (space == AngularSpace::plane) return rotation_about(Vec3::UnitZ(), 360 * uniform());
   const double share = uniform();
   const double first = 2 * std::numbers::pi * uniform(), second = 2 * std::numbers::pi * uniform();
   const double a = std::sqrt(1 - share), b = std::sqrt(share);
@@ -32,7 +33,7 @@ DirectionSet rotated(const DirectionSet& set, const Rotation& rotation) {
   directions.reserve(set.directions().size());
   for (const Vec3& direction : set.directions()) directions.push_back((rotation * direction).normalized());
   return DirectionSet("rotated " + set.name(), set.order(), directions,
-                      {set.weights().begin(), set.weights().end()});
+                      {set.weights().begin(), set.weights().end()}, set.space());
 }
 
 }  // namespace etendue

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "mesh/base/vec3.h"
+#include "solver/problem/angular_space.h"
 
 namespace etendue {
 
@@ -15,6 +16,7 @@ using Rotation = Eigen::Matrix3d;
 Rotation rotation_about(const Vec3& axis, double degrees);
 
 /// Every rotation with the same probability; the same one for a seed on every machine.
-Rotation random_rotation(std::uint64_t seed);
+/// In the plane rotations about z are drawn.
+Rotation random_rotation(std::uint64_t seed, AngularSpace space = AngularSpace::sphere);
 
 }  // namespace etendue

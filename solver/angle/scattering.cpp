@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include "solver/angle/harmonics.h"
 
@@ -65,7 +64,7 @@ ScatteringAccuracy scattering_accuracy(const PhaseFunction& phase, int degree, c
     double sum = 0, cosine = 0;
     for (std::size_t k = 0; k < integral.size(); ++k) {
       const double factor = moment[static_cast<std::size_t>(harmonics.degree_of(static_cast<int>(k)))] *
-                            harmonics.of(ordinate)[k] / (4 * std::numbers::pi);
+                            harmonics.of(ordinate)[k] / full_range(set.space());
       sum += factor * integral[k];
       cosine += factor * first_moment[k].dot(set.direction(ordinate));
     }

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <utility>
 
 namespace etendue {
@@ -41,6 +42,22 @@ void spherical_harmonics(const Vec3& direction, int degree, std::span<double> va
       if (m > 0) values[at(l, -m)] = q * power.imag();
     }
   }
+}
+
+void circular_harmonics(const Vec3& direction, int degree, std::span<double> values) {
+  assert(values.size() == static_cast<std::size_t>(harmonic_count(AngularSpace::plane, degree)));
+  const std::complex<double> plane(direction.x(), direction.y());
+  std::complex<double> power = std::numbers::sqrt2;
+  values[0] = 1;
+  for (std::size_t k = 1; k <= static_cast<std::size_t>(degree); ++k) {
+    power *= plane;
+    values[2 * k - 1] = power.imag();
+    values[2 * k] = power.real();
+  }
+}
+
+void harmonics(AngularSpace space, const Vec3& direction, int degree, std::span<double> values) {
+  (space == AngularSpace::sphere ? spherical_harmonics : circular_harmonics)(direction, degree, values);
 }
 
 }  // namespace etendue

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 namespace etendue {
 namespace {
@@ -77,7 +76,7 @@ void ExactInput::fill_kernels() {
       const int used = scattering_degree(phase, directions_).degree;
       for (int k = 0; k < harmonics_.count(); ++k) {
         const int degree = harmonics_.degree_of(k);
-        kernels_.push_back(degree > used ? 0 : phase_moment(phase, degree) / (4 * std::numbers::pi));
+        kernels_.push_back(degree > used ? 0 : phase_moment(phase, degree) / full_range(problem_.space()));
       }
     }
 }

@@ -2,12 +2,9 @@
 #include "solver/measure/balance.h"
 
 #include <cstddef>
-#include <numbers>
 
 namespace etendue {
 namespace {
-
-using std::numbers::pi;
 
 /// Mean over a cell or face of a P1 field: the mean of its values at the vertices. `values` is
 /// [element][nodes][band].
@@ -32,7 +29,7 @@ void add_face(WallPower& power, const Problem& problem, const Solution& solution
   power.incoming += nodal_mean<3>(solution.irradiance, at, band, bands) * area;
   power.outgoing += nodal_mean<3>(solution.exitance, at, band, bands) * area;
   power.emitted += radiance * solution.half_range[at] * area;
-  power.emitted_exact += radiance * pi * area;
+  power.emitted_exact += radiance * half_range(problem.space()) * area;
 }
 
 /// Adds one cell to the powers of its region; `fluence_mean` is the integral until all cells are in.
@@ -45,7 +42,7 @@ void add_cell(RegionPower& power, const Problem& problem, const Solution& soluti
   power.volume += volume;
   power.fluence_mean += fluence;
   power.absorbed += problem.absorption(cell, b) * fluence;
-  power.emitted += 4 * pi * problem.emission(cell, b) * volume;
+  power.emitted += full_range(problem.space()) * problem.emission(cell, b) * volume;
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct WallPower {
   double incoming = 0;         ///< arriving from the domain
   double outgoing = 0;         ///< sent into the domain: emitted + reflected
   double emitted = 0;          ///< by the discrete half range: L pi_h A
-  double emitted_exact = 0;    ///< pi L A
+  double emitted_exact = 0;    ///< pi L A; 2 L A in the plane
 };
 
 /// Totals of one region and band.

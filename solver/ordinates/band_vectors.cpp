@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace etendue {
@@ -38,8 +37,8 @@ BandVectors::BandVectors(const TetrahedralMesh& mesh, const TransportSweep& swee
     append(weights_, face_nodes, mesh.area(FaceIndex(f)) / area / static_cast<double>(face_nodes));
   // Radiance on mirrors and lagged faces: as large as the fluence it makes, shared out evenly.
   const std::size_t traces = (layout.mirrors + layout.lagged) / stride_;
-  const double four_pi = 4 * std::numbers::pi;
-  append(weights_, traces, four_pi * four_pi / static_cast<double>(std::max<std::size_t>(traces, 1)));
+  const double range = full_range(sweep.space());
+  append(weights_, traces, range * range / static_cast<double>(std::max<std::size_t>(traces, 1)));
 }
 
 BandScalars BandVectors::dot(const TransportState& a, const TransportState& b) const {

@@ -4,12 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 namespace etendue {
 namespace {
-
-constexpr double four_pi = 4 * std::numbers::pi;
 
 int highest(const std::vector<std::vector<int>>& degrees) {
   int degree = 0;
@@ -107,7 +104,7 @@ void ScatteringMoments::form_source(const TransportState& state, Emission emissi
     for (int b = 0; b < bands; ++b) {
       const auto band = static_cast<std::size_t>(b);
       const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, b);
-      const double factor = problem_.scattering(cell, b) / four_pi;
+      const double factor = problem_.scattering(cell, b) / full_range(problem_.space());
       apply(fluence, band, emission == Emission::included ? problem_.emission(cell, b) : 0, factor, mass,
             right);
       for (std::size_t k = 1; row > 0 && k < count(); ++k) {

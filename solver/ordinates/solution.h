@@ -60,7 +60,8 @@ struct Solution {
   std::vector<double> net_flux;    ///< [cell][4][3 (x, y, z)][band] [power/length^2]
   std::vector<double> irradiance;  ///< [boundary face][3][band] arriving at the wall [power/length^2]
   std::vector<double> exitance;    ///< [boundary face][3][band] sent into the domain [power/length^2]
-  std::vector<double> half_range;  ///< [boundary face] discrete half range [sr]; pi in the limit
+  std::vector<double>
+      half_range;  ///< [boundary face] discrete half range [sr]; pi in the limit, 2 in the plane
   std::vector<OrdinateRadiance> radiance;
   SavedState state;                          ///< from which another run may go on
   std::vector<double> meters;                ///< [meter][band] irradiance [power/length^2]

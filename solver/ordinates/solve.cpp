@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 
 #include "solver/ordinates/gmres.h"
 #include "solver/ordinates/source_iteration.h"
@@ -105,6 +106,8 @@ void measure(TransportSweep& sweep, const TransportState& state, Solution& solut
 
 Solution solve(const Problem& problem, const DirectionSet& directions, const SolveOptions& options,
                const SolveObserver& observer) {
+  if (problem.space() != directions.space())
+    throw std::invalid_argument("a plane problem needs directions in the plane, and only that");
   const std::vector<double> extinction = extinction_of(problem);
   TransportSweep sweep(problem, directions, extinction, options);
   TransportState state(sweep.layout());

@@ -49,6 +49,7 @@ class TransportSweep {
   bool is_direct() const;
 
   const TetrahedralMesh& mesh() const { return problem_.mesh(); }
+  AngularSpace space() const { return problem_.space(); }
   const CellCoefficients& cells() const { return cells_; }
   const WallExchange& walls() const { return walls_; }
   const ScatteringMoments& scattering() const { return scattering_; }

@@ -23,6 +23,10 @@ std::vector<double> padded(std::span<const Wall> walls, std::vector<double> Wall
   return result;
 }
 
+/// Half ranges below this [sr] are those of walls that no direction reaches: the sides z = const in the
+/// plane.
+constexpr double out_of_reach = 1e-12;
+
 bool any_positive(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double v) { return v > 0; });
 }
@@ -45,12 +49,13 @@ WallExchange::WallExchange(const Problem& problem, const DirectionSet& direction
   for (const Wall& wall : problem.walls()) {
     wall_diffuse_.push_back(any_positive(wall.diffuse));
     wall_reflects_.push_back(any_positive(wall.diffuse) || any_positive(wall.specular));
-    reflects_ = reflects_ || wall_reflects_.back();
   }
   half_range_.resize(static_cast<std::size_t>(mesh_.boundary_face_count()));
-  for (std::int32_t f = 0; f < mesh_.boundary_face_count(); ++f)
-    half_range_[static_cast<std::size_t>(f)] =
-        directions.half_range(mesh_.area_normal(FaceIndex(f)).normalized());
+  for (std::int32_t f = 0; f < mesh_.boundary_face_count(); ++f) {
+    const double range = directions.half_range(mesh_.area_normal(FaceIndex(f)).normalized());
+    half_range_[static_cast<std::size_t>(f)] = range;
+    reflects_ = reflects_ || (range > out_of_reach && reflects(FaceIndex(f)));
+  }
   find_mirrors();
 }
 
@@ -61,6 +66,7 @@ void WallExchange::find_mirrors() {
   for (std::int32_t f = 0; f < mesh_.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     const auto wall = static_cast<std::size_t>(mesh_.wall(face));
+    if (half_range_[face.at()] <= out_of_reach) continue;
     if (refused[wall] || !any_positive(problem_.wall(mesh_.wall(face)).specular)) continue;
     const Vec3 normal = mesh_.area_normal(face).normalized();
     std::size_t plane = 0;

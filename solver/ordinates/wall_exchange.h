@@ -18,6 +18,7 @@ namespace etendue {
 ///     0,
 ///
 /// with the discrete half range pi_h in place of pi, so that a wall gives back exactly what it reflects.
+/// Walls across z that no direction of the plane reaches take no part.
 class WallExchange {
  public:
   /// Throws InputError where a mirror's partner ordinate is not in the set. The arguments must outlive it.

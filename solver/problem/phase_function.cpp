@@ -29,6 +29,21 @@ std::string name_of(const PhaseMixture& phase) {
   return text;
 }
 
+PhaseFunction in_plane(const PhaseFunction& phase) {
+  struct ToPlane {
+    PhaseFunction operator()(const PhasePlane& plane) const { return plane; }
+    PhaseFunction operator()(const PhaseMixture& mixture) const {
+      return PhasePlane(mixture.shares, mixture.parts);
+    }
+    PhaseFunction operator()(const PhaseDoubleHenyeyGreenstein& two) const {
+      return PhasePlane({two.weight, 1 - two.weight},
+                        {PhaseHenyeyGreenstein{two.first}, PhaseHenyeyGreenstein{two.second}});
+    }
+    PhaseFunction operator()(const PhasePart& part) const { return PhasePlane({1}, {part}); }
+  };
+  return std::visit(ToPlane{}, phase);
+}
+
 double phase_value(const PhaseFunction& phase, double mu) {
   return std::visit([mu](const auto& model) { return value_of(model, mu); }, phase);
 }

@@ -5,15 +5,10 @@
 #include <variant>
 #include <vector>
 
-#include "solver/problem/phase_models.h"
-#include "solver/problem/phase_series.h"
-#include "solver/problem/phase_table.h"
+#include "solver/problem/phase_part.h"
+#include "solver/problem/phase_plane.h"
 
 namespace etendue {
-
-/// What a mixture can hold.
-using PhasePart = std::variant<PhaseIsotropic, PhaseRayleigh, PhaseHenyeyGreenstein, PhaseCornetteShanks,
-                               PhaseLegendre, PhaseTable>;
 
 /// Scatterers of several kinds: the sum of share p over the parts.
 struct PhaseMixture {
@@ -25,15 +20,19 @@ double value_of(const PhaseMixture& phase, double mu);
 double moment_of(const PhaseMixture& phase, int degree);
 std::string name_of(const PhaseMixture& phase);
 
-/// How light turns when it scatters; the integral over the sphere is 1.
+/// How light turns when it scatters; the integral over the sphere is 1, that of a PhasePlane over the circle.
 using PhaseFunction =
     std::variant<PhaseIsotropic, PhaseRayleigh, PhaseHenyeyGreenstein, PhaseDoubleHenyeyGreenstein,
-                 PhaseCornetteShanks, PhaseLegendre, PhaseTable, PhaseMixture>;
+                 PhaseCornetteShanks, PhaseLegendre, PhaseTable, PhaseMixture, PhasePlane>;
 
-/// Value at the cosine `mu` of the angle of deflection [1/sr].
+/// The phase function of this model in the plane (itself if it is one already).
+PhaseFunction in_plane(const PhaseFunction& phase);
+
+/// Value at the cosine `mu` of the angle of deflection [1/sr], in the plane [1/rad].
 double phase_value(const PhaseFunction& phase, double mu);
 
-/// Legendre moment of degree l: the integral of p(mu) P_l(mu) over the sphere; 1 for l = 0, g for l = 1.
+/// Legendre moment of degree l: the integral of p(mu) P_l(mu) over the sphere, in the plane that of p cos(l
+/// t) over the circle; 1 for l = 0, g for l = 1.
 double phase_moment(const PhaseFunction& phase, int degree);
 
 /// The mean cosine g.

@@ -18,6 +18,8 @@ class PhaseTable {
   /// What the values were divided by: their integral over the sphere, by the trapezoid rule on the cosines.
   double integral() const { return integral_; }
   std::size_t size() const { return cosines_.size(); }
+  const std::vector<double>& cosines() const { return cosines_; }  ///< rising
+  const std::vector<double>& values() const { return values_; }    ///< [1/sr]
 
  private:
   double moment_by_quadrature(int degree) const;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solver/problem/plane_checks.h"
 #include "solver/problem/problem_checks.h"
 
 namespace etendue {
@@ -84,9 +85,17 @@ std::vector<double> cell_means(const TetrahedralMesh& mesh, const CellsByRegion&
 
 }  // namespace
 
-Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls)
-    : mesh_(mesh), bands_(std::move(bands)), media_(std::move(media)), walls_(std::move(walls)) {
+Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls,
+                 AngularSpace space)
+    : mesh_(mesh),
+      bands_(std::move(bands)),
+      media_(std::move(media)),
+      walls_(std::move(walls)),
+      space_(space) {
   require_sizes(mesh_, bands_, media_, walls_);
+  if (space_ == AngularSpace::plane)
+    for (Medium& medium : media_)
+      for (PhaseFunction& phase : medium.phase) phase = in_plane(phase);
   std::vector<Fault> faults;
   const CellsByRegion cells = cells_by_region(mesh_);
   const auto means = [&](const CoefficientKind& kind) {
@@ -97,6 +106,7 @@ Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> m
   emission_ = means({&Medium::emission, "emission"});
   for (const Medium& medium : media_) check_phase(medium, bands_, faults);
   for (const Wall& wall : walls_) check_wall(wall, bands_, faults);
+  if (space_ == AngularSpace::plane) check_plane_walls(*this, faults);
   if (faults.empty()) check_steady_state(*this, faults);
   if (!faults.empty()) throw InputError(std::move(faults));
 }

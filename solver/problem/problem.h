@@ -7,6 +7,7 @@
 
 #include "mesh/base/errors.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
+#include "solver/problem/angular_space.h"
 #include "solver/problem/bands.h"
 #include "solver/problem/coefficient.h"
 #include "solver/problem/phase_function.h"
@@ -40,12 +41,15 @@ class Problem {
   /// The mesh must outlive the problem. `media` has one entry for each region of the mesh and `walls` one for
   /// each wall, in their order. Throws InputError where a coefficient is negative or not finite in some cell
   /// (naming its coordinates), where reflectances exceed 1, or where a band has no steady state because
-  /// something emits while nothing absorbs and every wall reflects fully.
-  Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls);
+  /// something emits while nothing absorbs and every wall reflects fully. In the plane phase functions become
+  /// those of the plane, and walls must stand upright or be cold mirrors across z.
+  Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls,
+          AngularSpace space = AngularSpace::sphere);
 
   const TetrahedralMesh& mesh() const { return mesh_; }
   const Bands& bands() const { return bands_; }
   int band_count() const { return bands_.count(); }
+  AngularSpace space() const { return space_; }
 
   // Cell means, [cell][band].
   std::span<const double> absorption() const { return absorption_; }  ///< [1/length]
@@ -69,6 +73,7 @@ class Problem {
   Bands bands_;
   std::vector<Medium> media_;
   std::vector<Wall> walls_;
+  AngularSpace space_;
   std::vector<double> absorption_;
   std::vector<double> scattering_;
   std::vector<double> emission_;

@@ -134,6 +134,18 @@ TEST(BuildProblem, SpreadsThePowerOfARegionOverItsMeshedVolume) {
   EXPECT_NEAR(power, 3, 1e-12);
 }
 
+TEST(BuildProblem, OfFlatlandSpreadsPowerOverTheDirectionsOfThePlane) {
+  const Case input = case_of(
+      "[[mesh.box]]\nregion = \"air\"\nmin = [0, 0, 0]\nmax = [1, 1, 0.5]\n"
+      "[media.air]\nabsorption = 1\npower_density = 6\n[walls.\"*\"]\n[walls.zmin]\nspecular = 1\n"
+      "[walls.zmax]\nspecular = 1\n[directions]\nset = \"flatland\"\norder = 8\n");
+  const TetrahedralMesh mesh = build_mesh(input);
+  const Problem problem = build_problem(input, mesh);
+  EXPECT_EQ(problem.space(), AngularSpace::plane);
+  EXPECT_DOUBLE_EQ(problem.emission(CellIndex(0), 0), 6 / (2 * std::numbers::pi));
+  EXPECT_EQ(build_directions(input).space(), AngularSpace::plane);
+}
+
 TEST(BuildProblem, GivesEachWallItsEntryOrThatOfTheRest) {
   const Case input = case_of(room);
   const TetrahedralMesh mesh = build_mesh(input);

@@ -76,7 +76,7 @@ const Check later[] = {
      "each band, each at least 0"},
     {"DirectionSet", "[directions]\nset = \"lebedev\"\n",
      "slab.toml:8: directions.set = \"lebedev\": not in this version; use \"product\", \"triangular\", "
-     "\"double-gauss\", \"ldfe-sq\", \"level-symmetric\" or \"thurgood\""},
+     "\"double-gauss\", \"ldfe-sq\", \"level-symmetric\", \"thurgood\" or \"flatland\""},
     {"SpaceOrder", "[space]\norder = 2\n", "slab.toml:8: space.order = 2: not in this version; use 0 or 1"},
     {"Field", "[output]\nfields = [\"direction_error\"]\n",
      "slab.toml:8: output.fields[0] = \"direction_error\": not in this version; use \"fluence\", "
@@ -189,7 +189,7 @@ const Check values[] = {
      "below the equator); use 2, 4, 6 … 222"},
     {"UnknownSet", "[directions]\nset = \"lfde-sq\"\n",
      "slab.toml:8: directions.set = \"lfde-sq\": is not known (did you mean \"ldfe-sq\"?); use \"product\", "
-     "\"triangular\", \"double-gauss\", \"ldfe-sq\", \"level-symmetric\" or \"thurgood\""},
+     "\"triangular\", \"double-gauss\", \"ldfe-sq\", \"level-symmetric\", \"thurgood\" or \"flatland\""},
     {"LevelSymmetricTooFine", "[directions]\nset = \"level-symmetric\"\norder = 18\n",
      "slab.toml:9: directions.order = 18: too large (level-symmetric sets of higher order lose their "
      "positive "
@@ -205,6 +205,9 @@ const Check values[] = {
      "slab.toml:8: directions.rotation: its axis has no direction; use a vector that is not zero"},
     {"RotationAboutAPlane", "[directions]\nrotation = { axis = [1, 0], angle = 10 }\n",
      "slab.toml:8: directions.rotation.axis = [1, 0]: has 2 entries; use a list of three numbers"},
+    {"RotationOutOfThePlane",
+     "[directions]\nset = \"flatland\"\norder = 8\nrotation = { axis = [1, 0, 0], angle = 10 }\n",
+     "slab.toml:10: directions.rotation: turns directions out of the plane z = const; use axis = [0, 0, 1]"},
     {"SeedOfNothing", "[directions]\nseed = 3\n",
      "slab.toml:8: directions.seed = 3: unused (only a random rotation is drawn); remove it"},
     {"OrderIsAFloat", "[directions]\norder = 1.0\n",

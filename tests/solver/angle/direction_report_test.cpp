@@ -62,6 +62,22 @@ TEST(DirectionReport, FindsTheDegreeOfEachFamily) {
     EXPECT_EQ(report_directions(directions_level_symmetric(order)).degree, degree);
 }
 
+TEST(DirectionReport, MeasuresFlatlandByTheIntegralsOfThePlane) {
+  for (const int order : {4, 8, 16, 32}) {
+    const DirectionSetReport report = report_directions(directions_flatland(order));
+    EXPECT_EQ(report.degree, order - 1);
+    EXPECT_LT(report.first_moment_error, 1e-14);
+    EXPECT_LT(report.second_moment_error, 1e-14);
+    // Midpoints of the cosine from -pi/2 to pi/2: (pi/n) / sin(pi/n) times 2.
+    for (const std::size_t axis : {0, 1})
+      EXPECT_NEAR(report.axis_half_range_error[axis], pi / order / std::sin(pi / order) - 1, 1e-13);
+    EXPECT_EQ(report.axis_half_range_error[2], 0);
+    // The trapezoid rule on Poisson's kernel with g = 0.8 adds 2 g^n cos(n t) + …, largest at an ordinate.
+    const double aliased = std::pow(0.8, order);
+    EXPECT_NEAR(report.kernel_row_error, 2 * aliased / (1 - aliased), 1e-12);
+  }
+}
+
 TEST(DirectionReport, FindsTheHalfRangeOfLdfeSqExactOnTheAxes) {
   for (const int order : {1, 2, 3, 4, 6})
     for (const double error : report_directions(directions_ldfe_sq(order)).axis_half_range_error)

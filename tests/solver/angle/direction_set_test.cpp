@@ -148,8 +148,9 @@ std::string message_of(const std::string& name, int order) {
 
 TEST(DirectionSet, IsMadeByName) {
   for (const std::string& name : direction_set_names()) {
-    EXPECT_EQ(check_direction_order(name, 2), "");
-    EXPECT_EQ(make_directions(name, 2).name(), name);
+    int order = 1;
+    while (!check_direction_order(name, order).empty()) ASSERT_LT(++order, 8) << name;
+    EXPECT_EQ(make_directions(name, order).name(), name);
   }
 }
 
@@ -173,10 +174,35 @@ TEST(DirectionSet, SaysWhichOrdersAreAccepted) {
   EXPECT_NE(message_of("ldfe-sq", 2147483647).find("too large (442721857"), std::string::npos);
   EXPECT_EQ(message_of("ldfe", 1),
             "directions.set = \"ldfe\": unknown in this version; use product, triangular, double-gauss, "
-            "ldfe-sq, level-symmetric, thurgood");
+            "ldfe-sq, level-symmetric, thurgood, flatland");
   EXPECT_EQ(check_direction_order("ldfe", 1),
             "no order suits the unknown set \"ldfe\"; use product, triangular, double-gauss, ldfe-sq, "
-            "level-symmetric, thurgood");
+            "level-symmetric, thurgood, flatland");
+}
+
+TEST(DirectionSet, FlatlandStaysInThePlaneAndOffTheAxes) {
+  for (const int order : {4, 8, 52}) {
+    const DirectionSet set = directions_flatland(order);
+    EXPECT_EQ(set.space(), AngularSpace::plane);
+    EXPECT_EQ(set.count(), order);
+    double sum = 0;
+    for (int m = 0; m < order; ++m) {
+      const OrdinateIndex ordinate(m);
+      const Vec3& d = set.direction(ordinate);
+      EXPECT_EQ(d.z(), 0);
+      EXPECT_GT(std::min(std::abs(d.x()), std::abs(d.y())), 1.0 / order);
+      for (int axis = 0; axis < 3; ++axis) EXPECT_GE(set.mirrored(ordinate, Vec3::Unit(axis)), 0);
+      sum += set.weight(ordinate);
+    }
+    EXPECT_NEAR(sum, 2 * pi, 1e-14);
+  }
+  EXPECT_NE(message_of("flatland", 6).find("must be a multiple of 4"), std::string::npos);
+}
+
+TEST(DirectionSet, OfThePlaneIsRefusedOutsideIt) {
+  EXPECT_THROW(DirectionSet("x", 2, {Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitZ(), -Vec3::UnitZ()},
+                            {pi / 2, pi / 2, pi / 2, pi / 2}, AngularSpace::plane),
+               std::invalid_argument);
 }
 
 TEST(DirectionSet, LargestLdfeSqSetConverges) {

@@ -27,6 +27,15 @@ TEST(Rotation, AtRandomIsARotationThatItsSeedDecides) {
   }
 }
 
+TEST(Rotation, AtRandomInThePlaneIsAboutZ) {
+  const Rotation rotation = random_rotation(3, AngularSpace::plane);
+  EXPECT_EQ(rotation.col(2), Vec3(Vec3::UnitZ()));
+  EXPECT_EQ(rotation, random_rotation(3, AngularSpace::plane));
+  const DirectionSet set = directions_flatland(12);
+  EXPECT_EQ(rotated(set, rotation).space(), AngularSpace::plane);
+  EXPECT_THROW(rotated(set, random_rotation(3)), std::invalid_argument);
+}
+
 TEST(Rotation, AtRandomFavoursNoDirection) {
   constexpr int count = 4000;
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();

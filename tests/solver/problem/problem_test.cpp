@@ -38,10 +38,10 @@ struct Asked {
 
 Coefficient formula(const std::string& text) { return Coefficient(Expression(text, {"x", "y", "z"})); }
 
-std::string message_of(const Asked& asked) {
+std::string message_of(const Asked& asked, AngularSpace space = AngularSpace::sphere) {
   const TetrahedralMesh mesh = cube_mesh();
   try {
-    Problem(mesh, asked.bands, asked.media, asked.walls);
+    Problem(mesh, asked.bands, asked.media, asked.walls, space);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -166,6 +166,30 @@ TEST(Problem, AsksForAMediumPerRegionAndAWallPerWall) {
   asked = Asked();
   asked.walls[0].diffuse.pop_back();
   EXPECT_THROW(message_of(asked), std::invalid_argument);
+}
+
+TEST(Problem, OfThePlaneAsksForColdMirrorsAcrossZ) {
+  Asked asked;
+  const std::string black = message_of(asked, AngularSpace::plane);
+  EXPECT_NE(black.find("room.toml:12: walls.floor.specular: the wall at ("), std::string::npos) << black;
+  EXPECT_NE(black.find("faces along z and is no cold mirror (nothing in flatland depends on z)"),
+            std::string::npos)
+      << black;
+  for (Wall& wall : asked.walls) wall.specular = {1, 1};
+  asked.walls[0].radiance = {0, 0.1};
+  EXPECT_NE(message_of(asked, AngularSpace::plane).find("use specular = 1 and no radiance for it"),
+            std::string::npos);
+  asked.walls[0].radiance = {0, 0};
+  EXPECT_EQ(message_of(asked, AngularSpace::plane), "");
+}
+
+TEST(Problem, OfThePlaneTurnsPhaseFunctionsIntoThoseOfThePlane) {
+  Asked asked;
+  for (Wall& wall : asked.walls) wall.specular = {1, 1};
+  asked.media[0].phase[0] = PhaseHenyeyGreenstein{0.6};
+  const TetrahedralMesh mesh = cube_mesh();
+  const Problem problem(mesh, asked.bands, asked.media, asked.walls, AngularSpace::plane);
+  EXPECT_EQ(problem.medium(0).phase[0], in_plane(PhaseHenyeyGreenstein{0.6}));
 }
 
 }  // namespace
