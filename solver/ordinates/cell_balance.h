@@ -31,6 +31,7 @@ struct FaceFlows {
 template <class T>
 ETENDUE_KERNEL_INLINE FaceFlows<T> face_flows(const T (&a)[4]) {
   FaceFlows<T> flows;
+  ETENDUE_UNROLL
   for (int f = 0; f < 4; ++f) {
     flows.leaving[f] = a[f] > 0 ? a[f] : T{};
     flows.entering[f] = flows.leaving[f] - a[f];
@@ -45,6 +46,7 @@ template <class T>
 ETENDUE_KERNEL_INLINE void add_inflow(const FaceFlows<T>& flows, int f, const T* u, T (&right)[4]) {
   const T sum = flows.entering[f] * (u[0] + u[1] + u[2]);
   int corner = 0;
+  ETENDUE_UNROLL
   for (int i = 0; i < 4; ++i) {
     if (i == f) continue;
     right[i] += sum + flows.entering[f] * u[corner++];
@@ -71,6 +73,7 @@ ETENDUE_KERNEL_INLINE void solve_cell(const FaceFlows<T>& flows, const T& alpha_
   const T sum = (alpha_mass * sum_right + 4.0 * weighted_right) * by_determinant;
   const T weighted = (first * weighted_right - beta_total * sum_right) * by_determinant;
   const T common = weighted - beta * sum;
+  ETENDUE_UNROLL
   for (int i = 0; i < 4; ++i) u[i] = (right[i] + common + flows.entering[i] * sum) * by_alpha;
 }
 

@@ -28,54 +28,74 @@ ETENDUE_KERNEL_INLINE void prefetch_cell(const SweepTask& task, const SweepVisit
   for (std::size_t i = 0; i < length; i += 8) __builtin_prefetch(fluence + i, 1);
 }
 
-/// The cells of one packet: where their numbers are read and written.
-template <int C>
-struct Packet {
-  std::uint32_t parallel[C];
-  const std::uint32_t* faces[C];
-  const double* record[C];
-  const double* source[C];
-  double* slot[C];
-  double* fluence[C];
-  double* radiance[C];  ///< kept for angular cells, else a scratch row
-  double* net_flux[C];
+/// The cells of one packet, and where their numbers are read and written.
+template <Basis basis, int C, Angular angular, Flux flux>
+class Packet {
+ public:
+  ETENDUE_KERNEL_MEMBER Packet(const SweepTask& task, const RecordLayout& layout, const SweepVisit* visits)
+      : task_(task), layout_(layout), visits_(visits) {
+    ETENDUE_UNROLL
+    for (int j = 0; j < C; ++j) cell_[j] = visited_cell(visits[j]);
+  }
+
+  ETENDUE_KERNEL_MEMBER std::ptrdiff_t length() const { return nodes_per_cell(basis) * task_.stride; }
+  ETENDUE_KERNEL_MEMBER const SweepVisit& visit(int j) const { return visits_[j]; }
+  ETENDUE_KERNEL_MEMBER const double* record(int j) const {
+    return task_.records + cell_[j] * layout_.length;
+  }
+  ETENDUE_KERNEL_MEMBER const double* source(int j) const {
+    if constexpr (angular == Angular::present)
+      if (task_.angular_index[cell_[j]] > 0) return radiance(j);
+    return record(j) + layout_.source;
+  }
+  ETENDUE_KERNEL_MEMBER double* slot(int j) const { return slot(visits_[j].slot); }
+  ETENDUE_KERNEL_MEMBER double* slot(std::uint32_t number) const {
+    return task_.slots + static_cast<std::ptrdiff_t>(number) * length();
+  }
+  ETENDUE_KERNEL_MEMBER double* fluence(int j) const {
+    return task_.fluence + static_cast<std::ptrdiff_t>(cell_[j]) * length();
+  }
+  /// Kept for angular cells; the row of the others is the scratch row 0.
+  ETENDUE_KERNEL_MEMBER double* radiance(int j) const {
+    return task_.angular + task_.angular_index[cell_[j]] * length();
+  }
+  ETENDUE_KERNEL_MEMBER double* net_flux(int j) const {
+    return task_.net_flux + static_cast<std::ptrdiff_t>(cell_[j]) * 3 * length();
+  }
+
+  /// Leaves one direction's radiance to the cells behind, and adds it to the sums.
+  template <int B>
+  ETENDUE_KERNEL_MEMBER void keep(int j, std::ptrdiff_t at, const Lanes<B>& u) const {
+    const Lanes<B> weighted = task_.weight * u;
+    double* sum = fluence(j) + at;
+    store_lanes<B>(slot(j) + at, u);
+    store_lanes<B>(sum, load_lanes<B>(sum) + weighted);
+    if constexpr (angular == Angular::present) store_lanes<B>(radiance(j) + at, u);
+    if constexpr (flux == Flux::add)
+      for (int axis = 0; axis < 3; ++axis) {
+        double* flow = net_flux(j) + axis * length() + at;
+        store_lanes<B>(flow, load_lanes<B>(flow) + task_.direction[axis] * weighted);
+      }
+  }
+
+ private:
+  const SweepTask& task_;
+  const RecordLayout& layout_;
+  const SweepVisit* visits_;
+  std::size_t cell_[C];
 };
 
-/// Fills the lanes from `count` cells and, where those are fewer than C, the idle one.
-template <Basis basis, int C, Angular angular, Flux flux>
-ETENDUE_KERNEL_INLINE void fill_packet(const SweepTask& task, const RecordLayout& layout,
-                                       const SweepVisit* visits, std::int32_t count, const SweepVisit& idle,
-                                       Packet<C>& packet) {
-  const std::size_t length = static_cast<std::size_t>(nodes_per_cell(basis) * task.stride);
-  for (int j = 0; j < C; ++j) {
-    const SweepVisit& visit = j < count ? visits[j] : idle;
-    const std::size_t cell = visited_cell(visit);
-    packet.parallel[j] = parallel_faces(visit);
-    packet.faces[j] = visit.faces;
-    packet.record[j] = task.records + cell * layout.length;
-    packet.source[j] = packet.record[j] + layout.source;
-    packet.slot[j] = task.slots + visit.slot * length;
-    packet.fluence[j] = task.fluence + cell * length;
-    if constexpr (angular == Angular::present) {
-      // The row of a cell without angular source is the scratch row 0.
-      const std::int32_t row = task.angular_index[cell];
-      packet.radiance[j] = task.angular + static_cast<std::size_t>(row) * length;
-      if (row > 0) packet.source[j] = packet.radiance[j];
-    }
-    if constexpr (flux == Flux::add) packet.net_flux[j] = task.net_flux + cell * 3 * length;
-  }
-}
-
 /// The seen areas of all faces; exactly zero on parallel ones, whichever side looks.
-template <int C, int B>
-ETENDUE_KERNEL_INLINE FaceFlows<Lanes<C * B>> seen_faces(const SweepTask& task, const Packet<C>& packet) {
+template <int C, int B, class Cells>
+ETENDUE_KERNEL_INLINE FaceFlows<Lanes<C * B>> seen_faces(const SweepTask& task, const Cells& packet) {
   Lanes<4> seen[C];
   std::uint32_t parallel = 0;
+  ETENDUE_UNROLL
   for (int j = 0; j < C; ++j) {
-    const double* normals = packet.record[j];
+    const double* normals = packet.record(j);
     seen[j] = (task.direction[0] * load_lanes<4>(normals) + task.direction[1] * load_lanes<4>(normals + 3)) +
               task.direction[2] * load_lanes<4>(normals + 6);
-    parallel |= packet.parallel[j];
+    parallel |= parallel_faces(packet.visit(j));
   }
   Lanes<C * B> a[4];
   spread_rows<C, B>(seen, a);
@@ -84,122 +104,133 @@ ETENDUE_KERNEL_INLINE FaceFlows<Lanes<C * B>> seen_faces(const SweepTask& task, 
     for (int f = 0; f < 4; ++f) {
       LaneChoice<C * B> keep;
       for (int j = 0; j < C; ++j)
-        for (int b = 0; b < B; ++b) keep[j * B + b] = (packet.parallel[j] >> f & 1) != 0 ? 0 : -1;
+        for (int b = 0; b < B; ++b)
+          keep[j * B + b] = (parallel_faces(packet.visit(j)) >> f & 1) != 0 ? 0 : -1;
       a[f] = keep != 0 ? a[f] : Lanes<C * B>{};
     }
   }
   return face_flows(a);
 }
 
-/// Leaves one direction's radiance to the cells behind, and adds it to the sums.
-template <int B, Angular angular, Flux flux, int C>
-ETENDUE_KERNEL_INLINE void keep_chunk(const SweepTask& task, const Packet<C>& packet, int j,
-                                      std::ptrdiff_t length, std::ptrdiff_t at, const Lanes<B>& u) {
-  const Lanes<B> weighted = task.weight * u;
-  double* sum = packet.fluence[j] + at;
-  store_lanes<B>(packet.slot[j] + at, u);
-  store_lanes<B>(sum, load_lanes<B>(sum) + weighted);
-  if constexpr (angular == Angular::present) store_lanes<B>(packet.radiance[j] + at, u);
-  if constexpr (flux == Flux::add)
-    for (int axis = 0; axis < 3; ++axis) {
-      double* flow = packet.net_flux[j] + axis * length + at;
-      store_lanes<B>(flow, load_lanes<B>(flow) + task.direction[axis] * weighted);
-    }
+/// B neighbouring bands of each cell, from the place that `from` names for cell j.
+template <int C, int B, class From>
+ETENDUE_KERNEL_INLINE Lanes<C * B> gather_from(const From& from, std::ptrdiff_t at) {
+  const double* place[C];
+  ETENDUE_UNROLL
+  for (int j = 0; j < C; ++j) place[j] = from(j);
+  return gather_chunks<C, B>(place, at);
 }
 
-/// Four nodal values of each cell, from [node][stride].
-template <int C, int B>
-ETENDUE_KERNEL_INLINE void load_nodes(const double* const (&from)[C], std::ptrdiff_t stride,
-                                      std::ptrdiff_t band, Lanes<C * B> (&out)[4]) {
+/// Right-hand side of the isotropic sources at the four nodes of each cell.
+template <int C, int B, class Cells>
+ETENDUE_KERNEL_INLINE void load_source(const Cells& packet, std::ptrdiff_t stride, std::ptrdiff_t band,
+                                       Lanes<C * B> (&out)[4]) {
   if constexpr (transposes<C, B>) {
     Lanes<4> row[C];
-    for (int j = 0; j < C; ++j) row[j] = load_lanes<4>(from[j]);
+    ETENDUE_UNROLL
+    for (int j = 0; j < C; ++j) row[j] = load_lanes<4>(packet.source(j));
     Rows<C>::to_lanes(row, out);
   } else {
-    for (int i = 0; i < 4; ++i) out[i] = gather_chunks<C, B>(from, i * stride + band);
+    ETENDUE_UNROLL
+    for (int i = 0; i < 4; ++i)
+      out[i] = gather_from<C, B>([&](int j) { return packet.source(j); }, i * stride + band);
   }
 }
 
-/// The nodes of a face in the first three lanes.
+/// The nodes of the face opposite a node in the first three lanes.
 alignas(32) constexpr long long face_nodes[4][4] = {{1, 2, 3, 0}, {0, 2, 3, 1}, {0, 1, 3, 2}, {0, 1, 2, 3}};
 
 /// Radiance at the three vertices of face f, as the cells behind those faces left it. All four faces are
 /// read: what is read where light leaves counts zero times, which spares every branch on the sign of a_f.
-template <int C, int B>
-ETENDUE_KERNEL_INLINE void load_face(const SweepTask& task, const Packet<C>& packet, int f,
-                                     std::ptrdiff_t band, Lanes<C * B> (&out)[4]) {
-  const std::ptrdiff_t stride = task.stride;
-  FaceCode code[C];
+template <int C, int B, class Cells>
+ETENDUE_KERNEL_INLINE void load_face(const Cells& packet, int f, std::ptrdiff_t stride, std::ptrdiff_t band,
+                                     Lanes<C * B> (&out)[4]) {
   const double* radiance[C];
+  const long long* nodes[C];
+  ETENDUE_UNROLL
   for (int j = 0; j < C; ++j) {
-    code[j] = unpacked(packet.faces[j][f]);
-    radiance[j] = task.slots + static_cast<std::ptrdiff_t>(code[j].slot) * 4 * stride;
+    const FaceCode code = unpacked(packet.visit(j).faces[f]);
+    radiance[j] = packet.slot(code.slot);
+    nodes[j] = face_nodes[code.opposite];
   }
   if constexpr (transposes<C, B>) {
     Lanes<4> row[C];
+    ETENDUE_UNROLL
     for (int j = 0; j < C; ++j) {
-      LaneChoice<4> nodes;
-      std::memcpy(&nodes, face_nodes[code[j].opposite], sizeof nodes);
-      row[j] = __builtin_shuffle(load_lanes<4>(radiance[j]), nodes);
+      LaneChoice<4> choice;
+      std::memcpy(&choice, nodes[j], sizeof choice);
+      row[j] = __builtin_shuffle(load_lanes<4>(radiance[j]), choice);
     }
     Rows<C>::to_lanes(row, out);
   } else {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const double* node[C];
-      for (int j = 0; j < C; ++j)
-        node[j] = radiance[j] + static_cast<std::ptrdiff_t>(face_node(code[j].opposite, k)) * stride;
-      out[k] = gather_chunks<C, B>(node, band);
-    }
+    ETENDUE_UNROLL
+    for (int k = 0; k < 3; ++k)
+      out[k] = gather_from<C, B>([&](int j) { return radiance[j] + nodes[j][k] * stride; }, band);
   }
 }
 
 /// Linear basis.
-template <int C, int B, Angular angular, Flux flux>
-ETENDUE_KERNEL_INLINE void balance_linear(const SweepTask& task, const RecordLayout& layout,
-                                          const Packet<C>& packet, const FaceFlows<Lanes<C * B>>& flows,
-                                          std::ptrdiff_t band) {
+template <int C, int B, class Cells>
+ETENDUE_KERNEL_INLINE void balance_linear(const Cells& packet, std::ptrdiff_t stride, std::ptrdiff_t mass_at,
+                                          const FaceFlows<Lanes<C * B>>& flows, std::ptrdiff_t band) {
   using T = Lanes<C * B>;
   T right[4];
-  load_nodes<C, B>(packet.source, task.stride, band, right);
+  load_source<C, B>(packet, stride, band, right);
+  ETENDUE_UNROLL
   for (int f = 0; f < 4; ++f) {
     T inflow[4];
-    load_face<C, B>(task, packet, f, band, inflow);
+    load_face<C, B>(packet, f, stride, band, inflow);
     add_inflow(flows, f, inflow, right);
   }
-  const T mass = gather_chunks<C, B>(packet.record, static_cast<std::ptrdiff_t>(layout.mass) + band);
+  const T mass = gather_from<C, B>([&](int j) { return packet.record(j); }, mass_at + band);
   const T alpha_mass = mass < 0 ? -mass : mass;
   const T beta_mass = mass < 0 ? T{} : mass;
   T u[4];
   solve_cell(flows, alpha_mass, beta_mass, right, u);
-  const std::ptrdiff_t length = 4 * task.stride;
   if constexpr (transposes<C, B>) {
     Lanes<4> row[C];
     Rows<C>::from_lanes(u, row);
-    for (int j = 0; j < C; ++j) keep_chunk<4, angular, flux>(task, packet, j, length, 0, row[j]);
+    ETENDUE_UNROLL
+    for (int j = 0; j < C; ++j) packet.template keep<4>(j, 0, row[j]);
   } else {
-    for (int j = 0; j < C; ++j)
-      for (int i = 0; i < 4; ++i)
-        keep_chunk<B, angular, flux>(task, packet, j, length, i * task.stride + band, chunk<C, B>(u[i], j));
+    ETENDUE_UNROLL
+    for (int j = 0; j < C; ++j) {
+      ETENDUE_UNROLL
+      for (int i = 0; i < 4; ++i) packet.template keep<B>(j, i * stride + band, chunk<C, B>(u[i], j));
+    }
   }
 }
 
 /// Piecewise constants: (sigma_t V + P) u = V q + sum of n_f u_f.
-template <int C, int B, Angular angular, Flux flux>
-ETENDUE_KERNEL_INLINE void balance_constant(const SweepTask& task, const RecordLayout& layout,
-                                            const Packet<C>& packet, const FaceFlows<Lanes<C * B>>& flows,
-                                            std::ptrdiff_t band) {
+template <int C, int B, class Cells>
+ETENDUE_KERNEL_INLINE void balance_constant(const Cells& packet, std::ptrdiff_t mass_at,
+                                            const FaceFlows<Lanes<C * B>>& flows, std::ptrdiff_t band) {
   using T = Lanes<C * B>;
-  T right = gather_chunks<C, B>(packet.source, band);
-  for (int f = 0; f < 4; ++f) {
-    const double* radiance[C];
-    for (int j = 0; j < C; ++j)
-      radiance[j] = task.slots + static_cast<std::ptrdiff_t>(unpacked(packet.faces[j][f]).slot) * task.stride;
-    right += flows.entering[f] * gather_chunks<C, B>(radiance, band);
-  }
-  const T mass = gather_chunks<C, B>(packet.record, static_cast<std::ptrdiff_t>(layout.mass) + band);
+  T right = gather_from<C, B>([&](int j) { return packet.source(j); }, band);
+  ETENDUE_UNROLL
+  for (int f = 0; f < 4; ++f)
+    right +=
+        flows.entering[f] *
+        gather_from<C, B>([&](int j) { return packet.slot(unpacked(packet.visit(j).faces[f]).slot); }, band);
+  const T mass = gather_from<C, B>([&](int j) { return packet.record(j); }, mass_at + band);
   const T u = right / (mass + flows.total);
-  for (int j = 0; j < C; ++j)
-    keep_chunk<B, angular, flux>(task, packet, j, task.stride, band, chunk<C, B>(u, j));
+  ETENDUE_UNROLL
+  for (int j = 0; j < C; ++j) packet.template keep<B>(j, band, chunk<C, B>(u, j));
+}
+
+template <Basis basis, int C, int B, Angular angular, Flux flux>
+ETENDUE_KERNEL_INLINE void balance_packet(const SweepTask& task, const RecordLayout& layout,
+                                          const SweepVisit* visits) {
+  const Packet<basis, C, angular, flux> packet(task, layout, visits);
+  const FaceFlows<Lanes<C* B>> flows = seen_faces<C, B>(task, packet);
+  const auto mass = static_cast<std::ptrdiff_t>(layout.mass);
+  for (std::ptrdiff_t band = 0; band < task.stride; band += B) {
+    if constexpr (basis == Basis::linear) {
+      balance_linear<C, B>(packet, task.stride, mass, flows, band);
+    } else {
+      balance_constant<C, B>(packet, mass, flows, band);
+    }
+  }
 }
 
 /// `Bands` is the stride where it is known when this is compiled, else 0.
@@ -219,18 +250,15 @@ ETENDUE_KERNEL_INLINE void sweep_cells(SweepTask task) {
       const std::int32_t count = level_end - level_begin - done < C ? level_end - level_begin - done : C;
       const std::int32_t position = task.backwards ? level_end - done - count : level_begin + done;
       const std::int32_t ahead = position + (task.backwards ? -prefetch_distance : prefetch_distance);
-      if (ahead >= 0 && ahead + C <= end)
-        for (int j = 0; j < C; ++j) prefetch_cell(task, task.visits[ahead + j], layout.length, length);
-      Packet<C> packet;
-      fill_packet<basis, C, angular, flux>(task, layout, task.visits + position, count, idle, packet);
-      const FaceFlows<Lanes<C* B>> flows = seen_faces<C, B>(task, packet);
-      for (std::ptrdiff_t band = 0; band < task.stride; band += B) {
-        if constexpr (basis == Basis::linear) {
-          balance_linear<C, B, angular, flux>(task, layout, packet, flows, band);
-        } else {
-          balance_constant<C, B, angular, flux>(task, layout, packet, flows, band);
-        }
+      if (ahead >= 0 && ahead + C <= end) ETENDUE_UNROLL
+      for (int j = 0; j < C; ++j) prefetch_cell(task, task.visits[ahead + j], layout.length, length);
+      const SweepVisit* visits = task.visits + position;
+      SweepVisit filled[C];
+      if (count < C) [[unlikely]] {
+        for (int j = 0; j < C; ++j) filled[j] = j < count ? visits[j] : idle;
+        visits = filled;
       }
+      balance_packet<basis, C, B, angular, flux>(task, layout, visits);
     }
   }
 }
