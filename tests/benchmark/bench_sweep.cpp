@@ -7,9 +7,8 @@
 #include <map>
 #include <memory>
 
-#include "mesh/geometry/arrangement.h"
-#include "mesh/tetrahedra/tetrahedralize.h"
 #include "solver/ordinates/transport_sweep.h"
+#include "tests/benchmark/unit_cube.h"
 
 namespace etendue {
 namespace {
@@ -17,36 +16,8 @@ namespace {
 const TetrahedralMesh& cube(double max_volume) {
   static std::map<double, std::unique_ptr<TetrahedralMesh>> meshes;
   auto& mesh = meshes[max_volume];
-  if (!mesh) {
-    Geometry geometry;
-    BoxPrimitive box;
-    box.region = "cube";
-    geometry.primitives.emplace_back(box);
-    mesh = std::make_unique<TetrahedralMesh>(tetrahedralize(arrange(geometry), {{max_volume}, 1.4, {}}));
-  }
+  if (!mesh) mesh = std::make_unique<TetrahedralMesh>(unit_cube(max_volume));
   return *mesh;
-}
-
-Problem smoke(const TetrahedralMesh& mesh, int bands, double asymmetry) {
-  const auto count = static_cast<std::size_t>(bands);
-  Bands spectrum;
-  spectrum.names.clear();
-  for (int b = 0; b < bands; ++b) spectrum.names.push_back("band" + std::to_string(b));
-  Medium medium{"cube",
-                std::vector<Coefficient>(count, Coefficient(0.5)),
-                std::vector<Coefficient>(count, Coefficient(1.0)),
-                std::vector<Coefficient>(count, Coefficient(1.0)),
-                std::vector<PhaseFunction>(count, PhaseIsotropic{}),
-                {}};
-  if (asymmetry != 0) medium.phase.assign(count, PhaseHenyeyGreenstein{asymmetry});
-  std::vector<Wall> walls;
-  for (const std::string& name : mesh.wall_names())
-    walls.push_back({name,
-                     std::vector<double>(count, 0.1),
-                     std::vector<double>(count, 0.3),
-                     std::vector<double>(count, 0),
-                     {}});
-  return Problem(mesh, spectrum, {medium}, walls);
 }
 
 void sweep(benchmark::State& bench, double max_volume, double asymmetry) {
