@@ -332,6 +332,13 @@ std::vector<KeyDeclaration> make_keys() {
        {.default_value = "\"auto\"",
         .choices = {"none", "mass", "auto"},
         .help = "Of the mass; auto: where extinction times cell size exceeds 2."}},
+      {"space",
+       "positivity",
+       text,
+       {.default_value = "\"none\"",
+        .choices = {"none", "rescale", "quadratic"},
+        .help = "Takes negative radiance out of every cell after the linear solution: to zero with the rest "
+                "rescaled, or by the nearest values that balance."}},
 
       {"solve",
        "method",

@@ -41,6 +41,12 @@ void read_space(Section space, SolveOptions& options) {
   options.lumping = lumping == "none"   ? Lumping::none
                     : lumping == "mass" ? Lumping::mass
                                         : Lumping::automatic;
+  const std::string positivity = space.text("positivity");
+  options.positivity = positivity == "rescale"     ? Positivity::rescale
+                       : positivity == "quadratic" ? Positivity::quadratic
+                                                   : Positivity::none;
+  if (options.order == SpaceOrder::constant && options.positivity != Positivity::none)
+    space.fault("positivity", "constant elements are never negative; use \"none\", or order = 1");
 }
 
 void read_solve(Section solve, const std::filesystem::path& case_folder, Case& result) {

@@ -76,6 +76,29 @@ std::string outcome(const RunResult& result, const BandConvergence& band) {
   return result.solution.interrupted ? "interrupted" : "NOT converged";
 }
 
+/// What keeping values positive did: cells that had a negative value on the way, and how much was moved.
+std::string positivity_text(const RunResult& result) {
+  std::string text;
+  const std::vector<FixupTotal> totals = fixup_totals(result.solution);
+  const UnitLabels units(result.input.units);
+  for (std::size_t b = 0; b < totals.size(); ++b) {
+    double fluence = 0;
+    for (const std::vector<RegionPower>& region : result.regions)
+      fluence += region[b].fluence_mean * region[b].volume;
+    const double visits =
+        static_cast<double>(result.solution.directions) * result.problem.mesh().cell_count();
+    text += fmt::format(
+        "  kept positive in band {}: {:.3g} % of the cells and directions, smallest {:.3g} {}, moved {:.2g} "
+        "% "
+        "of the fluence\n",
+        band_name(result, b), 100 * static_cast<double>(totals[b].cells) / visits, totals[b].smallest,
+        units.radiance, fluence > 0 ? 100 * totals[b].moved / fluence : 0.0);
+    if (totals[b].failed > 0)
+      text += fmt::format("  {} of them stayed negative: their source is negative\n", totals[b].failed);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string convergence_text(const RunResult& result) {
@@ -143,7 +166,7 @@ std::string exact_text(const RunResult& result) {
 }
 
 std::string cautions_text(const RunResult& result) {
-  std::string text;
+  std::string text = positivity_text(result);
   const std::vector<NegativeCensus>& census = result.solution.negative;
   for (std::size_t b = 0; b < census.size(); ++b)
     if (census[b].count > 0)

@@ -56,7 +56,8 @@ std::map<std::string, std::multiset<std::string>> tables_of(const std::string& r
       end_table();
       name = table_of(line);
     }
-    if (!line.empty()) table += line + "\n";
+    // A solution with negative values is a good start for one without.
+    if (!line.empty() && !line.starts_with("positivity = ")) table += line + "\n";
   }
   end_table();
   return tables;

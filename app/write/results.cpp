@@ -28,6 +28,7 @@ WrittenResults write_results(const RunResult& result) {
   if (!result.probes.empty()) folder.add_text("probes.csv", probes_csv(result));
   folder.add_text("walls.csv", walls_csv(result));
   folder.add_text("regions.csv", regions_csv(result));
+  if (!result.solution.fixups.empty()) folder.add_text("positivity.csv", positivity_csv(result));
   folder.add_text("history.csv", history_csv(result));
   std::vector<std::string> names = folder.names();
   names.push_back("summary.json");

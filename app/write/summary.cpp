@@ -86,6 +86,13 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["residual"] = array_of(solution.convergence, [](const BandConvergence& c) { return c.residual; });
   summary["balance"] = array_of(result.balances, [](const Balance& b) { return as_json(b); });
   summary["negative"] = array_of(solution.negative, [](const NegativeCensus& n) { return as_json(n); });
+  if (!solution.fixups.empty())
+    summary["positivity"] = array_of(fixup_totals(solution), [](const FixupTotal& total) {
+      return Json{{"cells", total.cells},
+                  {"failed", total.failed},
+                  {"smallest", total.smallest},
+                  {"moved", total.moved}};
+    });
   summary["kernels"] = array_of(solution.kernels, [](const KernelReport& k) { return as_json(k); });
   if (result.exact)
     summary["exact"] = array_of(result.exact->fluence, [](const FluenceError& error) {

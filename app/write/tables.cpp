@@ -63,6 +63,16 @@ std::string regions_csv(const RunResult& result) {
   return table;
 }
 
+std::string positivity_csv(const RunResult& result) {
+  const std::vector<std::string>& bands = result.problem.bands().names;
+  std::string table = "ordinate,wx,wy,wz,weight,band,cells,failed,smallest,moved\n";
+  for (const OrdinateFixup& fixup : result.solution.fixups)
+    add_row(table, "{},{},{},{},{},{},{},{},{},{}", fixup.ordinate, fixup.direction[0], fixup.direction[1],
+            fixup.direction[2], fixup.weight, quoted(bands[static_cast<std::size_t>(fixup.band)]),
+            fixup.cells, fixup.failed, fixup.smallest, fixup.moved);
+  return table;
+}
+
 std::string history_csv(const RunResult& result) {
   const std::vector<std::string>& bands = result.problem.bands().names;
   std::string table = "sweep,band,residual\n";

@@ -7,6 +7,7 @@
 #include "solver/angle/harmonics.h"
 #include "solver/angle/spherical_harmonics.h"
 #include "solver/ordinates/gmres.h"
+#include "solver/ordinates/positive_iteration.h"
 #include "solver/ordinates/solve.h"
 #include "solver/ordinates/transport_sweep.h"
 
@@ -78,6 +79,8 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double moments = s.angular_cells * s.moments * s.cell_length;
   const double state =
       fields + moments + s.faces * s.trace_length + s.mirrors * s.ordinates / 2 * s.trace_length;
+  // Two changes for each step of the past, the image, its residual and their last ones.
+  const double positive = options.positivity == Positivity::none ? 0 : 2.0 * anderson_memory + 6;
   const double basis = options.method == Method::source_iteration
                            ? 1
                            : std::clamp(static_cast<double>(krylov_memory) / (8 * state),
@@ -97,7 +100,8 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
   const double orders =
       std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * sizeof(SweepVisit));
-  return static_cast<std::size_t>(8 * ((2 + basis) * state + workspaces + records + results + kept) + orders);
+  return static_cast<std::size_t>(
+      8 * ((2 + std::max(basis, positive)) * state + workspaces + records + results + kept) + orders);
 }
 
 }  // namespace etendue

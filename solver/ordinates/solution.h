@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,26 @@ struct HistoryEntry {
 struct NegativeCensus {
   long count = 0;       ///< of 4 values in each cell
   double smallest = 0;  ///< [power/length^2]
+};
+
+/// What keeping values positive met along one direction in one band, in the last sweep.
+struct OrdinateFixup {
+  int ordinate = 0;
+  int band = 0;
+  std::array<double, 3> direction = {};
+  double weight = 0;        ///< [sr]
+  std::int64_t cells = 0;   ///< where a value was negative before
+  std::int64_t failed = 0;  ///< of them where no values balance without negative ones: they stayed negative
+  double smallest = 0;      ///< value before [power/(length^2 sr)]
+  double moved = 0;         ///< integral of |change| over the volume [power length/sr]
+};
+
+/// The same over all directions.
+struct FixupTotal {
+  std::int64_t cells = 0;   ///< pairs of a cell and a direction
+  std::int64_t failed = 0;  ///< of them
+  double smallest = 0;      ///< [power/(length^2 sr)]
+  double moved = 0;         ///< [power length], as the integral of the fluence
 };
 
 /// What scattering in one medium and band became on the direction set.
@@ -68,6 +90,7 @@ struct Solution {
   std::vector<BandConvergence> convergence;  ///< [band]
   std::vector<HistoryEntry> history;
   std::vector<NegativeCensus> negative;  ///< [band]
+  std::vector<OrdinateFixup> fixups;     ///< [ordinate][band]; empty where nothing was kept positive
   std::vector<KernelReport> kernels;
   std::vector<std::string> notes;  ///< choices that were made and their reasons, a line each
   SolveSeconds seconds;
@@ -81,5 +104,8 @@ struct Solution {
     return !interrupted;
   }
 };
+
+/// [band]; empty where nothing was kept positive.
+std::vector<FixupTotal> fixup_totals(const Solution& solution);
 
 }  // namespace etendue

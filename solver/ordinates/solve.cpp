@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "solver/ordinates/gmres.h"
+#include "solver/ordinates/positive_iteration.h"
 #include "solver/ordinates/source_iteration.h"
 #include "solver/ordinates/transport_sweep.h"
 
@@ -82,6 +83,60 @@ std::unique_ptr<Iteration> make_iteration(Method method) {
   return std::make_unique<Gmres>();
 }
 
+/// Goes on from the solution of the linear problem with values that are kept positive, as many sweeps as are
+/// left.
+void keep_positive(TransportSweep& sweep, TransportState& state, const SolveOptions& options,
+                   const SolveObserver& observer, Solution& solution) {
+  sweep.keep_positive(options.positivity == Positivity::rescale ? Fixup::rescale : Fixup::quadratic);
+  // The sweep that measures is counted already and comes last.
+  int used = 0;
+  for (const BandConvergence& band : solution.convergence) used = std::max(used, band.sweeps);
+  if (sweep.is_direct() || solution.interrupted || options.max_sweeps <= used) return;
+  const auto shifted = [&](const SweepProgress& progress) {
+    SweepProgress all = progress;
+    all.sweep += used - 1;
+    all.max_sweeps = options.max_sweeps;
+    return observer(all);
+  };
+  IterationResult result =
+      PositiveIteration().run(sweep, state, {options.tolerance, options.max_sweeps - used},
+                              observer ? SolveObserver(shifted) : SolveObserver());
+  for (std::size_t b = 0; b < result.bands.size(); ++b) {
+    BandConvergence& band = result.bands[b];
+    band.sweeps += used;
+    band.converged = band.converged && solution.convergence[b].converged;
+    solution.convergence[b] = band;
+  }
+  solution.notes.push_back(fmt::format("{} sweeps after the linear solution to keep values positive",
+                                       result.history.empty() ? 0 : result.history.back().sweep));
+  for (HistoryEntry entry : result.history) {
+    entry.sweep += used - 1;
+    solution.history.push_back(entry);
+  }
+  solution.interrupted = result.interrupted;
+}
+
+std::vector<OrdinateFixup> fixups_of(const TransportSweep& sweep, const DirectionSet& directions) {
+  std::vector<OrdinateFixup> fixups;
+  const auto stride = static_cast<std::size_t>(sweep.cells().stride());
+  for (std::size_t at = 0; at < sweep.fixup_census().size(); ++at) {
+    const auto band = static_cast<int>(at % stride);
+    if (band >= sweep.cells().bands()) continue;
+    const OrdinateIndex m(static_cast<std::int32_t>(at / stride));
+    const FixupCensus& census = sweep.fixup_census()[at];
+    const Vec3& w = directions.direction(m);
+    fixups.push_back({m.value(),
+                      band,
+                      {w.x(), w.y(), w.z()},
+                      directions.weight(m),
+                      census.cells,
+                      census.failed,
+                      census.smallest,
+                      census.moved});
+  }
+  return fixups;
+}
+
 /// The state is F(something) and one more application is the answer, with all that is measured on the way.
 void measure(TransportSweep& sweep, const TransportState& state, Solution& solution) {
   const auto bands = static_cast<std::size_t>(sweep.cells().bands());
@@ -132,12 +187,16 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     solution.interrupted = result.interrupted;
     for (BandConvergence& band : solution.convergence) ++band.sweeps;
   }
+  if (options.positivity != Positivity::none && options.order == SpaceOrder::linear)
+    keep_positive(sweep, state, options, observer, solution);
   measure(sweep, state, solution);
   solution.seconds.sweep = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   solution.seconds.orders = sweep.order_seconds();
   solution.half_range = sweep.walls().half_range();
   solution.kernels = sweep.scattering().kernels();
-  solution.notes = notes_of(sweep, options);
+  const std::vector<std::string> notes = notes_of(sweep, options);
+  solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
+  solution.fixups = fixups_of(sweep, directions);
   solution.lagged_faces = static_cast<int>(sweep.orders().lagged_total());
   solution.sweep_cost = 1e9 * sweep.processor_seconds() /
                         (static_cast<double>(sweep.sweep_count()) * problem.mesh().cell_count() *

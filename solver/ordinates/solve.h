@@ -23,6 +23,10 @@ enum class Method { automatic, gmres, source_iteration };
 /// Lumping of the mass matrix: in no cell, in all, or where extinction times cell size exceeds 2.
 enum class Lumping { none, mass, automatic };
 
+/// Whether negative radiance is taken out of every cell, keeping its balance: by setting it to zero and
+/// rescaling the rest, or by the nearest values that are not negative. A stage after the linear solution.
+enum class Positivity { none, rescale, quadratic };
+
 /// An irradiance meter at a point inside: light that falls on the side its normal points to (w.n < 0).
 struct IrradianceMeter {
   std::vector<CellPoint> cells;  ///< where the point lies, from CellLocator::find; values are volume-weighted
@@ -34,6 +38,7 @@ class AngularInput;
 struct SolveOptions {
   SpaceOrder order = SpaceOrder::linear;
   Lumping lumping = Lumping::automatic;
+  Positivity positivity = Positivity::none;
   Method method = Method::automatic;
   double tolerance = 1e-6;  ///< estimated relative error of the iteration, per band
   int max_sweeps = 500;

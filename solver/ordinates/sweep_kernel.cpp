@@ -8,6 +8,7 @@
 #include "solver/ordinates/cell_balance.h"
 #include "solver/ordinates/moment_kernel.h"
 #include "solver/ordinates/packet.h"
+#include "solver/ordinates/positivity_fixup.h"
 
 namespace etendue {
 namespace {
@@ -15,9 +16,10 @@ namespace {
 /// Cells ahead whose data are asked for: about the latency of memory over the time of a cell.
 constexpr std::int32_t prefetch_distance = 16;
 
-/// Whether the task has angular cells, and whether it adds up the net flux.
+/// Whether the task has angular cells, whether it adds up the net flux, and whether it keeps values positive.
 enum class Angular { absent, present };
 enum class Flux { skip, add };
+enum class Sign { free, positive };
 
 ETENDUE_KERNEL_INLINE void prefetch_cell(const SweepTask& task, const SweepVisit& visit,
                                          std::size_t record_length, std::size_t length) {
@@ -28,10 +30,34 @@ ETENDUE_KERNEL_INLINE void prefetch_cell(const SweepTask& task, const SweepVisit
   for (std::size_t i = 0; i < length; i += 8) __builtin_prefetch(fluence + i, 1);
 }
 
+/// Gives values that are not all positive a sign, and writes that down.
+ETENDUE_KERNEL_INLINE void fix_values(Fixup fixup, const double (&weights)[4], double balance, double volume,
+                                      double (&u)[4], FixupCensus& census) {
+  double before[4];
+  for (int i = 0; i < 4; ++i) {
+    before[i] = u[i];
+    census.smallest = u[i] < census.smallest ? u[i] : census.smallest;
+  }
+  ++census.cells;
+  if (balance < 0) {
+    ++census.failed;
+    return;
+  }
+  if (fixup == Fixup::rescale) {
+    rescale_to_balance(weights, balance, u);
+  } else {
+    project_on_balance(weights, balance, u);
+  }
+  for (int i = 0; i < 4; ++i)
+    census.moved += volume / 4 * (u[i] < before[i] ? before[i] - u[i] : u[i] - before[i]);
+}
+
 /// The cells of one packet, and where their numbers are read and written.
-template <Basis basis, int C, Angular angular, Flux flux>
+template <Basis basis, int C, Angular angular, Flux flux, Sign the_sign>
 class Packet {
  public:
+  static constexpr Sign sign = the_sign;
+
   ETENDUE_KERNEL_MEMBER Packet(const SweepTask& task, const RecordLayout& layout, const SweepVisit* visits)
       : task_(task), layout_(layout), visits_(visits) {
     ETENDUE_UNROLL
@@ -75,6 +101,21 @@ class Packet {
       for (int axis = 0; axis < 3; ++axis) {
         double* flow = net_flux(j) + axis * length() + at;
         store_lanes<B>(flow, load_lanes<B>(flow) + task_.direction[axis] * weighted);
+      }
+  }
+
+  /// Gives all values of the packet a sign. An idle cell is dark.
+  template <int B>
+  ETENDUE_KERNEL_MEMBER void keep_positive(const Lanes<C * B> (&weights)[4], const Lanes<C * B>& balance,
+                                           std::ptrdiff_t band, Lanes<C * B> (&u)[4]) const {
+    for (int j = 0; j < C; ++j)
+      for (int b = 0; b < B; ++b) {
+        const int lane = j * B + b;
+        double values[4] = {u[0][lane], u[1][lane], u[2][lane], u[3][lane]};
+        if (values[0] >= 0 && values[1] >= 0 && values[2] >= 0 && values[3] >= 0) continue;
+        const double own[4] = {weights[0][lane], weights[1][lane], weights[2][lane], weights[3][lane]};
+        fix_values(task_.fixup, own, balance[lane], task_.volumes[cell_[j]], values, task_.census[band + b]);
+        for (int i = 0; i < 4; ++i) u[i][lane] = values[i];
       }
   }
 
@@ -187,6 +228,11 @@ ETENDUE_KERNEL_INLINE void balance_linear(const Cells& packet, std::ptrdiff_t st
   const T beta_mass = mass < 0 ? T{} : mass;
   T u[4];
   solve_cell(flows, alpha_mass, beta_mass, right, u);
+  if constexpr (Cells::sign == Sign::positive) {
+    T weights[4];
+    balance_weights(flows, alpha_mass, beta_mass, weights);
+    packet.template keep_positive<B>(weights, (right[0] + right[1]) + (right[2] + right[3]), band, u);
+  }
   if constexpr (transposes<C, B>) {
     Lanes<4> row[C];
     Rows<C>::from_lanes(u, row);
@@ -218,10 +264,10 @@ ETENDUE_KERNEL_INLINE void balance_constant(const Cells& packet, std::ptrdiff_t 
   for (int j = 0; j < C; ++j) packet.template keep<B>(j, band, chunk<C, B>(u, j));
 }
 
-template <Basis basis, int C, int B, Angular angular, Flux flux>
+template <Basis basis, int C, int B, Angular angular, Flux flux, Sign sign>
 ETENDUE_KERNEL_INLINE void balance_packet(const SweepTask& task, const RecordLayout& layout,
                                           const SweepVisit* visits) {
-  const Packet<basis, C, angular, flux> packet(task, layout, visits);
+  const Packet<basis, C, angular, flux, sign> packet(task, layout, visits);
   const FaceFlows<Lanes<C* B>> flows = seen_faces<C, B>(task, packet);
   const auto mass = static_cast<std::ptrdiff_t>(layout.mass);
   for (std::ptrdiff_t band = 0; band < task.stride; band += B) {
@@ -234,7 +280,7 @@ ETENDUE_KERNEL_INLINE void balance_packet(const SweepTask& task, const RecordLay
 }
 
 /// `Bands` is the stride where it is known when this is compiled, else 0.
-template <Basis basis, int C, int B, int Bands, Angular angular, Flux flux>
+template <Basis basis, int C, int B, int Bands, Angular angular, Flux flux, Sign sign>
 ETENDUE_KERNEL_INLINE void sweep_cells(SweepTask task) {
   if constexpr (Bands > 0) task.stride = Bands;
   const RecordLayout layout = record_layout(basis, static_cast<int>(task.stride));
@@ -258,32 +304,32 @@ ETENDUE_KERNEL_INLINE void sweep_cells(SweepTask task) {
         for (int j = 0; j < C; ++j) filled[j] = j < count ? visits[j] : idle;
         visits = filled;
       }
-      balance_packet<basis, C, B, angular, flux>(task, layout, visits);
+      balance_packet<basis, C, B, angular, flux, sign>(task, layout, visits);
     }
   }
 }
 
-template <Basis basis, int C, int B, int Bands>
+template <Basis basis, int C, int B, int Bands, Sign sign>
 void sweep(const SweepTask& task) {
   const bool angular = task.angular_index != nullptr;
   const bool flux = task.net_flux != nullptr;
   if (angular && flux) {
-    sweep_cells<basis, C, B, Bands, Angular::present, Flux::add>(task);
+    sweep_cells<basis, C, B, Bands, Angular::present, Flux::add, sign>(task);
   } else if (angular) {
-    sweep_cells<basis, C, B, Bands, Angular::present, Flux::skip>(task);
+    sweep_cells<basis, C, B, Bands, Angular::present, Flux::skip, sign>(task);
   } else if (flux) {
-    sweep_cells<basis, C, B, Bands, Angular::absent, Flux::add>(task);
+    sweep_cells<basis, C, B, Bands, Angular::absent, Flux::add, sign>(task);
   } else {
-    sweep_cells<basis, C, B, Bands, Angular::absent, Flux::skip>(task);
+    sweep_cells<basis, C, B, Bands, Angular::absent, Flux::skip, sign>(task);
   }
 }
 
 /// Bands fill the lanes first, cells of one level the rest.
-template <Basis basis, int Bands>
+template <Basis basis, int Bands, Sign sign = Sign::free>
 auto sweep_of_bands() {
   constexpr int lanes = ETENDUE_KERNEL_LANES;
   constexpr int B = Bands > 0 && Bands < lanes ? Bands : lanes;
-  return sweep<basis, lanes / B, B, Bands>;
+  return sweep<basis, lanes / B, B, Bands, sign>;
 }
 
 template <Basis basis>
@@ -300,6 +346,11 @@ SweepKernels kernels_for(int stride) {
   } else {
     set_moment_kernels<1>(kernels);
   }
+  if constexpr (basis == Basis::linear)
+    kernels.sweep_positive = stride == 1   ? sweep_of_bands<basis, 1, Sign::positive>()
+                             : stride == 2 ? sweep_of_bands<basis, 2, Sign::positive>()
+                             : stride == 4 ? sweep_of_bands<basis, 4, Sign::positive>()
+                                           : sweep_of_bands<basis, 0, Sign::positive>();
   if (stride == 1) {
     kernels.sweep = sweep_of_bands<basis, 1>();
   } else if (stride == 2) {

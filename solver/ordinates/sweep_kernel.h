@@ -9,6 +9,17 @@
 
 namespace etendue {
 
+/// What becomes of negative nodal values (positivity_fixup.h).
+enum class Fixup { rescale, quadratic };
+
+/// What the fixup met along one direction in one band.
+struct FixupCensus {
+  std::int64_t cells = 0;   ///< with a negative value before it
+  std::int64_t failed = 0;  ///< of them without non-negative values that balance; left as they were
+  double smallest = 0;      ///< value before it [power/(length^2 sr)]
+  double moved = 0;         ///< integral of |change| over the cells [power length/sr]
+};
+
 /// One direction's sweep over all cells, as bare arrays. `stride` is the number of bands rounded up to whole
 /// lanes; in all arrays the band is the fastest index. What stands for each cell has one more entry at the
 /// end, for the idle cell that fills up incomplete packets (its record has a mass and nothing else).
@@ -28,6 +39,9 @@ struct SweepTask {
       nullptr;                 ///< [cell] row in `angular`; 0, a scratch row, without; null: no cell has one
   double* angular = nullptr;   ///< [row][node][stride] in: right-hand side of this direction; out: radiance
   double* net_flux = nullptr;  ///< [cell][3][node][stride] += weight direction u; null: not wanted
+  const double* volumes = nullptr;  ///< [cell] [length^3]; of sweep_positive
+  Fixup fixup = Fixup::rescale;     ///< of sweep_positive
+  FixupCensus* census = nullptr;    ///< [band, padded]; of sweep_positive
 };
 
 /// A small dense product between moments and directions, row by row, for the angular cells.
@@ -45,6 +59,8 @@ struct MomentTask {
 /// The kernels compiled for one instruction set.
 struct SweepKernels {
   void (*sweep)(const SweepTask&) = nullptr;
+  /// The same with non-negative values in every cell; null for constant elements, which have them anyway.
+  void (*sweep_positive)(const SweepTask&) = nullptr;
   /// direction_rows = matrix moment_rows
   void (*moments_to_directions)(const MomentTask&) = nullptr;
   /// moment_rows += matrix^T direction_rows

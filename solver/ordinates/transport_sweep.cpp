@@ -162,6 +162,11 @@ void TransportSweep::apply(const TransportState& last, TransportState& next, Swe
   sweep_all(last, next, record);
 }
 
+void TransportSweep::keep_positive(Fixup fixup) {
+  fixup_ = fixup;
+  census_.resize(static_cast<std::size_t>(directions_.count()) * static_cast<std::size_t>(cells_.stride()));
+}
+
 void TransportSweep::apply_linear(const TransportState& last, TransportState& next) {
   emission_ = Emission::left_out;
   sweep_all(last, next, nullptr);
@@ -169,6 +174,7 @@ void TransportSweep::apply_linear(const TransportState& last, TransportState& ne
 
 void TransportSweep::sweep_all(const TransportState& last, TransportState& next, SweepRecord* record) {
   form_source(last);
+  std::fill(census_.begin(), census_.end(), FixupCensus());
   std::fill(next.fluence().begin(), next.fluence().end(), 0.0);
   std::fill(next.moments().begin(), next.moments().end(), 0.0);
   std::fill(next.irradiance().begin(), next.irradiance().end(), 0.0);
@@ -252,6 +258,14 @@ void TransportSweep::sweep_ordinate(OrdinateIndex m, const SweepOrder& order, co
   if (record != nullptr && !meters_.empty()) read_meters(m, angular, work.meters);
 }
 
+void TransportSweep::call_kernel(const SweepTask& task) const {
+  if (task.census != nullptr) {
+    kernels_.sweep_positive(task);
+  } else {
+    kernels_.sweep(task);
+  }
+}
+
 void TransportSweep::run_kernel(OrdinateIndex m, const SweepOrder& order, SweepRecord* record,
                                 double* angular, Workspace& work) {
   SweepTask task;
@@ -269,9 +283,14 @@ void TransportSweep::run_kernel(OrdinateIndex m, const SweepOrder& order, SweepR
   task.angular_index = scattering_.index();
   task.angular = angular;
   task.net_flux = record != nullptr ? work.net_flux.data() : nullptr;
+  if (!census_.empty() && emission_ == Emission::included) {
+    task.volumes = problem_.mesh().volumes().data();
+    task.fixup = fixup_;
+    task.census = &census_[m.at() * static_cast<std::size_t>(cells_.stride())];
+  }
   const auto kept = std::find(keep_ordinates_.begin(), keep_ordinates_.end(), m.value());
   if (record == nullptr || kept == keep_ordinates_.end()) {
-    kernels_.sweep(task);
+    call_kernel(task);
     return;
   }
   sweep_and_keep(task, record->radiance[static_cast<std::size_t>(kept - keep_ordinates_.begin())],

@@ -45,6 +45,11 @@ class TransportSweep {
   void apply(const TransportState& last, TransportState& next, SweepRecord* record = nullptr);
   /// next = T last, the linear part of F.
   void apply_linear(const TransportState& last, TransportState& next);
+  /// From now on apply() keeps the values of every cell non-negative, so it is no longer affine;
+  /// apply_linear() stays as it was. Only for linear elements.
+  void keep_positive(Fixup fixup);
+  /// [ordinate][stride] What the fixup met in the last apply(); empty before keep_positive().
+  const std::vector<FixupCensus>& fixup_census() const { return census_; }
   /// Whether one sweep gives the solution: nothing scatters, reflects or is lagged.
   bool is_direct() const;
 
@@ -73,6 +78,7 @@ class TransportSweep {
                       TransportState& next, SweepRecord* record, double* angular, Workspace& work);
   void run_kernel(OrdinateIndex m, const SweepOrder& order, SweepRecord* record, double* angular,
                   Workspace& work);
+  void call_kernel(const SweepTask& task) const;
   void sweep_and_keep(SweepTask task, OrdinateRadiance& kept, std::span<double> whole_rows) const;
   void set_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
                   const SweepSlots& slots) const;
@@ -106,6 +112,8 @@ class TransportSweep {
   AlignedArray moment_source_;  ///< [row][moment][node][stride]
   std::vector<std::int32_t> all_cells_index_;  ///< [cell + 1] cell + 1, to keep an ordinate's whole radiance
   std::vector<std::unique_ptr<Workspace>> workspaces_;
+  Fixup fixup_ = Fixup::rescale;
+  std::vector<FixupCensus> census_;         ///< [ordinate][stride]; empty: values are not kept positive
   Emission emission_ = Emission::included;  ///< of the sweep that is under way
   int sweep_count_ = 0;
   double processor_seconds_ = 0;

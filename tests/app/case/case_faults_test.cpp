@@ -42,7 +42,7 @@ const Check keys[] = {
      "[media.NAME] (NAME: a "
      "region or \"*\")?"},
     {"Unlike", "[space]\nflux_capacitor = 1\n",
-     "slab.toml:8: space.flux_capacitor = 1: unknown key; [space] takes order or lumping"},
+     "slab.toml:8: space.flux_capacitor = 1: unknown key; [space] takes order, lumping or positivity"},
     {"MediumIsANumber", "[media]\nsmoke = 1\n",
      "slab.toml:8: media.smoke = 1: must not be an integer; [media.NAME] is a table"},
     {"TableIsANumber", "[[space]]\norder = 1\n", "slab.toml:7: space: must not be a list; write [space]"},

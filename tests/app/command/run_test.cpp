@@ -110,6 +110,28 @@ TEST(Run, GoesOnFromItsSolutionToTheSameAnswer) {
   for (std::size_t b = 0; b < 3; ++b) EXPECT_NEAR(continued[b], expected[b], 1e-8 * expected[b]);
 }
 
+TEST(Run, KeepsValuesPositiveAndSaysWhatThatMoved) {
+  const CaseFolder folder;
+  std::vector<std::string> arguments = {"run", folder.file(), "--set", "media.smoke.absorption=60"};
+  ASSERT_EQ(etendue_says(arguments).code, ExitCode::done);
+  EXPECT_GT(summary_in(folder.results())["negative"][0]["count"], 0);
+  EXPECT_FALSE(summary_in(folder.results()).contains("positivity"));
+  arguments.insert(arguments.end(), {"--set", "space.positivity='quadratic'"});
+  const Outcome outcome = etendue_says(arguments);
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "kept positive in band red: ")) << outcome.out;
+  const json summary = summary_in(folder.results());
+  for (std::size_t b = 0; b < 3; ++b) {
+    EXPECT_EQ(summary["negative"][b]["count"], 0);
+    EXPECT_GT(summary["positivity"][b]["cells"], 0);
+    EXPECT_EQ(summary["positivity"][b]["failed"], 0);
+    EXPECT_LT(summary["positivity"][b]["smallest"], 0);
+    EXPECT_GT(summary["positivity"][b]["moved"], 0);
+  }
+  const std::string table = text_of(std::filesystem::path(folder.results()) / "positivity.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 8 * 3);
+}
+
 TEST(Run, DoesNotGoOnFromAnotherCase) {
   const CaseFolder folder;
   ASSERT_EQ(etendue_says({"run", folder.file()}).code, ExitCode::done);
