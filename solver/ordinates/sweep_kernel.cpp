@@ -74,9 +74,16 @@ class Packet {
       if (task_.angular_index[cell_[j]] > 0) return radiance(j);
     return record(j) + layout_.source;
   }
-  ETENDUE_KERNEL_MEMBER double* slot(int j) const { return slot(visits_[j].slot); }
-  ETENDUE_KERNEL_MEMBER double* slot(std::uint32_t number) const {
-    return task_.slots + static_cast<std::ptrdiff_t>(number) * length();
+  ETENDUE_KERNEL_MEMBER double* slot(int j) const {
+    return task_.slots + static_cast<std::ptrdiff_t>(visits_[j].slot) * length();
+  }
+  /// The radiance behind face f.
+  ETENDUE_KERNEL_MEMBER const double* behind(int j, int f) const {
+    const std::uint32_t code = visits_[j].faces[f];
+    // Four times the slot stands in the code as it is.
+    if constexpr (basis == Basis::linear)
+      return task_.slots + static_cast<std::ptrdiff_t>(code & ~opposite_bits) * task_.stride;
+    return task_.slots + static_cast<std::ptrdiff_t>(unpacked(code).slot) * task_.stride;
   }
   ETENDUE_KERNEL_MEMBER double* fluence(int j) const {
     return task_.fluence + static_cast<std::ptrdiff_t>(cell_[j]) * length();
@@ -136,12 +143,12 @@ ETENDUE_KERNEL_INLINE FaceFlows<Lanes<C * B>> seen_faces(const SweepTask& task, 
     const double* normals = packet.record(j);
     seen[j] = (task.direction[0] * load_lanes<4>(normals) + task.direction[1] * load_lanes<4>(normals + 3)) +
               task.direction[2] * load_lanes<4>(normals + 6);
-    parallel |= parallel_faces(packet.visit(j));
+    parallel |= packet.visit(j).cell_and_parallel;
   }
   Lanes<C * B> a[4];
   spread_rows<C, B>(seen, a);
   a[3] = -((a[0] + a[1]) + a[2]);
-  if (parallel != 0) [[unlikely]] {
+  if (parallel >> visit_cell_bits != 0) [[unlikely]] {
     for (int f = 0; f < 4; ++f) {
       LaneChoice<C * B> keep;
       for (int j = 0; j < C; ++j)
@@ -190,9 +197,8 @@ ETENDUE_KERNEL_INLINE void load_face(const Cells& packet, int f, std::ptrdiff_t 
   const long long* nodes[C];
   ETENDUE_UNROLL
   for (int j = 0; j < C; ++j) {
-    const FaceCode code = unpacked(packet.visit(j).faces[f]);
-    radiance[j] = packet.slot(code.slot);
-    nodes[j] = face_nodes[code.opposite];
+    radiance[j] = packet.behind(j, f);
+    nodes[j] = face_nodes[packet.visit(j).faces[f] & opposite_bits];
   }
   if constexpr (transposes<C, B>) {
     Lanes<4> row[C];
@@ -255,9 +261,7 @@ ETENDUE_KERNEL_INLINE void balance_constant(const Cells& packet, std::ptrdiff_t 
   T right = gather_from<C, B>([&](int j) { return packet.source(j); }, band);
   ETENDUE_UNROLL
   for (int f = 0; f < 4; ++f)
-    right +=
-        flows.entering[f] *
-        gather_from<C, B>([&](int j) { return packet.slot(unpacked(packet.visit(j).faces[f]).slot); }, band);
+    right += flows.entering[f] * gather_from<C, B>([&](int j) { return packet.behind(j, f); }, band);
   const T mass = gather_from<C, B>([&](int j) { return packet.record(j); }, mass_at + band);
   const T u = right / (mass + flows.total);
   ETENDUE_UNROLL

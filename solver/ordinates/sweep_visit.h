@@ -18,8 +18,12 @@ struct FaceCode {
   std::uint32_t opposite = 0;
 };
 
+inline constexpr std::uint32_t opposite_bits = 3;
+
 ETENDUE_KERNEL_INLINE constexpr std::uint32_t packed(FaceCode code) { return code.slot << 2 | code.opposite; }
-ETENDUE_KERNEL_INLINE constexpr FaceCode unpacked(std::uint32_t code) { return {code >> 2, code & 3}; }
+ETENDUE_KERNEL_INLINE constexpr FaceCode unpacked(std::uint32_t code) {
+  return {code >> 2, code & opposite_bits};
+}
 
 /// The node of a cell that is number k (0, 1, 2) on the face opposite node `opposite`.
 ETENDUE_KERNEL_INLINE constexpr std::uint32_t face_node(std::uint32_t opposite, std::uint32_t k) {
