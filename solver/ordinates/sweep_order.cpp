@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::uint32_t all_faces = 0xf;
 
+/// Cells ahead whose surroundings are asked for.
+constexpr std::size_t prefetch_distance = 8;
+
 /// Which way light passes through a face: from its owner, into its owner, or not at all.
 enum class Passage : signed char { into_owner = -1, none = 0, from_owner = 1 };
 
@@ -35,13 +38,14 @@ struct CellPassage {
 /// so that neighbours in the order are neighbours in memory.
 class ReadyCells {
  public:
-  explicit ReadyCells(std::size_t cells) : bits_(cells / 64 + 1), first_(bits_.size()) {}
+  explicit ReadyCells(std::size_t cells) : bits_(cells / 64 + 2), first_(bits_.size() - 1) {}
 
-  void add(std::uint32_t cell) {
-    const std::size_t word = cell / 64;
-    bits_[word] |= std::uint64_t{1} << (cell % 64);
+  /// Where `is_ready`: no branch, because no branch could be predicted.
+  void add(std::uint32_t cell, bool is_ready) {
+    const std::size_t word = is_ready ? cell / 64 : first_;
+    bits_[word] |= std::uint64_t{is_ready} << (cell % 64);
     first_ = std::min(first_, word);
-    last_ = std::max(last_, word + 1);
+    last_ = std::max(last_, word + (is_ready ? 1 : 0));
   }
 
   /// Puts them into `cells` and forgets them.
@@ -51,7 +55,7 @@ class ReadyCells {
       for (std::uint64_t& bits = bits_[word]; bits != 0; bits &= bits - 1)
         cells.push_back(static_cast<std::uint32_t>(64 * word) +
                         static_cast<std::uint32_t>(std::countr_zero(bits)));
-    first_ = bits_.size();
+    first_ = bits_.size() - 1;
     last_ = 0;
   }
 
@@ -74,8 +78,7 @@ class OrderedWalk {
         waiting_(graph.cells().size()),
         visits_left_(graph.cells().size()),
         slot_(graph.walls().of_cells().begin(), graph.walls().of_cells().end()),
-        next_slot_(graph.walls().count()),
-        first_recycled_(next_slot_) {
+        first_recycled_(graph.walls().count()) {
     for (std::size_t c = 0; c < passage_.size(); ++c) {
       const SweepGraph::Cell& cell = graph.cells()[c];
       std::uint32_t out = 0, none = 0, lag = 0;
@@ -89,16 +92,15 @@ class OrderedWalk {
       out = (out ^ ~cell.owned) & ~none & all_faces;
       const std::uint32_t passing = ~(none | cell.boundary) & all_faces;
       passage_[c] = {static_cast<std::uint8_t>(out & passing & ~lag), static_cast<std::uint8_t>(none)};
-      waiting_[c] = static_cast<std::int8_t>(std::popcount(passing & ~out & ~lag));
-      visits_left_[c] = static_cast<std::int8_t>(1 + std::popcount(passing));
+      waiting_[c] = static_cast<std::int16_t>(std::popcount(passing & ~out & ~lag));
+      visits_left_[c] = static_cast<std::int16_t>(1 + std::popcount(passing));
     }
   }
 
   /// A slot of its own for a cell at a lagged face: what such a face delivers is put there before a sweep and
   /// read after it. Before the walk.
   std::uint32_t keep_slot(std::uint32_t cell) {
-    if (slot_[cell] == 0) slot_[cell] = next_slot_++;
-    first_recycled_ = next_slot_;
+    if (slot_[cell] == 0) slot_[cell] = first_recycled_++;
     return slot_[cell];
   }
 
@@ -107,15 +109,25 @@ class OrderedWalk {
     order.visits.clear();
     order.levels.assign(1, 0);
     order.visits.reserve(waiting_.size());
+    free_count_ = waiting_.size();
+    free_.resize(free_count_ + 1);
+    for (std::size_t i = 0; i < free_count_; ++i)
+      free_[i] = first_recycled_ + static_cast<std::uint32_t>(free_count_ - 1 - i);
     std::vector<std::uint32_t> level;
     ReadyCells ready(waiting_.size());
     for (std::size_t c = 0; c < waiting_.size(); ++c)
-      if (waiting_[c] == 0) ready.add(static_cast<std::uint32_t>(c));
+      ready.add(static_cast<std::uint32_t>(c), waiting_[c] == 0);
     for (ready.move_to(level); !level.empty(); ready.move_to(level)) {
-      for (const std::uint32_t cell : level) visit(cell, order.visits.emplace_back(), ready);
+      for (std::size_t i = 0; i < level.size(); ++i) {
+        if (i + prefetch_distance < level.size())
+          __builtin_prefetch(&graph_.cells()[level[i + prefetch_distance]]);
+        visit(level[i], order.visits.emplace_back(), ready);
+      }
       order.levels.push_back(static_cast<std::int32_t>(order.visits.size()));
     }
-    order.slot_count = next_slot_;
+    order.slot_count = first_recycled_;
+    for (const SweepVisit& visit : order.visits)
+      order.slot_count = std::max(order.slot_count, visit.slot + 1);
   }
 
   bool is_waiting(std::int32_t cell) const { return waiting_[static_cast<std::size_t>(cell)] > 0; }
@@ -130,11 +142,12 @@ class OrderedWalk {
       if ((passage.parallel >> k & 1) != 0) continue;
       result.faces[k] = cell.behind[k];
       if ((cell.boundary >> k & 1) != 0) continue;
-      FaceCode code = unpacked(cell.behind[k]);
+      const FaceCode code = unpacked(cell.behind[k]);
       const std::uint32_t other = code.slot;
-      code.slot = take(other);
-      result.faces[k] = packed(code);
-      if ((passage.leaving >> k & 1) != 0 && --waiting_[other] == 0) ready.add(other);
+      result.faces[k] = packed({take(other), code.opposite});
+      const std::uint32_t leaves = passage.leaving >> k & 1U;
+      waiting_[other] = static_cast<std::int16_t>(waiting_[other] - static_cast<std::int16_t>(leaves));
+      ready.add(other, (leaves != 0) & (waiting_[other] == 0));
     }
     // Only now: all slots that a cell uses differ.
     for (std::uint32_t k = ~(passage.parallel | cell.boundary) & all_faces; k != 0; k &= k - 1)
@@ -142,27 +155,30 @@ class OrderedWalk {
     give_back(c);
   }
 
+  // Whether a slot is there, or free again, is as good as random: choices instead of branches.
   std::uint32_t take(std::uint32_t cell) {
-    std::uint32_t& slot = slot_[cell];
-    if (slot != 0) return slot;
-    if (free_.empty()) return slot = next_slot_++;
-    slot = free_.back();
-    free_.pop_back();
+    const std::uint32_t own = slot_[cell];
+    const bool is_new = own == 0;
+    const std::uint32_t slot = is_new ? free_[free_count_ - 1] : own;
+    free_count_ -= is_new ? 1 : 0;
+    slot_[cell] = slot;
     return slot;
   }
 
   void give_back(std::uint32_t cell) {
-    if (--visits_left_[cell] == 0 && slot_[cell] >= first_recycled_) free_.push_back(slot_[cell]);
+    const std::int16_t left = --visits_left_[cell];
+    free_[free_count_] = slot_[cell];
+    free_count_ += (left == 0) & (slot_[cell] >= first_recycled_) ? 1 : 0;
   }
 
   const SweepGraph& graph_;
   std::vector<CellPassage> passage_;
-  std::vector<std::int8_t> waiting_;      ///< [cell] faces that light still has to come through
-  std::vector<std::int8_t> visits_left_;  ///< [cell] its own and those of the cells around
-  std::vector<std::uint32_t> slot_;       ///< [cell] 0 until it is taken
-  std::vector<std::uint32_t> free_;
-  std::uint32_t next_slot_;
+  std::vector<std::int16_t> waiting_;      ///< [cell] faces that light still has to come through
+  std::vector<std::int16_t> visits_left_;  ///< [cell] its own and those of the cells around
+  std::vector<std::uint32_t> slot_;        ///< [cell] 0 until it is taken
   std::uint32_t first_recycled_;
+  std::vector<std::uint32_t> free_;  ///< a stack: slots given back above those never taken
+  std::size_t free_count_ = 0;
 };
 
 /// Faces to lag so that the cells that still wait can be ordered.
