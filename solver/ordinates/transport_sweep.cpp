@@ -96,6 +96,7 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
       walls_(problem, directions, orders_.walls(), cells_.stride(), cells_.face_nodes()),
       kernels_(choose_kernels(cells_.basis(), cells_.stride())),
       records_(cells_.make_records()),
+      inflow_(walls_.irradiance_size()),
       moment_source_(scattering_.moments_size()) {
   threads_ = std::min(threads_, static_cast<int>(batch_count()));
   // Where a batch is done in less time than threads need to meet, one is faster.
@@ -148,6 +149,7 @@ bool TransportSweep::is_direct() const {
 }
 
 void TransportSweep::form_source(const TransportState& last) {
+  walls_.form_inflow(last, emission_, inflow_.span());
   const std::int32_t cells = problem_.mesh().cell_count();
 #pragma omp parallel for schedule(static) num_threads(threads_)
   for (std::int32_t first = 0; first < cells; first += merge_block) {
@@ -248,12 +250,17 @@ void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last,
 void TransportSweep::sweep_ordinate(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
                                     TransportState& next, SweepRecord* record, double* angular,
                                     Workspace& work) {
-  walls_.send(m, last, emission_, work.slots, work.exitance.span());
-  if (angular_input_ != nullptr && emission_ == Emission::included)
-    add_angular_inflow(m, work.slots, work.exitance.span());
+  // What comes in by direction is added to the slots, which then have to be filled again.
+  const bool shines = angular_input_ != nullptr && emission_ == Emission::included;
+  if (shines || m.value() % ordinates_per_batch(directions_.count()) == 0)
+    walls_.fill(inflow_.span(), work.slots);
+  walls_.reflect(m, last, inflow_.span(), work.slots);
+  if (record != nullptr) walls_.add_exitance(m, work.slots, work.exitance.span());
+  if (shines) add_angular_inflow(m, work.slots, work.exitance.span());
   set_lagged(m, order, last, work.slots);
   run_kernel(m, order, record, angular, work);
-  walls_.receive(m, work.slots, work.irradiance.span(), next.mirrors());
+  walls_.receive(m, work.slots, record != nullptr ? TakeUp::all : TakeUp::reflecting, work.irradiance.span(),
+                 next.mirrors());
   keep_lagged(m, order, next, work.slots);
   if (record != nullptr && !meters_.empty()) read_meters(m, angular, work.meters);
 }

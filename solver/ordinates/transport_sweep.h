@@ -109,6 +109,7 @@ class TransportSweep {
   WallExchange walls_;
   SweepKernels kernels_;
   AlignedArray records_;        ///< [cell + 1][record length], the source of the last sweep in them
+  AlignedArray inflow_;         ///< [boundary face][face node][stride] of the last sweep
   AlignedArray moment_source_;  ///< [row][moment][node][stride]
   std::vector<std::int32_t> all_cells_index_;  ///< [cell + 1] cell + 1, to keep an ordinate's whole radiance
   std::vector<std::unique_ptr<Workspace>> workspaces_;

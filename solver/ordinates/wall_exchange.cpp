@@ -44,10 +44,8 @@ WallExchange::WallExchange(const Problem& problem, const DirectionSet& direction
       radiance_(padded(problem.walls(), &Wall::radiance, stride_)),
       diffuse_(padded(problem.walls(), &Wall::diffuse, stride_)),
       specular_(padded(problem.walls(), &Wall::specular, stride_)) {
-  wall_diffuse_.reserve(problem.walls().size());
   wall_reflects_.reserve(problem.walls().size());
   for (const Wall& wall : problem.walls()) {
-    wall_diffuse_.push_back(any_positive(wall.diffuse));
     wall_reflects_.push_back(any_positive(wall.diffuse) || any_positive(wall.specular));
   }
   half_range_.resize(static_cast<std::size_t>(mesh_.boundary_face_count()));
@@ -57,6 +55,15 @@ WallExchange::WallExchange(const Problem& problem, const DirectionSet& direction
     reflects_ = reflects_ || (range > out_of_reach && reflects(FaceIndex(f)));
   }
   find_mirrors();
+  for (std::int32_t f = 0; f < mesh_.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const double range = half_range_[face.at()];
+    faces_.push_back({mesh_.area_normal(face), 1 / mesh_.area(face), range > out_of_reach ? 1 / range : 0,
+                      static_cast<std::size_t>(mesh_.wall(face))});
+    all_.push_back(f);
+    if (reflects(face)) reflecting_.push_back(f);
+    if (mirror_row_[face.at()] >= 0) mirrors_.push_back(f);
+  }
 }
 
 void WallExchange::find_mirrors() {
@@ -117,52 +124,70 @@ std::size_t WallExchange::mirror_at(std::size_t row, std::int32_t ordinate) cons
          face_length_;
 }
 
-void WallExchange::send(OrdinateIndex m, const TransportState& last, Emission emission,
-                        const SweepSlots& slots, std::span<double> exitance) const {
-  const Vec3& direction = directions_.direction(m);
-  for (std::size_t f = 0; f < half_range_.size(); ++f) {
-    const FaceIndex face(static_cast<std::int64_t>(f));
-    const double seen = seen_area(mesh_.area_normal(face), direction);
-    if (seen >= 0) continue;
-    const auto wall = static_cast<std::size_t>(mesh_.wall(face));
-    double* trace = slots.slot(wall_slots_.inflow(face.value()));
-    for (std::size_t i = 0; i < face_length_; ++i)
-      trace[i] = emission == Emission::included ? radiance_[wall * stride_ + i % stride_] : 0;
-    if (wall_diffuse_[wall]) {
-      const double* irradiance = last.irradiance().data() + f * face_length_;
-      const double by_half_range = 1 / half_range_[f];
-      for (std::size_t i = 0; i < face_length_; ++i)
-        trace[i] += diffuse_[wall * stride_ + i % stride_] * by_half_range * irradiance[i];
-    }
-    if (mirror_row_[f] >= 0) {
-      const auto row = static_cast<std::size_t>(mirror_row_[f]);
-      const std::int32_t partner = planes_[static_cast<std::size_t>(mirror_plane_[row])].partner[m.at()];
-      const double* mirrored = last.mirrors().data() + mirror_at(row, partner);
-      for (std::size_t i = 0; i < face_length_; ++i)
-        trace[i] += specular_[wall * stride_ + i % stride_] * mirrored[i];
-    }
-    if (!exitance.empty()) {
-      const double factor = -seen / mesh_.area(face) * directions_.weight(m);
-      for (std::size_t i = 0; i < face_length_; ++i) exitance[f * face_length_ + i] += factor * trace[i];
+void WallExchange::form_inflow(const TransportState& last, Emission emission,
+                               std::span<double> inflow) const {
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const std::size_t wall = faces_[f].wall * stride_;
+    const double* irradiance = last.irradiance().data() + f * face_length_;
+    double* own = inflow.data() + f * face_length_;
+    for (std::size_t i = 0; i < face_length_; ++i) {
+      const double sent = emission == Emission::included ? radiance_[wall + i % stride_] : 0;
+      own[i] = sent + diffuse_[wall + i % stride_] * faces_[f].by_half_range * irradiance[i];
     }
   }
 }
 
-void WallExchange::receive(OrdinateIndex m, const SweepSlots& slots, std::span<double> irradiance,
-                           std::span<double> mirrors) const {
-  const Vec3& direction = directions_.direction(m);
-  for (std::size_t f = 0; f < half_range_.size(); ++f) {
-    const FaceIndex face(static_cast<std::int64_t>(f));
-    const double seen = seen_area(mesh_.area_normal(face), direction);
+void WallExchange::fill(std::span<const double> inflow, const SweepSlots& slots) const {
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const double* own = inflow.data() + f * face_length_;
+    std::copy(own, own + face_length_, slots.slot(wall_slots_.inflow(static_cast<std::int32_t>(f))));
+  }
+}
+
+void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::span<const double> inflow,
+                           const SweepSlots& slots) const {
+  for (const std::int32_t f : mirrors_) {
+    const Face& face = faces_[static_cast<std::size_t>(f)];
+    if (seen_area(face.area_normal, directions_.direction(m)) >= 0) continue;
+    const auto row = static_cast<std::size_t>(mirror_row_[static_cast<std::size_t>(f)]);
+    const std::int32_t partner = planes_[static_cast<std::size_t>(mirror_plane_[row])].partner[m.at()];
+    const double* mirrored = last.mirrors().data() + mirror_at(row, partner);
+    const double* own = inflow.data() + static_cast<std::size_t>(f) * face_length_;
+    double* trace = slots.slot(wall_slots_.inflow(f));
+    for (std::size_t i = 0; i < face_length_; ++i)
+      trace[i] = own[i] + specular_[face.wall * stride_ + i % stride_] * mirrored[i];
+  }
+}
+
+void WallExchange::add_exitance(OrdinateIndex m, const SweepSlots& slots, std::span<double> exitance) const {
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const double seen = seen_area(faces_[f].area_normal, directions_.direction(m));
+    if (seen >= 0) continue;
+    const double factor = -seen * faces_[f].by_area * directions_.weight(m);
+    const double* trace = slots.slot(wall_slots_.inflow(static_cast<std::int32_t>(f)));
+    for (std::size_t i = 0; i < face_length_; ++i) exitance[f * face_length_ + i] += factor * trace[i];
+  }
+}
+
+void WallExchange::receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what,
+                           std::span<double> irradiance, std::span<double> mirrors) const {
+  const std::span<const std::int32_t> faces = what == TakeUp::all ? all_ : reflecting_;
+  for (const std::int32_t f : faces) {
+    const auto at = static_cast<std::size_t>(f);
+    const double seen = seen_area(faces_[at].area_normal, directions_.direction(m));
     if (seen <= 0) continue;
-    const double factor = seen / mesh_.area(face) * directions_.weight(m);
-    double* kept = mirror_row_[f] < 0
-                       ? nullptr
-                       : mirrors.data() + mirror_at(static_cast<std::size_t>(mirror_row_[f]), m.value());
-    for (std::size_t at = 0; at < face_length_; at += stride_) {
-      const double* trace = slots.face_node(wall_slots_.inside(face.value()), at / stride_);
-      for (std::size_t b = 0; b < stride_; ++b) irradiance[f * face_length_ + at + b] += factor * trace[b];
-      if (kept != nullptr) std::copy(trace, trace + stride_, kept + at);
+    const double factor = seen * faces_[at].by_area * directions_.weight(m);
+    const FaceCode inside = wall_slots_.inside(f);
+    double* sum = irradiance.data() + at * face_length_;
+    for (std::size_t i = 0; i < face_length_; i += stride_) {
+      const double* trace = slots.face_node(inside, i / stride_);
+      for (std::size_t b = 0; b < stride_; ++b) sum[i + b] += factor * trace[b];
+    }
+    if (mirror_row_[at] < 0) continue;
+    double* kept = mirrors.data() + mirror_at(static_cast<std::size_t>(mirror_row_[at]), m.value());
+    for (std::size_t i = 0; i < face_length_; i += stride_) {
+      const double* trace = slots.face_node(inside, i / stride_);
+      std::copy(trace, trace + stride_, kept + i);
     }
   }
 }

@@ -12,6 +12,9 @@
 
 namespace etendue {
 
+/// Whether a sweep takes up what arrives at all walls or only at those that reflect.
+enum class TakeUp { reflecting, all };
+
 /// What the walls send in and take up, direction by direction:
 ///
 ///     u_in = radiance + (diffuse / pi_h) E + specular u_out(mirrored),    pi_h = sum of w |w.n| over w.n <
@@ -36,17 +39,31 @@ class WallExchange {
     return wall_reflects_[static_cast<std::size_t>(mesh_.wall(face))] != 0;
   }
 
-  /// Writes the inflow slots along ordinate m, from the last state. Adds what is sent to `exitance`
-  /// [boundary face][face node][stride] unless that is empty.
-  void send(OrdinateIndex m, const TransportState& last, Emission emission, const SweepSlots& slots,
-            std::span<double> exitance) const;
+  /// What every direction brings in, from the last state: the walls' own radiance and what they reflect
+  /// diffusely, [boundary face][face node][stride].
+  void form_inflow(const TransportState& last, Emission emission, std::span<double> inflow) const;
+  /// Writes all inflow slots. They keep their values until they are written again.
+  void fill(std::span<const double> inflow, const SweepSlots& slots) const;
+  /// Writes the inflow slots of the mirrors along ordinate m: `inflow` and what they reflect of the last
+  /// state.
+  void reflect(OrdinateIndex m, const TransportState& last, std::span<const double> inflow,
+               const SweepSlots& slots) const;
+  /// Adds what the inflow slots send along ordinate m to `exitance` [boundary face][face node][stride].
+  void add_exitance(OrdinateIndex m, const SweepSlots& slots, std::span<double> exitance) const;
 
   /// Takes up what left along ordinate m, from the radiance of the cells at the walls: adds to `irradiance`,
-  /// and writes the mirrors' part of `next`.
-  void receive(OrdinateIndex m, const SweepSlots& slots, std::span<double> irradiance,
+  /// and writes the mirrors' part of `next`. What black walls receive matters for nothing but the results.
+  void receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what, std::span<double> irradiance,
                std::span<double> mirrors) const;
 
  private:
+  struct Face {
+    Vec3 area_normal;      ///< out of the domain [length^2]
+    double by_area;        ///< 1 / area
+    double by_half_range;  ///< 1 / half range; 0 where no ordinate passes
+    std::size_t wall;
+  };
+
   struct MirrorPlane {
     Vec3 normal;
     std::vector<std::int32_t> partner;  ///< [ordinate]
@@ -67,10 +84,13 @@ class WallExchange {
   std::vector<double> diffuse_;             ///< [wall][stride]
   std::vector<double> specular_;            ///< [wall][stride]
   std::vector<char> wall_reflects_;         ///< [wall]
-  std::vector<char> wall_diffuse_;          ///< [wall]
   std::vector<std::int32_t> mirror_row_;    ///< [boundary face], -1 where it is no mirror
   std::vector<std::int32_t> mirror_plane_;  ///< [mirror row]
   std::vector<MirrorPlane> planes_;
+  std::vector<Face> faces_;
+  std::vector<std::int32_t> all_;         ///< boundary faces
+  std::vector<std::int32_t> reflecting_;  ///< boundary faces
+  std::vector<std::int32_t> mirrors_;     ///< boundary faces
   bool reflects_ = false;
 };
 
