@@ -83,11 +83,14 @@ class Parser {
     study_command_ = app_.add_subcommand("study", "Run a case on finer and finer levels: observed orders");
     add_run_options(*study_command_);
     study_command_
-        ->add_option("--refine", refine_, "mesh (volumes / 8 per level) or directions (order doubled)")
+        ->add_option("--refine", refine_,
+                     "mesh (volumes / 8 per level), directions (order doubled) or both (on a grid)")
         ->required()
         ->check(CLI::IsMember({"mesh", "directions", "both"}))
         ->type_name("WHAT");
-    study_command_->add_option("--levels", study_.levels, "Number of levels, the case itself the first")
+    study_command_
+        ->add_option("--levels", study_.levels,
+                     "Number of levels, the case itself the first; of both: of each")
         ->required()
         ->check(CLI::Range(2, 20))
         ->type_name("N");
@@ -183,11 +186,9 @@ class Parser {
   }
 
   StudyRequest finished_study() {
-    if (*refine_ == "both")
-      throw InputError(
-          "command line: study: --refine both: not in this version; use mesh or directions, one after "
-          "the other");
-    study_.refinement = *refine_ == "mesh" ? Refinement::mesh : Refinement::directions;
+    study_.refinement = *refine_ == "mesh"         ? Refinement::mesh
+                        : *refine_ == "directions" ? Refinement::directions
+                                                   : Refinement::both;
     study_.run = finished_run();
     return study_;
   }

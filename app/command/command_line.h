@@ -25,8 +25,8 @@ struct RunRequest : CaseRequest {
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
-/// What a study refines from level to level.
-enum class Refinement { mesh, directions };
+/// What a study refines from level to level; both: on a grid of meshes and direction sets.
+enum class Refinement { mesh, directions, both };
 
 struct StudyRequest {
   RunRequest run;

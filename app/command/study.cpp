@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <exception>
 
 #include "app/command/commands.h"
@@ -21,7 +22,7 @@ struct Level {
 /// All levels as cases: what is wrong with one is known before the first is run.
 std::vector<Level> read_levels(const StudyRequest& study, const Case& input) {
   std::vector<Level> levels;
-  for (int level = 1; level <= study.levels; ++level) {
+  for (int level = 1; level <= level_count(study); ++level) {
     RunRequest request = level_request(study, input, level);
     Case refined = read_case(request.file, request.overrides);
     levels.push_back({std::move(request), std::move(refined)});
@@ -46,7 +47,7 @@ class Study {
   bool goes_on() const { return code_ != ExitCode::interrupted; }
 
   void take(const Level& level, int number) {
-    const std::string heading = fmt::format("level {} of {}", number, request_.levels);
+    const std::string heading = fmt::format("level {} of {}", number, level_count(request_));
     if (request_.resume && keep_saved(level, number, heading)) return;
     out_ << heading << '\n';
     try {
@@ -60,6 +61,7 @@ class Study {
       err_ << heading << " failed: " << error.what() << '\n';
       note(ExitCode::not_converged);
     }
+    say_what_is_left(number);
     out_ << std::endl;
   }
 
@@ -74,6 +76,22 @@ class Study {
     if (!saved->converged) note(ExitCode::not_converged);
     results_.push_back(std::move(*saved));
     return true;
+  }
+
+  /// Work per level: eight times the cells, four times the directions.
+  double work(int level) const {
+    const Refinements times = refinements(request_, level);
+    return std::ldexp(1.0, 3 * times.mesh + 2 * times.directions);
+  }
+
+  /// From the time that the last level took.
+  void say_what_is_left(int number) {
+    const int levels = level_count(request_);
+    if (number == levels || results_.empty() || results_.back().level != number) return;
+    double left = 0;
+    for (int level = number + 1; level <= levels; ++level) left += work(level);
+    out_ << fmt::format("study: {} of {} levels, about {:.2g} s left\n", number, levels,
+                        left / work(number) * results_.back().seconds);
   }
 
   void note(ExitCode code) {

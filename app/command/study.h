@@ -29,6 +29,7 @@ struct LevelResult {
   int sweeps = 0;       ///< of the slowest band
   double residual = 0;  ///< largest estimated relative error of the iteration
   double seconds = 0;
+  double memory = 0;  ///< most that the program has taken up to its end [bytes]
   std::vector<StudyValue> values;
 };
 
@@ -40,10 +41,14 @@ struct StudyRow {
   std::optional<double> order;  ///< from the level before
 };
 
+/// "mesh", "directions" or "both".
+const char* name_of(Refinement refinement);
+
 /// Errors and observed orders, quantity by quantity. The error of a fluence norm is the value itself; of
 /// other quantities it is the distance from the exact value, or else from that of the finest level, which
 /// then has none. Orders are against h, or against the size of the directions, (4 pi/directions)^(1/2)
-/// (in the plane 2 pi/directions).
+/// (in the plane 2 pi/directions). Where both are refined there are none: the larger error would hide the
+/// other.
 std::vector<StudyRow> study_rows(const std::vector<LevelResult>& levels, Refinement refinement);
 
 std::string study_csv(const std::vector<StudyRow>& rows, Refinement refinement);

@@ -11,6 +11,7 @@
 
 #include "app/case/build.h"
 #include "app/write/output_folder.h"
+#include "app/write/summary.h"
 
 namespace etendue {
 namespace {
@@ -26,8 +27,6 @@ DirectionSet reference_directions(AngularSpace space) {
                                        : directions_flatland(reference_order_in_plane);
 }
 
-const char* name_of(Refinement refinement) { return refinement == Refinement::mesh ? "mesh" : "directions"; }
-
 /// A bound as TOML, multiplied.
 std::string scaled(const SizeBound& bound, double factor) {
   std::string entries;
@@ -36,10 +35,11 @@ std::string scaled(const SizeBound& bound, double factor) {
   return "{ " + entries + " }";
 }
 
-std::string refined_key(const Case& input, Refinement refinement, int level) {
-  const int times = level - 1;
-  if (refinement == Refinement::directions)
-    return fmt::format("directions.order={}", std::ldexp(input.direction_order, times));
+std::string refined_directions(const Case& input, int times) {
+  return fmt::format("directions.order={}", std::ldexp(input.direction_order, times));
+}
+
+std::string refined_mesh(const Case& input, int times) {
   const MeshCase& mesh = input.mesh;
   if (mesh.file)
     throw InputError(
@@ -125,9 +125,29 @@ bool is_whole(const Case& input) {
 
 }  // namespace
 
+Refinements refinements(const StudyRequest& study, int level) {
+  switch (study.refinement) {
+    case Refinement::mesh:
+      return {level - 1, 0};
+    case Refinement::directions:
+      return {0, level - 1};
+    case Refinement::both:
+      break;
+  }
+  return {(level - 1) / study.levels, (level - 1) % study.levels};
+}
+
+int level_count(const StudyRequest& study) {
+  return study.refinement == Refinement::both ? study.levels * study.levels : study.levels;
+}
+
 RunRequest level_request(const StudyRequest& study, const Case& input, int level) {
   RunRequest request = study.run;
-  request.overrides.push_back(refined_key(input, study.refinement, level));
+  const Refinements times = refinements(study, level);
+  if (study.refinement != Refinement::directions)
+    request.overrides.push_back(refined_mesh(input, times.mesh));
+  if (study.refinement != Refinement::mesh)
+    request.overrides.push_back(refined_directions(input, times.directions));
   const std::filesystem::path folder =
       std::filesystem::absolute(input.output.directory) / fmt::format("level-{}", level);
   request.overrides.push_back("output.directory=" + Json(folder.string()).dump());
@@ -149,6 +169,7 @@ LevelResult level_result(const RunResult& run, int level, Refinement refinement)
     result.residual = std::max(result.residual, band.residual);
   }
   result.seconds = run.seconds.total;
+  result.memory = static_cast<double>(peak_memory());
   result.values = Values(run, refinement).all();
   return result;
 }
@@ -163,6 +184,7 @@ void save_level(const LevelResult& result, const Case& input, Refinement refinem
                {"sweeps", result.sweeps},
                {"residual", result.residual},
                {"seconds", result.seconds},
+               {"memory", result.memory},
                {"values", Json::array()}};
   for (const StudyValue& value : result.values) json["values"].push_back(as_json(value));
   OutputFolder folder(input.output.directory);
@@ -184,6 +206,7 @@ std::optional<LevelResult> saved_level(const Case& input, int level, Refinement 
                        .sweeps = json.at("sweeps"),
                        .residual = json.at("residual"),
                        .seconds = json.at("seconds"),
+                       .memory = json.at("memory"),
                        .values = {}};
     for (const Json& value : json.at("values"))
       result.values.push_back(

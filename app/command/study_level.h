@@ -9,6 +9,16 @@
 
 namespace etendue {
 
+/// How often mesh and directions of a level are refined.
+struct Refinements {
+  int mesh = 0;
+  int directions = 0;
+};
+/// Of level `level` (from 1); of both, the directions go first.
+Refinements refinements(const StudyRequest& study, int level);
+/// Levels of a study: of both, those of the grid.
+int level_count(const StudyRequest& study);
+
 /// The case of level `level` (from 1): volumes divided by 8, or the order doubled, once for each level after
 /// the first; results go into the folder level-N of the case's own. Throws InputError where that cannot be.
 RunRequest level_request(const StudyRequest& study, const Case& input, int level);

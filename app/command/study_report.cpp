@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "app/command/richardson.h"
 #include "app/command/study.h"
 #include "app/command/text_table.h"
 
@@ -14,10 +18,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t longest_table = 120;
+constexpr double mebibyte = 1024.0 * 1024.0;
 // The iteration must not be seen in the error of the discretisation.
 constexpr double largest_part_of_iteration = 0.1;
-
-const char* name_of(Refinement refinement) { return refinement == Refinement::mesh ? "mesh" : "directions"; }
 
 bool is_norm(const std::string& quantity) { return quantity.starts_with("fluence_"); }
 
@@ -41,7 +44,8 @@ std::optional<double> error_of(const StudyRow& row, const StudyRow& finest) {
 
 /// Nothing can be said of an error that is zero or of a balance, which only the iteration disturbs.
 std::optional<double> order_between(const StudyRow& coarse, const StudyRow& fine, Refinement refinement) {
-  if (fine.value->quantity == "balance" || !coarse.error || !fine.error) return std::nullopt;
+  if (refinement == Refinement::both || fine.value->quantity == "balance" || !coarse.error || !fine.error)
+    return std::nullopt;
   const double sizes =
       std::log(refined_size(*coarse.level, refinement) / refined_size(*fine.level, refinement));
   const double order = std::log(*coarse.error / *fine.error) / sizes;
@@ -62,6 +66,81 @@ std::string or_empty(const std::optional<double>& value, const char* format) {
 }
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
+/// Where a quantity without an exact value goes, by its last three levels.
+struct Limit {
+  const StudyValue* finest;
+  Extrapolation of;
+};
+
+bool is_same_quantity(const StudyRow& a, const StudyRow& b) {
+  return a.value->quantity == b.value->quantity && a.value->band == b.value->band;
+}
+
+std::vector<Limit> limits_of(const std::vector<StudyRow>& rows, Refinement refinement) {
+  std::vector<Limit> limits;
+  if (refinement == Refinement::both) return limits;
+  for (std::size_t i = 2; i < rows.size(); ++i) {
+    const bool last = i + 1 == rows.size() || !is_same_quantity(rows[i], rows[i + 1]);
+    if (!last || rows[i].value->exact || !is_same_quantity(rows[i], rows[i - 2])) continue;
+    std::array<double, 3> sizes{}, values{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      sizes[k] = refined_size(*rows[i - 2 + k].level, refinement);
+      values[k] = rows[i - 2 + k].value->value;
+    }
+    if (const auto limit = richardson(sizes, values)) limits.push_back({rows[i].value, *limit});
+  }
+  return limits;
+}
+
+std::string limits_text(const std::vector<StudyRow>& rows, Refinement refinement) {
+  const std::vector<Limit> limits = limits_of(rows, refinement);
+  if (limits.empty()) return "";
+  TextTable table({"band", "quantity", "finest", "limit", "distance", "order"},
+                  {Align::left, Align::left, Align::right, Align::right, Align::right, Align::right});
+  for (const Limit& limit : limits)
+    table.add_row({limit.finest->band, limit.finest->quantity, number(limit.finest->value),
+                   fmt::format("{:.8g}", limit.of.value),
+                   fmt::format("{:.1e}", std::abs(limit.of.value - limit.finest->value)),
+                   fmt::format("{:.2f}", limit.of.order)});
+  return "\nwhere the last three levels go (Richardson)\n" + table.text();
+}
+
+/// One quantity where both are refined: a line for each mesh, a column for each set. Missing levels are
+/// empty.
+std::string surface_text(const std::vector<const StudyRow*>& rows) {
+  std::map<int, std::map<int, std::string>> errors;  // [cells][directions]
+  std::set<int> sets;
+  for (const StudyRow* row : rows) {
+    errors[row->level->cells][row->level->directions] = or_empty(row->error, "{:.3e}");
+    sets.insert(row->level->directions);
+  }
+  std::vector<std::string> header = {"cells \\ directions"};
+  for (const int directions : sets) header.push_back(std::to_string(directions));
+  TextTable table(header, std::vector<Align>(header.size(), Align::right));
+  for (auto& [cells, of_mesh] : errors) {
+    std::vector<std::string> line = {std::to_string(cells)};
+    for (const int directions : sets) line.push_back(of_mesh[directions]);
+    table.add_row(line);
+  }
+  const StudyValue& value = *rows.front()->value;
+  return fmt::format("\nerror of {}, band {}, against the {}\n", value.quantity, value.band,
+                     value.exact ? "exact value" : "finest level") +
+         table.text();
+}
+
+std::string surfaces_text(const std::vector<StudyRow>& rows) {
+  std::string text =
+      "\nstudy of mesh and directions together: the larger error hides the other, so no order is claimed\n";
+  std::vector<const StudyRow*> one;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    one.push_back(&rows[i]);
+    if (i + 1 < rows.size() && is_same_quantity(rows[i], rows[i + 1])) continue;
+    if (rows[i].value->quantity != "balance") text += surface_text(one);
+    one.clear();
+  }
+  return text;
+}
+
 /// Levels whose iteration is seen in the error of the fluence.
 std::string iteration_text(const std::vector<StudyRow>& rows) {
   std::string text;
@@ -76,6 +155,18 @@ std::string iteration_text(const std::vector<StudyRow>& rows) {
 }
 
 }  // namespace
+
+const char* name_of(Refinement refinement) {
+  switch (refinement) {
+    case Refinement::mesh:
+      return "mesh";
+    case Refinement::directions:
+      return "directions";
+    case Refinement::both:
+      break;
+  }
+  return "both";
+}
 
 std::vector<StudyRow> study_rows(const std::vector<LevelResult>& levels, Refinement refinement) {
   std::vector<StudyRow> rows;
@@ -106,6 +197,12 @@ std::string study_csv(const std::vector<StudyRow>& rows, Refinement refinement) 
 
 std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement, const Case& input) {
   Json json = {{"title", input.title}, {"refined", name_of(refinement)}, {"rows", Json::array()}};
+  json["richardson"] = Json::array();
+  for (const Limit& limit : limits_of(rows, refinement))
+    json["richardson"].push_back({{"band", limit.finest->band},
+                                  {"quantity", limit.finest->quantity},
+                                  {"value", limit.of.value},
+                                  {"order", limit.of.order}});
   for (const StudyRow& row : rows)
     json["rows"].push_back({{"level", row.level->level},
                             {"refined", name_of(refinement)},
@@ -120,6 +217,7 @@ std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement,
                             {"order", or_null(row.order)},
                             {"sweeps", row.level->sweeps},
                             {"seconds", row.level->seconds},
+                            {"memory", row.level->memory},
                             {"converged", row.level->converged}});
   json["case"] = input.resolved_toml;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -128,11 +226,13 @@ std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement,
 std::string study_text(const std::vector<StudyRow>& rows, const std::vector<LevelResult>& levels,
                        Refinement refinement) {
   if (levels.empty()) return "\nstudy: no level was finished\n";
+  if (refinement == Refinement::both) return surfaces_text(rows) + iteration_text(rows);
   const bool all = rows.size() <= longest_table;
-  TextTable table({"level", "cells", "h", "directions", "band", "quantity", "value", "error", "order",
-                   "reference", "sweeps", "seconds"},
-                  {Align::right, Align::right, Align::right, Align::right, Align::left, Align::left,
-                   Align::right, Align::right, Align::right, Align::left, Align::right, Align::right});
+  TextTable table(
+      {"level", "cells", "h", "directions", "band", "quantity", "value", "error", "order", "reference",
+       "sweeps", "seconds", "MiB"},
+      {Align::right, Align::right, Align::right, Align::right, Align::left, Align::left, Align::right,
+       Align::right, Align::right, Align::left, Align::right, Align::right, Align::right});
   for (const StudyRow& row : rows) {
     if (!all && !is_norm(row.value->quantity) && row.value->quantity != "balance") continue;
     table.add_row({std::to_string(row.level->level), std::to_string(row.level->cells),
@@ -140,7 +240,8 @@ std::string study_text(const std::vector<StudyRow>& rows, const std::vector<Leve
                    row.value->band, row.value->quantity, number(row.value->value),
                    or_empty(row.error, "{:.3e}"), or_empty(row.order, "{:.2f}"),
                    row.value->exact ? "exact" : "finest", std::to_string(row.level->sweeps),
-                   fmt::format("{:.3g}", row.level->seconds)});
+                   fmt::format("{:.3g}", row.level->seconds),
+                   fmt::format("{:.0f}", row.level->memory / mebibyte)});
   }
   std::string text =
       fmt::format("\nstudy of the {}; the order is that of the error against {}\n", name_of(refinement),
@@ -149,7 +250,7 @@ std::string study_text(const std::vector<StudyRow>& rows, const std::vector<Leve
                       : "the size of the directions, (4 pi/directions)^(1/2), in flatland 2 pi/directions");
   text += table.text();
   if (!all) text += "  probes, walls and regions: many, see study.csv\n";
-  return text + iteration_text(rows);
+  return text + limits_text(rows, refinement) + iteration_text(rows);
 }
 
 }  // namespace etendue

@@ -199,9 +199,37 @@ TEST(Study, SaysWhatCannotBeRefined) {
   const Outcome mesh = etendue_says(study_of(folder.file(), "mesh", 2));
   EXPECT_EQ(mesh.code, ExitCode::input_error);
   EXPECT_TRUE(has(mesh.err, "no cell size to refine")) << mesh.err;
-  const Outcome both = etendue_says(study_of(folder.file(), "both", 2));
-  EXPECT_EQ(both.code, ExitCode::input_error);
-  EXPECT_TRUE(has(both.err, "not in this version")) << both.err;
+}
+
+TEST(Study, OfBothShowsTheErrorsOnAGridAndClaimsNoOrder) {
+  const CaseFolder folder(exact_case());
+  const Outcome outcome = etendue_says(study_of(folder.file(), "both", 2));
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "study: 1 of 4 levels, about ")) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "error of fluence_L2, band grey, against the exact value")) << outcome.out;
+  const std::vector<json> norms = rows_of(study_in(folder), "fluence_L2");
+  ASSERT_EQ(norms.size(), 4U);
+  EXPECT_EQ(norms[0]["cells"], norms[1]["cells"]);
+  EXPECT_LT(norms[0]["directions"], norms[1]["directions"]);
+  EXPECT_LT(norms[1]["cells"], norms[2]["cells"]);
+  EXPECT_EQ(norms[1]["directions"], norms[3]["directions"]);
+  for (const json& row : study_in(folder)["rows"]) EXPECT_TRUE(row["order"].is_null());
+  EXPECT_LT(norms[3]["error"], norms[0]["error"]);
+  EXPECT_GT(norms[0]["memory"], 1e6);
+}
+
+TEST(StudyText, GivesTheLimitOfThreeLevels) {
+  std::vector<LevelResult> levels;
+  for (int level = 1; level <= 3; ++level) {
+    const int cells = 10 << (3 * level);
+    levels.push_back(level_with(level, cells, {{"grey", "probe:a:0", 2 + std::pow(cells, -2.0 / 3), {}}}));
+  }
+  const auto rows = study_rows(levels, Refinement::mesh);
+  const json study = json::parse(study_json(rows, Refinement::mesh, Case()));
+  ASSERT_EQ(study["richardson"].size(), 1U);
+  EXPECT_NEAR(study["richardson"][0]["value"].get<double>(), 2, 1e-9);
+  EXPECT_NEAR(study["richardson"][0]["order"].get<double>(), 2, 1e-6);
+  EXPECT_TRUE(has(study_text(rows, levels, Refinement::mesh), "Richardson"));
 }
 
 TEST(ExactRun, WritesItsErrorsAndClosesItsBalance) {
