@@ -55,7 +55,12 @@ void read_solve(Section solve, const std::filesystem::path& case_folder, Case& r
   options.method = method == "gmres"              ? Method::gmres
                    : method == "source-iteration" ? Method::source_iteration
                                                   : Method::automatic;
-  solve.text("acceleration");  // one meaning in this version, whichever accepted word stands there
+  const std::string acceleration = solve.text("acceleration");
+  options.acceleration = acceleration == "diffusion" ? Acceleration::diffusion
+                         : acceleration == "none"    ? Acceleration::none
+                                                     : Acceleration::automatic;
+  if (options.acceleration == Acceleration::diffusion && options.order != SpaceOrder::linear)
+    solve.fault("acceleration", "takes linear elements; use space.order = 1, or \"auto\" or \"none\"");
   options.tolerance = solve.number("tolerance");
   options.max_sweeps = solve.integer("max_sweeps");
   options.threads = solve.integer("threads");

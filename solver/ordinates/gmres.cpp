@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "solver/ordinates/band_vectors.h"
+#include "solver/ordinates/diffusion_acceleration.h"
 #include "solver/ordinates/residual.h"
 
 namespace etendue {
@@ -32,10 +33,14 @@ class BandHessenberg {
     right(0) = start_;
     smallest_ = std::min(1.0, svd.singularValues().minCoeff());
     solution_ = svd.solve(right);
-    residual_ = (right - matrix_ * solution_).norm();
+    residual_ = right - matrix_ * solution_;
   }
 
-  double residual() const { return residual_; }
+  double residual() const { return residual_.norm(); }
+  /// Coefficient of a basis vector in the residual.
+  double residual_coefficient(std::size_t row) const {
+    return static_cast<Eigen::Index>(row) < residual_.size() ? residual_(static_cast<Eigen::Index>(row)) : 0;
+  }
   double smallest_singular_value() const { return smallest_; }
   double coefficient(std::size_t column) const {
     return static_cast<Eigen::Index>(column) < solution_.size() ? solution_(static_cast<Eigen::Index>(column))
@@ -44,8 +49,8 @@ class BandHessenberg {
 
  private:
   double start_;
-  double residual_ = 0;
   double smallest_ = 1;
+  Eigen::VectorXd residual_;
   Eigen::MatrixXd matrix_;
   Eigen::VectorXd solution_;
 };
@@ -62,6 +67,7 @@ class Run {
         vectors_(sweep.mesh(), sweep),
         bands_(static_cast<std::size_t>(sweep.cells().bands())),
         work_(state.layout()),
+        corrected_(options.acceleration != nullptr ? state.layout() : StateLayout{}),
         length_(std::clamp(memory / (state.layout().total() * sizeof(double)), shortest_krylov_basis,
                            longest_krylov_basis)),
         smallest_(bands_, 1) {
@@ -70,12 +76,12 @@ class Run {
 
   IterationResult run() {
     while (!finished()) {
-      const std::vector<double> residual = true_residual();
+      const std::vector<double> errors = true_errors();
       for (std::size_t b = 0; b < bands_; ++b) {
-        const double error = sweep_.is_direct() ? 0 : residual[b] / smallest_[b];
-        // After the first sweep from nothing the residual says only that something shines.
-        result_.bands[b].residual = error;
-        result_.bands[b].converged = (measured_ || residual[b] <= rounding) && error <= options_.tolerance;
+        result_.bands[b].residual = errors[b];
+        // Without acceleration the residual after the first sweep says only that something shines.
+        result_.bands[b].converged =
+            (measured_ || accelerated() || errors[b] <= rounding) && errors[b] <= options_.tolerance;
       }
       if (!report() || all_converged() || finished()) break;
       cycle();
@@ -85,46 +91,56 @@ class Run {
   }
 
  private:
+  bool accelerated() const { return options_.acceleration != nullptr; }
   bool finished() const { return sweeps_ >= options_.max_sweeps || result_.interrupted; }
   bool all_converged() const {
     return std::all_of(result_.bands.begin(), result_.bands.end(), [](const auto& b) { return b.converged; });
   }
 
-  /// work_ = F(state) - state
-  std::vector<double> true_residual() {
+  /// work_ = F(state) - state, and the relative error that it tells of.
+  std::vector<double> true_errors() {
     sweep_.apply(state_, work_);
     ++sweeps_;
-    const std::vector<double> relative = relative_residual(sweep_.mesh(), sweep_, state_, work_);
     vectors_.add(work_, BandScalars(bands_, -1), state_);
-    return relative;
+    if (!accelerated()) {
+      std::vector<double> errors = relative_change(sweep_.mesh(), sweep_, state_, work_);
+      for (std::size_t b = 0; b < bands_; ++b) errors[b] = sweep_.is_direct() ? 0 : errors[b] / smallest_[b];
+      return errors;
+    }
+    precondition(std::vector<char>(bands_, 1));
+    return relative_change(sweep_.mesh(), sweep_, state_, work_);
+  }
+
+  /// work_ = P work_
+  void precondition(const std::vector<char>& active) {
+    options_.acceleration->apply(work_, corrected_, active);
+    std::swap(work_, corrected_);
   }
 
   void cycle() {
     basis_.clear();
-    const BandScalars start = vectors_.norm(work_);
-    const BandScalars size = vectors_.norm(state_);
     problems_.clear();
-    for (std::size_t b = 0; b < bands_; ++b)
-      problems_.emplace_back(result_.bands[b].converged ? 0 : start[b]);
+    done_.clear();
+    const BandScalars start = vectors_.norm(work_);
+    size_ = vectors_.norm(state_);
+    if (accelerated()) field_ = field_norms(sweep_.mesh(), sweep_, state_, work_);
+    for (std::size_t b = 0; b < bands_; ++b) {
+      // From nothing the first residual is the size of the answer.
+      size_[b] = std::max(size_[b], start[b]);
+      done_.push_back(result_.bands[b].converged || start[b] == 0);
+      problems_.emplace_back(done_[b] ? 0 : start[b]);
+    }
     push_normalised(start);
     for (std::size_t j = 0; j < length_ && !finished(); ++j) {
       sweep_.apply_linear(basis_[j], work_);
       ++sweeps_;
-      // work = (I - T) v
+      // work = P (I - T) v
       vectors_.scale(work_, BandScalars(bands_, -1));
       vectors_.add(work_, BandScalars(bands_, 1), basis_[j]);
-      const std::vector<std::vector<double>> columns = orthogonalise();
-      bool done = true;
-      for (std::size_t b = 0; b < bands_; ++b) {
-        if (result_.bands[b].converged) continue;
-        problems_[b].add_column(columns[b]);
-        smallest_[b] = problems_[b].smallest_singular_value();
-        // From nothing the first residual is the size of the answer.
-        const double reference = std::max(size[b], start[b]);
-        result_.bands[b].residual = reference > 0 ? problems_[b].residual() / (smallest_[b] * reference) : 0;
-        done = done && result_.bands[b].residual <= safety * options_.tolerance;
-      }
-      if (!report() || done) break;
+      if (accelerated()) precondition(active());
+      add_columns(orthogonalise());
+      estimate();
+      if (!report() || std::count(done_.begin(), done_.end(), 0) == 0) break;
     }
     add_correction(state_);
     basis_.clear();
@@ -139,6 +155,12 @@ class Run {
     }
   }
 
+  std::vector<char> active() const {
+    std::vector<char> result;
+    for (const char done : done_) result.push_back(!done);
+    return result;
+  }
+
   SavedState best_state() const {
     TransportState best = state_;
     add_correction(best);
@@ -147,8 +169,7 @@ class Run {
 
   void push_normalised(const BandScalars& norm) {
     BandScalars factor;
-    for (std::size_t b = 0; b < bands_; ++b)
-      factor.push_back(norm[b] > 0 && !result_.bands[b].converged ? 1 / norm[b] : 0);
+    for (std::size_t b = 0; b < bands_; ++b) factor.push_back(norm[b] > 0 && !done_[b] ? 1 / norm[b] : 0);
     basis_.push_back(work_);
     vectors_.scale(basis_.back(), factor);
   }
@@ -169,6 +190,35 @@ class Run {
     for (std::size_t b = 0; b < bands_; ++b) columns[b].back() = norm[b];
     push_normalised(norm);
     return columns;
+  }
+
+  void add_columns(const std::vector<std::vector<double>>& columns) {
+    for (std::size_t b = 0; b < bands_; ++b) {
+      if (done_[b]) continue;
+      problems_[b].add_column(columns[b]);
+      smallest_[b] = problems_[b].smallest_singular_value();
+    }
+  }
+
+  /// Estimated relative errors of the bands that are not done yet: |P r| / |phi|, or |r| / (s |x|).
+  void estimate() {
+    std::vector<double> errors(bands_, 0);
+    if (accelerated()) {
+      std::fill(corrected_.values().begin(), corrected_.values().end(), 0.0);
+      for (std::size_t j = 0; j < basis_.size(); ++j) {
+        BandScalars factor;
+        for (std::size_t b = 0; b < bands_; ++b)
+          factor.push_back(done_[b] ? 0 : problems_[b].residual_coefficient(j));
+        vectors_.add(corrected_, factor, basis_[j]);
+      }
+      errors = relative_size(sweep_.mesh(), sweep_, corrected_, field_);
+    }
+    for (std::size_t b = 0; b < bands_; ++b) {
+      if (done_[b]) continue;
+      if (!accelerated()) errors[b] = problems_[b].residual() / (smallest_[b] * size_[b]);
+      result_.bands[b].residual = errors[b];
+      done_[b] = errors[b] <= safety * options_.tolerance;
+    }
   }
 
   /// False where the observer wants to stop.
@@ -207,9 +257,13 @@ class Run {
   BandVectors vectors_;
   std::size_t bands_;
   TransportState work_;
+  TransportState corrected_;  ///< where P writes; empty without acceleration
   std::size_t length_;
   std::vector<TransportState> basis_;  ///< of the cycle under way; empty between cycles
   std::vector<BandHessenberg> problems_;
+  std::vector<char> done_;        ///< [band]
+  BandScalars size_;              ///< of the state when the cycle began
+  FieldNorms field_;              ///< of the fluence and the walls' irradiance then
   std::vector<double> smallest_;  ///< [band] smallest singular value of I - T seen so far
   IterationResult result_;
   int sweeps_ = 0;

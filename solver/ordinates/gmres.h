@@ -7,14 +7,14 @@ namespace etendue {
 
 /// Bytes that the Krylov vectors may take, and most of them between restarts.
 inline constexpr std::size_t krylov_memory = std::size_t{2} << 30;
-inline constexpr std::size_t longest_krylov_basis = 30;
+inline constexpr std::size_t longest_krylov_basis = 50;
 inline constexpr std::size_t shortest_krylov_basis = 3;
 
-/// Restarted GMRES (Saad and Schultz 1986) on (I - T) x = b, where the sweep is F(x) = T x + b and x holds
-/// moments, wall irradiance, mirrored and lagged traces. One application of T is one sweep; every band has a
-/// Krylov space of its own, all are swept together. Stops on the true residual: the error is estimated as |r|
-/// / (s |phi|) with s the smallest singular value of I - T seen on the Krylov space (1 - rho for source
-/// iteration).
+/// Restarted GMRES (Saad and Schultz 1986) on P (I - T) x = P b, where the sweep is F(x) = T x + b and x
+/// holds moments, wall irradiance, mirrored and lagged traces. One application of T is one sweep; every band
+/// has a Krylov space of its own, all are swept together. With acceleration by diffusion, P, the error is
+/// estimated as |P r| / |phi|, r = F(x) - x being the true residual; without, P = I, as |r| / (s |phi|) with
+/// s the smallest singular value of I - T seen on the Krylov space (1 - rho for source iteration).
 class Gmres : public Iteration {
  public:
   /// `memory` bounds the bytes of the basis and so the length between restarts.

@@ -9,9 +9,12 @@
 
 namespace etendue {
 
+class DiffusionAcceleration;
+
 struct IterationOptions {
   double tolerance = 1e-6;  ///< estimated relative error, per band
   int max_sweeps = 500;
+  DiffusionAcceleration* acceleration = nullptr;  ///< null: none
 };
 
 /// How an iteration ended.

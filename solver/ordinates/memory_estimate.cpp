@@ -98,10 +98,14 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   // the state.
   const double results = moments + 3 * fields + 16 * s.cells * s.stride + state;
   const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
+  // Five blocks of 16 and an inverse for each cell and band, a Cholesky factor and a few vectors.
+  const double low_order =
+      options.acceleration == Acceleration::none ? 0 : s.cells * problem.band_count() * 150;
   const double orders =
       std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * sizeof(SweepVisit));
   return static_cast<std::size_t>(
-      8 * ((2 + std::max(basis, positive)) * state + workspaces + records + results + kept) + orders);
+      8 * ((2 + std::max(basis, positive)) * state + workspaces + records + results + kept + low_order) +
+      orders);
 }
 
 }  // namespace etendue

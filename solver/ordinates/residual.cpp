@@ -7,54 +7,70 @@
 namespace etendue {
 namespace {
 
-/// Sums of squares of a difference and of the field itself, per band.
-class Norms {
- public:
-  explicit Norms(int bands) : difference_(static_cast<std::size_t>(bands), 0), field_(difference_) {}
-
-  void add(const double* last, const double* next, std::size_t nodes, std::size_t stride, double weight) {
-    for (std::size_t i = 0; i < nodes; ++i)
-      for (std::size_t b = 0; b < field_.size(); ++b) {
-        const double value = next[i * stride + b];
-        const double change = value - last[i * stride + b];
-        difference_[b] += weight * change * change;
-        field_[b] += weight * value * value;
-      }
-  }
-
-  double relative(std::size_t band) const {
-    // Only where the field is exactly dark there is nothing to compare with; NaN must not look like that.
-    return field_[band] == 0 ? 0 : std::sqrt(difference_[band] / field_[band]);
-  }
-
- private:
-  std::vector<double> difference_;
-  std::vector<double> field_;
-};
-
-}  // namespace
-
-std::vector<double> relative_residual(const TetrahedralMesh& mesh, const TransportSweep& sweep,
-                                      const TransportState& last, const TransportState& next) {
+/// Norms of sign a + b, or of b alone where `a` is null.
+FieldNorms norms(const TetrahedralMesh& mesh, const TransportSweep& sweep, double sign,
+                 const TransportState* a, const TransportState& b) {
+  const auto bands = static_cast<std::size_t>(sweep.cells().bands());
   const auto stride = static_cast<std::size_t>(sweep.cells().stride());
+  const auto add_squares = [&](std::span<const double> left, std::span<const double> right, std::size_t first,
+                               std::size_t nodes, double weight, std::vector<double>& sums) {
+    for (std::size_t i = 0; i < nodes; ++i)
+      for (std::size_t band = 0; band < bands; ++band) {
+        const std::size_t at = (first + i) * stride + band;
+        const double value = right[at] + (left.empty() ? 0 : sign * left[at]);
+        sums[band] += weight * value * value;
+      }
+  };
+  using Part = std::span<const double>;
   const auto nodes = static_cast<std::size_t>(sweep.cells().nodes());
   const auto face_nodes = static_cast<std::size_t>(sweep.cells().face_nodes());
-  Norms volume(sweep.cells().bands());
-  for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c) {
-    const std::size_t at = c * nodes * stride;
-    volume.add(&last.fluence()[at], &next.fluence()[at], nodes, stride, mesh.volumes()[c]);
-  }
-  Norms walls(sweep.cells().bands());
+  FieldNorms result{std::vector<double>(bands, 0), std::vector<double>(bands, 0)};
+  for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c)
+    add_squares(a != nullptr ? a->fluence() : Part{}, b.fluence(), c * nodes, nodes, mesh.volumes()[c],
+                result.volume);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     if (!sweep.walls().reflects(face)) continue;
-    const std::size_t at = face.at() * face_nodes * stride;
-    walls.add(&last.irradiance()[at], &next.irradiance()[at], face_nodes, stride, mesh.area(face));
+    add_squares(a != nullptr ? a->irradiance() : Part{}, b.irradiance(), face.at() * face_nodes, face_nodes,
+                mesh.area(face), result.walls);
   }
-  std::vector<double> result;
-  for (std::size_t b = 0; b < static_cast<std::size_t>(sweep.cells().bands()); ++b)
-    result.push_back(std::max(volume.relative(b), walls.relative(b)));
+  for (std::size_t band = 0; band < bands; ++band) {
+    result.volume[band] = std::sqrt(result.volume[band]);
+    result.walls[band] = std::sqrt(result.walls[band]);
+  }
   return result;
+}
+
+// Only where the field is exactly dark there is nothing to compare with; NaN must not look like that.
+double ratio(double change, double field) { return field == 0 ? 0 : change / field; }
+
+std::vector<double> ratios(const FieldNorms& size, const FieldNorms& field) {
+  std::vector<double> result;
+  for (std::size_t b = 0; b < size.volume.size(); ++b)
+    result.push_back(std::max(ratio(size.volume[b], field.volume[b]), ratio(size.walls[b], field.walls[b])));
+  return result;
+}
+
+}  // namespace
+
+FieldNorms field_norms(const TetrahedralMesh& mesh, const TransportSweep& sweep, const TransportState& state,
+                       const TransportState& change) {
+  return norms(mesh, sweep, 1, &state, change);
+}
+
+std::vector<double> relative_size(const TetrahedralMesh& mesh, const TransportSweep& sweep,
+                                  const TransportState& change, const FieldNorms& field) {
+  return ratios(norms(mesh, sweep, 1, nullptr, change), field);
+}
+
+std::vector<double> relative_residual(const TetrahedralMesh& mesh, const TransportSweep& sweep,
+                                      const TransportState& last, const TransportState& next) {
+  return ratios(norms(mesh, sweep, -1, &last, next), norms(mesh, sweep, 1, nullptr, next));
+}
+
+std::vector<double> relative_change(const TetrahedralMesh& mesh, const TransportSweep& sweep,
+                                    const TransportState& state, const TransportState& change) {
+  return relative_size(mesh, sweep, change, field_norms(mesh, sweep, state, change));
 }
 
 }  // namespace etendue

@@ -8,9 +8,25 @@
 
 namespace etendue {
 
-/// Relative size of the residual F(x) - x in each band: |r| / |phi| in the volume-weighted L2 norm of the
-/// fluence, and where walls reflect also that of their irradiance, area-weighted; the larger of the two.
-/// `next` is F(last). Sums are over cells and faces in their order.
+/// Volume-weighted L2 norms of a fluence, and area-weighted ones of the irradiance on walls that reflect.
+struct FieldNorms {
+  std::vector<double> volume;  ///< [band]
+  std::vector<double> walls;   ///< [band]
+};
+
+/// Norms of state + change. Sums are over cells and faces in their order.
+FieldNorms field_norms(const TetrahedralMesh& mesh, const TransportSweep& sweep, const TransportState& state,
+                       const TransportState& change);
+
+/// |change| / |field| in each band, of the fluence or of the walls' irradiance, whichever is larger.
+std::vector<double> relative_size(const TetrahedralMesh& mesh, const TransportSweep& sweep,
+                                  const TransportState& change, const FieldNorms& field);
+
+/// |change| / |state + change|: with the residual r = F(x) - x the relative size of the residual.
+std::vector<double> relative_change(const TetrahedralMesh& mesh, const TransportSweep& sweep,
+                                    const TransportState& state, const TransportState& change);
+
+/// The same of the residual next - last, next = F(last): |next - last| / |next|.
 std::vector<double> relative_residual(const TetrahedralMesh& mesh, const TransportSweep& sweep,
                                       const TransportState& last, const TransportState& next);
 

@@ -117,6 +117,24 @@ void ScatteringMoments::form_source(const TransportState& state, Emission emissi
   }
 }
 
+void ScatteringMoments::form_unit_source(double* records, double* moments) const {
+  const RecordLayout layout = cells_.layout();
+  const auto nodes = static_cast<std::size_t>(cells_.nodes());
+  const auto stride = static_cast<std::size_t>(cells_.stride());
+  std::fill(moments, moments + moments_size(), 0.0);
+  for (std::int32_t c = 0; c < problem_.mesh().cell_count(); ++c) {
+    const CellIndex cell(c);
+    const auto row = static_cast<std::size_t>(index_[cell.at()]);
+    double* right = row > 0 ? moments + (row - 1) * count() * row_length_
+                            : records + cell.at() * layout.length + layout.source;
+    for (int b = 0; b < problem_.band_count(); ++b) {
+      const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, b);
+      for (std::size_t i = 0; i < nodes; ++i)
+        right[i * stride + static_cast<std::size_t>(b)] = mass.sum * static_cast<double>(nodes) + mass.own;
+    }
+  }
+}
+
 void ScatteringMoments::report_kernels() {
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   for (std::size_t region = 0; region < degree_.size(); ++region) {

@@ -46,6 +46,9 @@ class ScatteringMoments {
   void form_source(const TransportState& state, Emission emission, std::int32_t first, std::int32_t last,
                    double* records, double* moments) const;
 
+  /// Right-hand sides of an isotropic source of 1 in all cells and bands, as form_source() writes them.
+  void form_unit_source(double* records, double* moments) const;
+
   const std::vector<KernelReport>& kernels() const { return kernels_; }
 
  private:

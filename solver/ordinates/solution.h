@@ -64,6 +64,7 @@ struct SolveSeconds {
   double orders = 0;
   double sweep = 0;
   double low_order = 0;
+  double low_order_setup = 0;  ///< the part of low_order that is done once
   double lights = 0;
 };
 

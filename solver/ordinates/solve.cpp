@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "solver/ordinates/diffusion_acceleration.h"
 #include "solver/ordinates/gmres.h"
 #include "solver/ordinates/positive_iteration.h"
 #include "solver/ordinates/source_iteration.h"
@@ -137,6 +138,28 @@ std::vector<OrdinateFixup> fixups_of(const TransportSweep& sweep, const Directio
   return fixups;
 }
 
+/// Why a run is not accelerated; empty where it is.
+std::string reason_against_acceleration(const SolveOptions& options) {
+  if (options.acceleration == Acceleration::diffusion) return "";
+  if (options.acceleration == Acceleration::none) return "as asked";
+  if (options.order != SpaceOrder::linear) return "diffusion takes linear elements";
+  if (options.method == Method::source_iteration)
+    return "source iteration is plain unless diffusion is asked for";
+  return "";
+}
+
+/// Null where nothing accelerates.
+std::unique_ptr<DiffusionAcceleration> make_acceleration(const Problem& problem, TransportSweep& sweep,
+                                                         std::span<const double> extinction,
+                                                         const SolveOptions& options, Solution& solution) {
+  if (sweep.is_direct() || options.max_sweeps <= 2) return nullptr;
+  const std::string reason = reason_against_acceleration(options);
+  if (reason.empty())
+    return std::make_unique<DiffusionAcceleration>(problem, sweep, extinction, options.diffusion_length);
+  solution.notes.push_back("not accelerated: " + reason);
+  return nullptr;
+}
+
 /// The state is F(something) and one more application is the answer, with all that is measured on the way.
 void measure(TransportSweep& sweep, const TransportState& state, Solution& solution) {
   const auto bands = static_cast<std::size_t>(sweep.cells().bands());
@@ -173,6 +196,7 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   solution.directions = directions.count();
 
   const auto start = std::chrono::steady_clock::now();
+  const auto acceleration = make_acceleration(problem, sweep, extinction, options, solution);
   if (sweep.is_direct()) {
     solution.convergence.assign(static_cast<std::size_t>(problem.band_count()), {1, 0, true});
   } else if (options.max_sweeps == 1) {
@@ -180,17 +204,24 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     solution.convergence.assign(static_cast<std::size_t>(problem.band_count()), {1, 1, false});
   } else {
     // The sweep that measures is one of those that are allowed.
-    const IterationOptions limits{options.tolerance, options.max_sweeps - 1};
+    const int used = 1 + (acceleration ? acceleration->sweeps() : 0);
+    const IterationOptions limits{options.tolerance, options.max_sweeps - used, acceleration.get()};
     IterationResult result = iteration->run(sweep, state, limits, observer);
     solution.convergence = std::move(result.bands);
     solution.history = std::move(result.history);
     solution.interrupted = result.interrupted;
-    for (BandConvergence& band : solution.convergence) ++band.sweeps;
+    for (BandConvergence& band : solution.convergence) band.sweeps += used;
+    if (acceleration) {
+      solution.seconds.low_order_setup = acceleration->setup_seconds();
+      solution.seconds.low_order = acceleration->seconds() + acceleration->setup_seconds();
+      solution.notes.push_back(acceleration->description());
+    }
   }
   if (options.positivity != Positivity::none && options.order == SpaceOrder::linear)
     keep_positive(sweep, state, options, observer, solution);
   measure(sweep, state, solution);
-  solution.seconds.sweep = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  solution.seconds.sweep = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() -
+                           solution.seconds.low_order;
   solution.seconds.orders = sweep.order_seconds();
   solution.half_range = sweep.walls().half_range();
   solution.kernels = sweep.scattering().kernels();

@@ -20,6 +20,13 @@ enum class SpaceOrder { constant = 0, linear = 1 };
 /// How the equations are iterated; automatic: GMRES.
 enum class Method { automatic, gmres, source_iteration };
 
+/// What speeds the iteration up; automatic: diffusion with linear elements and GMRES.
+enum class Acceleration { automatic, diffusion, none };
+
+/// Which diffusion coefficient the acceleration takes; automatic: non-local where a void is present or
+/// extinctions differ by more than a factor of 100.
+enum class DiffusionLength { automatic, local, nonlocal };
+
 /// Lumping of the mass matrix: in no cell, in all, or where extinction times cell size exceeds 2.
 enum class Lumping { none, mass, automatic };
 
@@ -40,6 +47,8 @@ struct SolveOptions {
   Lumping lumping = Lumping::automatic;
   Positivity positivity = Positivity::none;
   Method method = Method::automatic;
+  Acceleration acceleration = Acceleration::automatic;
+  DiffusionLength diffusion_length = DiffusionLength::automatic;
   double tolerance = 1e-6;  ///< estimated relative error of the iteration, per band
   int max_sweeps = 500;
   int threads = 0;                                  ///< 0: all cores

@@ -174,9 +174,19 @@ void TransportSweep::apply_linear(const TransportState& last, TransportState& ne
   sweep_all(last, next, nullptr);
 }
 
+void TransportSweep::apply_to_unit_source(TransportState& next) {
+  emission_ = Emission::left_out;
+  scattering_.form_unit_source(records_.data(), moment_source_.data());
+  sweep_source(TransportState(layout()), next, nullptr);
+}
+
 void TransportSweep::sweep_all(const TransportState& last, TransportState& next, SweepRecord* record) {
   form_source(last);
   std::fill(census_.begin(), census_.end(), FixupCensus());
+  sweep_source(last, next, record);
+}
+
+void TransportSweep::sweep_source(const TransportState& last, TransportState& next, SweepRecord* record) {
   std::fill(next.fluence().begin(), next.fluence().end(), 0.0);
   std::fill(next.moments().begin(), next.moments().end(), 0.0);
   std::fill(next.irradiance().begin(), next.irradiance().end(), 0.0);

@@ -45,6 +45,9 @@ class TransportSweep {
   void apply(const TransportState& last, TransportState& next, SweepRecord* record = nullptr);
   /// next = T last, the linear part of F.
   void apply_linear(const TransportState& last, TransportState& next);
+  /// next = what a unit isotropic source in all cells gives through extinction alone, with black walls. Its
+  /// fluence over 4 pi is the mean distance that light comes from, 1/sigma_t far inside a medium.
+  void apply_to_unit_source(TransportState& next);
   /// From now on apply() keeps the values of every cell non-negative, so it is no longer affine;
   /// apply_linear() stays as it was. Only for linear elements.
   void keep_positive(Fixup fixup);
@@ -71,6 +74,7 @@ class TransportSweep {
   struct Workspace;
 
   void sweep_all(const TransportState& last, TransportState& next, SweepRecord* record);
+  void sweep_source(const TransportState& last, TransportState& next, SweepRecord* record);
   void form_source(const TransportState& last);
   void sweep_batch(std::int32_t batch, const TransportState& last, TransportState& next, SweepRecord* record,
                    Workspace& work);

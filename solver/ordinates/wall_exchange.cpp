@@ -192,4 +192,19 @@ void WallExchange::receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what
   }
 }
 
+void WallExchange::add_leaving(FaceIndex face, std::size_t band, std::span<const double> before,
+                               std::span<const double> after, std::span<double> mirrors) const {
+  if (mirror_row_[face.at()] < 0) return;
+  // The half ranges of both sides are equal: with every direction its opposite is in the set.
+  const double by_half_range = 1 / half_range_[face.at()];
+  for (std::int32_t m = 0; m < directions_.count(); ++m) {
+    if (seen_area(mesh_.area_normal(face), directions_.direction(OrdinateIndex(m))) <= 0) continue;
+    double* radiance = mirrors.data() + mirror_at(static_cast<std::size_t>(mirror_row_[face.at()]), m);
+    for (std::size_t i = band; i < face_length_; i += stride_) {
+      const std::size_t at = face.at() * face_length_ + i;
+      radiance[i] += by_half_range * (after[at] - before[at]);
+    }
+  }
+}
+
 }  // namespace etendue

@@ -56,6 +56,11 @@ class WallExchange {
   void receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what, std::span<double> irradiance,
                std::span<double> mirrors) const;
 
+  /// Adds radiance that brings the irradiance `after` - `before` to one face, the same in all directions, to
+  /// what leaves along the ordinates there, in one band. Does nothing where the face is no mirror.
+  void add_leaving(FaceIndex face, std::size_t band, std::span<const double> before,
+                   std::span<const double> after, std::span<double> mirrors) const;
+
  private:
   struct Face {
     Vec3 area_normal;      ///< out of the domain [length^2]

@@ -58,8 +58,10 @@ const Check later[] = {
     {"Method", "[solve]\nmethod = \"photons\"\n",
      "slab.toml:8: solve.method = \"photons\": not in this version; use \"auto\", \"gmres\" or "
      "\"source-iteration\""},
-    {"Acceleration", "[solve]\nacceleration = \"diffusion\"\n",
-     "slab.toml:8: solve.acceleration = \"diffusion\": not in this version; use \"auto\" or \"none\""},
+    {"Acceleration", "[space]\norder = 0\n[solve]\nacceleration = \"diffusion\"\n",
+     "slab.toml:10: solve.acceleration = \"diffusion\": takes linear elements; use space.order = 1, or "
+     "\"auto\" "
+     "or \"none\""},
     {"UncollidedMedium", "[media.air]\nuncollided = true\n",
      "slab.toml:8: media.air.uncollided = true: not in this version; use \"auto\" or false"},
     {"UncollidedWall", "[walls.xmin]\nuncollided = true\n",

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/diffusion/diffusion_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace etendue {
+namespace {
+
+/// Steps of the smoother before and after the coarse level.
+constexpr int smoothing_steps = 3;
+/// The smoother works on eigenvalues from the largest down to this part of it.
+constexpr double smoothed_part = 0.06;
+/// The power iteration approaches the largest eigenvalue from below.
+constexpr double eigenvalue_margin = 1.1;
+constexpr int power_iterations = 8;
+constexpr int cycle_measurements = 6;
+
+/// Whether constants are lost somewhere. Otherwise there is no steady state.
+bool loses(const DiffusionCoefficients& coefficients) {
+  const auto positive = [](double value) { return value > 0; };
+  return std::any_of(coefficients.absorption.begin(), coefficients.absorption.end(), positive) ||
+         std::any_of(coefficients.reflectance.begin(), coefficients.reflectance.end(),
+                     [](double alpha) { return alpha < 1; });
+}
+
+/// Factors of Chebyshev's iteration for eigenvalues between two bounds (Saad 2003, algorithm 12.1): each step
+/// is keep times the one before plus add times the preconditioned residual.
+class ChebyshevSteps {
+ public:
+  struct Factors {
+    double keep;
+    double add;
+  };
+  ChebyshevSteps(double lowest, double highest)
+      : center_((highest + lowest) / 2), radius_((highest - lowest) / 2), previous_(radius_ / center_) {}
+
+  Factors next() {
+    if (std::exchange(first_, false)) return {0, 1 / center_};
+    const double factor = 1 / (2 * center_ / radius_ - previous_);
+    const double keep = factor * std::exchange(previous_, factor);
+    return {keep, 2 * factor / radius_};
+  }
+
+ private:
+  double center_;
+  double radius_;
+  double previous_;
+  bool first_ = true;
+};
+
+/// Holds something of everything, the same everywhere.
+NodalVector rough_vector(std::size_t size) {
+  NodalVector x(size);
+  for (std::size_t i = 0; i < size; ++i) x[i] = std::sin(static_cast<double>(i * i % 1013));
+  return x;
+}
+
+}  // namespace
+
+DiffusionSolver::DiffusionSolver(const TetrahedralMesh& mesh, const VertexSpace& vertices,
+                                 const DiffusionCoefficients& coefficients, double accuracy, int threads)
+    : vertices_(vertices), threads_(threads), matrix_(diffusion_matrix(mesh, coefficients)) {
+  if (!loses(coefficients)) throw std::domain_error("the diffusion matrix is singular");
+  coarse_.compute(vertices.assemble([&](CellIndex cell) { return cell_matrix(mesh, coefficients, cell); }));
+  if (coarse_.info() != Eigen::Success) throw std::domain_error("the diffusion matrix is singular");
+  invert_diagonal();
+  largest_ = eigenvalue_margin * largest_eigenvalue();
+  measure_cycle(accuracy);
+}
+
+void DiffusionSolver::invert_diagonal() {
+  inverse_.reserve(static_cast<std::size_t>(matrix_.cell_count()));
+  for (std::int32_t c = 0; c < matrix_.cell_count(); ++c)
+    inverse_.push_back(matrix_.diagonal(CellIndex(c)).inverse());
+}
+
+double DiffusionSolver::largest_eigenvalue() const {
+  NodalVector x = rough_vector(4 * inverse_.size()), y(x.size());
+  double value = 1;
+  for (int k = 0; k < power_iterations; ++k) {
+    matrix_.multiply(x, y, threads_);
+    for (std::size_t c = 0; c < inverse_.size(); ++c)
+      nodes_of(std::span<double>(x), c) = inverse_[c] * nodes_of(std::span<const double>(y), c);
+    value = std::sqrt(ordered_dot(x, x, threads_));
+    for (double& entry : x) entry /= value;
+  }
+  return value;
+}
+
+// Block Jacobi, accelerated on the upper part of its eigenvalues; `residual` is that of x.
+void DiffusionSolver::smooth(std::span<const double> right, std::span<double> x, std::span<double> residual,
+                             std::span<double> step) const {
+  ChebyshevSteps factors(smoothed_part * largest_, largest_);
+  for (int k = 0; k < smoothing_steps; ++k) {
+    if (k > 0) matrix_.residual(right, x, residual, threads_);
+    const auto factor = factors.next();
+#pragma omp parallel for schedule(static) num_threads(threads_)
+    for (std::size_t c = 0; c < inverse_.size(); ++c) {
+      nodes_of(step, c) =
+          factor.keep * nodes_of(step, c) + factor.add * (inverse_[c] * nodes_of(residual, c));
+      nodes_of(x, c) += nodes_of(step, c);
+    }
+  }
+}
+
+void DiffusionSolver::correct_coarse(std::span<const double> residual, std::span<double> x) const {
+  Eigen::VectorXd right(vertices_.size());
+  vertices_.gather(residual, {right.data(), static_cast<std::size_t>(right.size())});
+  const Eigen::VectorXd solution = coarse_.solve(right);
+  vertices_.add_spread({solution.data(), static_cast<std::size_t>(solution.size())}, x, threads_);
+}
+
+void DiffusionSolver::precondition(std::span<const double> right, std::span<double> x) const {
+  NodalVector residual(right.begin(), right.end()), step(right.size(), 0);
+  std::fill(x.begin(), x.end(), 0.0);
+  smooth(right, x, residual, step);
+  matrix_.residual(right, x, residual, threads_);
+  correct_coarse(residual, x);
+  matrix_.residual(right, x, residual, threads_);
+  std::fill(step.begin(), step.end(), 0.0);
+  smooth(right, x, residual, step);
+}
+
+// The extreme eigenvalues of a cycle, from the tridiagonal matrix that conjugate gradients build (Saad 2003,
+// section 6.7).
+void DiffusionSolver::measure_cycle(double accuracy) {
+  NodalVector x(4 * inverse_.size());
+  ConjugateGradientOptions options{0, cycle_measurements, threads_};
+  std::vector<double> spectrum;
+  options.ritz_values = &spectrum;
+  const NodalVector start = rough_vector(x.size());
+  conjugate_gradients([this](auto from, auto to) { matrix_.multiply(from, to, threads_); },
+                      [this](auto from, auto to) { precondition(from, to); }, start, x, options);
+  lowest_ = spectrum.front() / eigenvalue_margin;
+  highest_ = spectrum.back() * 1.05;
+  const double ratio = highest_ / lowest_;
+  steps_ = static_cast<int>(std::ceil(std::acosh(1 / accuracy) / std::acosh((ratio + 1) / (ratio - 1))));
+}
+
+void DiffusionSolver::approximate(std::span<const double> right, std::span<double> x) const {
+  NodalVector residual(right.begin(), right.end()), cycle(right.size()), step(right.size(), 0);
+  std::fill(x.begin(), x.end(), 0.0);
+  ChebyshevSteps factors(lowest_, highest_);
+  for (int k = 0; k < steps_; ++k) {
+    if (k > 0) matrix_.residual(right, x, residual, threads_);
+    precondition(residual, cycle);
+    const auto factor = factors.next();
+    for (std::size_t i = 0; i < step.size(); ++i) {
+      step[i] = factor.keep * step[i] + factor.add * cycle[i];
+      x[i] += step[i];
+    }
+  }
+}
+
+int DiffusionSolver::solve(std::span<const double> right, std::span<double> x, double tolerance,
+                           int max_iterations) const {
+  const LinearMap matrix = [this](std::span<const double> from, std::span<double> to) {
+    matrix_.multiply(from, to, threads_);
+  };
+  const LinearMap cycle = [this](std::span<const double> from, std::span<double> to) {
+    precondition(from, to);
+  };
+  return conjugate_gradients(matrix, cycle, right, x, {tolerance, max_iterations, threads_});
+}
+
+}  // namespace etendue

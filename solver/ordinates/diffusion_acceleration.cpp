@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/ordinates/diffusion_acceleration.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+namespace etendue {
+namespace {
+
+/// Extinctions that differ by more than this call for the non-local coefficient.
+constexpr double large_contrast = 100;
+
+/// How far the low-order solve goes. Beside sweeps with moments it costs next to nothing.
+constexpr double accuracy_of_fluence = 0.5;
+constexpr double accuracy_with_moments = 0.05;
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Of isotropic light of fluence 1 through a plane, one way: 1/4; in the plane 1/pi.
+double partial_current(AngularSpace space) { return half_range(space) / full_range(space); }
+
+double reflectance(const Wall& wall, std::size_t band) {
+  return std::min(1.0, wall.diffuse[band] + wall.specular[band]);
+}
+
+}  // namespace
+
+DiffusionAcceleration::DiffusionAcceleration(const Problem& problem, TransportSweep& sweep,
+                                             std::span<const double> extinction, DiffusionLength length)
+    : problem_(problem), sweep_(sweep), vertices_(problem.mesh()) {
+  nonlocal_ = length == DiffusionLength::nonlocal ||
+              (length == DiffusionLength::automatic && wants_nonlocal(extinction));
+  std::unique_ptr<TransportState> path;
+  if (nonlocal_) {
+    path = std::make_unique<TransportState>(sweep.layout());
+    sweep.apply_to_unit_source(*path);
+    ++sweeps_;
+  }
+  const auto start = Clock::now();
+  const double accuracy = sweep.scattering().row_count() > 0 ? accuracy_with_moments : accuracy_of_fluence;
+  std::vector<DiffusionCoefficients> known;
+  for (std::size_t band = 0; band < static_cast<std::size_t>(problem.band_count()); ++band) {
+    DiffusionCoefficients wanted = coefficients(band, extinction, path.get());
+    const auto same = std::find(known.begin(), known.end(), wanted);
+    solver_of_.push_back(static_cast<std::size_t>(same - known.begin()));
+    if (same != known.end()) continue;
+    try {
+      solvers_.push_back(
+          std::make_unique<DiffusionSolver>(problem.mesh(), vertices_, wanted, accuracy, sweep.threads()));
+    } catch (const std::domain_error&) {
+      solvers_.push_back(nullptr);
+    }
+    known.push_back(std::move(wanted));
+  }
+  setup_seconds_ = seconds_since(start);
+}
+
+bool DiffusionAcceleration::wants_nonlocal(std::span<const double> extinction) const {
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  for (std::size_t band = 0; band < bands; ++band) {
+    double smallest = extinction[band], largest = smallest;
+    for (std::size_t at = band; at < extinction.size(); at += bands) {
+      smallest = std::min(smallest, extinction[at]);
+      largest = std::max(largest, extinction[at]);
+    }
+    if (largest >= large_contrast * smallest) return true;
+  }
+  return false;
+}
+
+DiffusionCoefficients DiffusionAcceleration::coefficients(std::size_t band,
+                                                          std::span<const double> extinction,
+                                                          const TransportState* path) const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
+  DiffusionCoefficients result;
+  result.partial_current = partial_current(problem_.space());
+  for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c) {
+    const double total = extinction[c * bands + band];
+    result.absorption.push_back(std::max(0.0, total - problem_.scattering()[c * bands + band]));
+    double free_path = 0;
+    if (path != nullptr) {
+      for (std::size_t i = 0; i < 4; ++i)
+        free_path += path->fluence()[(4 * c + i) * stride + band] / (4 * full_range(problem_.space()));
+    } else {
+      free_path = 1 / total;
+    }
+    result.diffusion.push_back(free_path / dimension(problem_.space()) * Eigen::Matrix3d::Identity());
+    result.lumped.push_back(
+        sweep_.cells().is_lumped(CellIndex(static_cast<std::int64_t>(c)), static_cast<int>(band)));
+  }
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    result.reflectance.push_back(reflectance(problem_.wall(mesh.wall(FaceIndex(f))), band));
+  return result;
+}
+
+void DiffusionAcceleration::apply(const TransportState& residual, TransportState& corrected,
+                                  const std::vector<char>& active) {
+  const auto start = Clock::now();
+  std::copy(residual.values().begin(), residual.values().end(), corrected.values().begin());
+  for (std::size_t band = 0; band < solver_of_.size(); ++band)
+    if (active[band] && solvers_[solver_of_[band]] != nullptr) correct_band(band, residual, corrected);
+  seconds_ += seconds_since(start);
+}
+
+void DiffusionAcceleration::correct_band(std::size_t band, const TransportState& residual,
+                                         TransportState& corrected) {
+  const NodalVector right = right_side(band, residual);
+  NodalVector correction(right.size());
+  solvers_[solver_of_[band]]->approximate(right, correction);
+  const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
+  for (std::size_t i = 0; i < correction.size(); ++i) corrected.fluence()[i * stride + band] += correction[i];
+  const ScatteringMoments& scattering = sweep_.scattering();
+  const std::size_t moments = static_cast<std::size_t>(scattering.moment_count());
+  for (std::size_t row = 0; row < scattering.row_count(); ++row) {
+    const auto cell = static_cast<std::size_t>(scattering.angular_cells()[row]);
+    for (std::size_t i = 0; i < 4; ++i)
+      corrected.moments()[(row * moments * 4 + i) * stride + band] += correction[4 * cell + i];
+  }
+  correct_walls(band, correction, residual, corrected);
+}
+
+double DiffusionAcceleration::reflectance_seen(FaceIndex face, std::size_t band) const {
+  if (sweep_.walls().half_range()[face.at()] == 0) return 0;
+  return reflectance(problem_.wall(problem_.mesh().wall(face)), band);
+}
+
+// What scatters for the first time, sigma_s r, and what walls send back for the first time: with the partial
+// currents J of diffusion J_in = alpha (J_out + r_E), so -D dn phi = 2 a (1-alpha)/(1+alpha) phi
+// - 2 alpha/(1+alpha) r_E (docs/iteration.md, D4).
+NodalVector DiffusionAcceleration::right_side(std::size_t band, const TransportState& residual) const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  const auto cells = static_cast<std::size_t>(mesh.cell_count());
+  NodalVector right(4 * cells, 0);
+  for (std::size_t c = 0; c < cells; ++c) {
+    const CellIndex cell(static_cast<std::int64_t>(c));
+    Eigen::Vector4d values;
+    for (std::size_t i = 0; i < 4; ++i)
+      values(static_cast<Eigen::Index>(i)) = residual.fluence()[(4 * c + i) * stride + band];
+    nodes_of(std::span<double>(right), c) =
+        problem_.scattering()[c * bands + band] *
+        (mass_matrix(mesh.volume(cell), sweep_.cells().is_lumped(cell, static_cast<int>(band))) * values);
+  }
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const double alpha = reflectance_seen(face, band);
+    if (alpha == 0) continue;
+    const CellIndex cell = mesh.owner(face);
+    const double factor = 2 * alpha / (1 + alpha) * mesh.area(face) / 12;
+    const double* arriving = residual.irradiance().data() + face.at() * 3 * stride + band;
+    const double total = arriving[0] + arriving[stride] + arriving[2 * stride];
+    std::size_t corner = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (mesh.faces(cell)[i] != f)
+        right[4 * cell.at() + i] += factor * (total + arriving[stride * corner++]);
+  }
+  return right;
+}
+
+// The partial current that leaves, J_out = (2 a phi - alpha r_E) / (1+alpha).
+void DiffusionAcceleration::correct_walls(std::size_t band, const NodalVector& correction,
+                                          const TransportState& residual, TransportState& corrected) const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const double twice = 2 * partial_current(problem_.space());
+  const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const double alpha = reflectance_seen(face, band);
+    if (alpha == 0) continue;
+    const CellIndex cell = mesh.owner(face);
+    std::size_t at = face.at() * 3 * stride + band;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (mesh.faces(cell)[i] == f) continue;
+      const double current =
+          (twice * correction[4 * cell.at() + i] - alpha * residual.irradiance()[at]) / (1 + alpha);
+      corrected.irradiance()[at] += current;
+      at += stride;
+    }
+    sweep_.walls().add_leaving(face, band, residual.irradiance(), corrected.irradiance(),
+                               corrected.mirrors());
+  }
+}
+
+std::string DiffusionAcceleration::description() const {
+  int cycles = 0;
+  for (const auto& solver : solvers_) cycles = std::max(cycles, solver ? solver->steps() : 0);
+  return fmt::format("accelerated by diffusion: {}, {} of two levels for each sweep",
+                     nonlocal_
+                         ? "non-local coefficient (a void, or extinctions that differ by more than 100 times)"
+                         : "local coefficient",
+                     cycles == 1 ? "one cycle" : fmt::format("{} cycles", cycles));
+}
+
+}  // namespace etendue

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "solver/diffusion/diffusion_solver.h"
+#include "solver/ordinates/transport_sweep.h"
+
+namespace etendue {
+
+/// Diffusion synthetic acceleration (Alcouffe 1977; Wang and Ragusa 2010): P r = r + what the light in a
+/// residual r will still do when it scatters and reflects, found by diffusion. So P approximates the inverse
+/// of I - T, and |P r| is an estimate of the error. It acts on the fluence and on light at reflecting walls.
+class DiffusionAcceleration {
+ public:
+  /// The arguments must outlive it. `extinction` is [cell][band] [1/length]. May do one sweep.
+  DiffusionAcceleration(const Problem& problem, TransportSweep& sweep, std::span<const double> extinction,
+                        DiffusionLength length = DiffusionLength::automatic);
+
+  /// corrected = P residual, in the bands that are `active`.
+  void apply(const TransportState& residual, TransportState& corrected, const std::vector<char>& active);
+
+  int sweeps() const { return sweeps_; }  ///< done for the diffusion coefficient
+  int solver_count() const { return static_cast<int>(solvers_.size()); }
+  double seconds() const { return seconds_; }              ///< in apply()
+  double setup_seconds() const { return setup_seconds_; }  ///< sweeps left out
+  std::string description() const;
+
+ private:
+  bool wants_nonlocal(std::span<const double> extinction) const;
+  DiffusionCoefficients coefficients(std::size_t band, std::span<const double> extinction,
+                                     const TransportState* path) const;
+  void correct_band(std::size_t band, const TransportState& residual, TransportState& corrected);
+  /// 0 where no ordinate meets the wall, as above and below a problem of the plane.
+  double reflectance_seen(FaceIndex face, std::size_t band) const;
+  NodalVector right_side(std::size_t band, const TransportState& residual) const;
+  void correct_walls(std::size_t band, const NodalVector& correction, const TransportState& residual,
+                     TransportState& corrected) const;
+
+  const Problem& problem_;
+  TransportSweep& sweep_;
+  VertexSpace vertices_;
+  std::vector<std::size_t> solver_of_;                     ///< [band]
+  std::vector<std::unique_ptr<DiffusionSolver>> solvers_;  ///< null where the matrix is singular
+  bool nonlocal_ = false;
+  int sweeps_ = 0;
+  double seconds_ = 0;
+  double setup_seconds_ = 0;
+};
+
+}  // namespace etendue

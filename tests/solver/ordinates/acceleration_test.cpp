@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "solver/measure/balance.h"
+#include "solver/ordinates/diffusion_acceleration.h"
+#include "tests/solver/ordinates/sample_problems.h"
+
+namespace etendue {
+namespace {
+
+SolveOptions options_of(Method method, Acceleration acceleration, double tolerance = 1e-8) {
+  SolveOptions options = tight_options(Lumping::automatic);
+  options.method = method;
+  options.acceleration = acceleration;
+  options.tolerance = tolerance;
+  return options;
+}
+
+double difference(const Solution& a, const Solution& b, std::size_t bands, std::size_t band) {
+  double error = 0, norm = 0;
+  for (std::size_t i = band; i < a.fluence.size(); i += bands) {
+    error += std::pow(a.fluence[i] - b.fluence[i], 2);
+    norm += std::pow(b.fluence[i], 2);
+  }
+  return std::sqrt(error / norm);
+}
+
+TEST(DiffusionAcceleration, EveryPathGivesTheSameAnswer) {
+  const TetrahedralMesh mesh = cube_mesh(4e-2);
+  // Different media in three bands, anisotropic scattering, diffuse and mirror reflection.
+  Medium medium = uniform_medium(3, 0.05, 0, 0.2, PhaseHenyeyGreenstein{0.4});
+  medium.scattering = {Coefficient(0.5), Coefficient(3.0), Coefficient(12.0)};
+  const Problem problem = uniform_problem(mesh, medium, uniform_wall(3, 0.3, 0.4, 0.2));
+  const DirectionSet directions = directions_triangular(4);
+  const double tolerance = 1e-9;
+  const Solution plain =
+      solve(problem, directions, options_of(Method::source_iteration, Acceleration::none, tolerance));
+  ASSERT_TRUE(plain.converged());
+  for (const Method method : {Method::gmres, Method::source_iteration})
+    for (const Acceleration acceleration : {Acceleration::none, Acceleration::diffusion})
+      for (const int threads : {1, 2}) {
+        SolveOptions options = options_of(method, acceleration, tolerance);
+        options.threads = threads;
+        const Solution solution = solve(problem, directions, options);
+        ASSERT_TRUE(solution.converged());
+        for (std::size_t band = 0; band < 3; ++band) EXPECT_LT(difference(solution, plain, 3, band), 1e-8);
+        for (const Balance& balance : balances(problem, solution))
+          EXPECT_LT(std::abs(balance.residual), 1e-8);
+      }
+}
+
+TEST(DiffusionAcceleration, ThicknessDoesNotMatter) {
+  const TetrahedralMesh mesh = cube_mesh(1e-2);
+  const double size = std::cbrt(6 * std::sqrt(2.0) / mesh.cell_count());
+  for (const Lumping lumping : {Lumping::none, Lumping::mass})
+    for (const double thickness : {0.1, 1.0, 4.0, 10.0, 100.0, 1000.0}) {
+      const Problem problem =
+          uniform_problem(mesh, uniform_medium(1, 0, thickness / size, 1), uniform_wall(1, 0, 0, 0));
+      SolveOptions options = options_of(Method::gmres, Acceleration::diffusion);
+      options.lumping = lumping;
+      const Solution solution = solve(problem, directions_triangular(4), options);
+      EXPECT_TRUE(solution.converged());
+      EXPECT_LE(solution.convergence[0].sweeps, 16) << "cells of " << thickness << " free paths";
+    }
+}
+
+TEST(DiffusionAcceleration, EstimatedErrorIsTheTrueErrorWithinAFactor) {
+  const TetrahedralMesh mesh = cube_mesh(1e-2);
+  for (const double scattering : {1.0, 20.0}) {
+    const Problem problem =
+        uniform_problem(mesh, uniform_medium(1, 0.001, scattering, 1), uniform_wall(1, 0.2, 0.5, 0));
+    const Solution exact =
+        solve(problem, directions_triangular(4), options_of(Method::gmres, Acceleration::diffusion, 1e-11));
+    for (const Method method : {Method::gmres, Method::source_iteration})
+      for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
+        const Solution rough =
+            solve(problem, directions_triangular(4), options_of(method, Acceleration::diffusion, tolerance));
+        ASSERT_TRUE(rough.converged());
+        // P is not quite the inverse: |P r| is within about 1.5 of the error.
+        EXPECT_LT(difference(rough, exact, 1, 0), 1.5 * tolerance);
+        EXPECT_GT(difference(rough, exact, 1, 0), tolerance / 1000) << "far more sweeps than were asked for";
+      }
+  }
+}
+
+/// Sweeps to 1e-8 with these extinctions in the region "ball" and outside, without absorption.
+int sweeps_of(const TetrahedralMesh& mesh, double inside, double outside, DiffusionLength length) {
+  std::vector<Medium> media;
+  for (const std::string& name : mesh.region_names()) {
+    media.push_back(uniform_medium(1, 0, name == "ball" ? inside : outside, 1));
+    media.back().name = name;
+  }
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    walls.push_back(uniform_wall(1, 0.1, 0, 0));
+    walls.back().name = name;
+  }
+  const Problem problem(mesh, Bands{}, media, walls);
+  SolveOptions options = options_of(Method::gmres, Acceleration::diffusion);
+  options.diffusion_length = length;
+  options.lumping = Lumping::none;
+  const Solution solution = solve(problem, directions_ldfe_sq(1), options);
+  EXPECT_TRUE(solution.converged());
+  return solution.convergence[0].sweeps;
+}
+
+/// The cells of a mesh, each at random in the region "ball" or outside.
+TetrahedralMesh random_cells(const TetrahedralMesh& mesh) {
+  RawMesh raw;
+  raw.points.assign(mesh.points().begin(), mesh.points().end());
+  std::mt19937 random(1);
+  for (const auto& cell : mesh.cell_vertices()) {
+    const auto at = [&](std::size_t i) { return mesh.point(VertexIndex(cell[i])); };
+    const bool turned = (at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0)) < 0;
+    raw.cells.push_back({cell[0], cell[1], cell[turned ? 3 : 2], cell[turned ? 2 : 3]});
+    raw.cell_regions.push_back(static_cast<int>(random() % 2));
+  }
+  raw.region_names = {"domain", "ball"};
+  return TetrahedralMesh(raw);
+}
+
+TEST(DiffusionAcceleration, VoidsBesideThickMatterTakeFewSweeps) {
+  const TetrahedralMesh mesh = cube_with_ball(5e-3);
+  EXPECT_LE(sweeps_of(mesh, 100, 1e-8, DiffusionLength::automatic), 22);
+  EXPECT_LE(sweeps_of(mesh, 1e-8, 100, DiffusionLength::automatic), 22);
+  EXPECT_LE(sweeps_of(mesh, 0, 200, DiffusionLength::automatic), 28);
+}
+
+TEST(DiffusionAcceleration, NonlocalCoefficientServesContrastFromCellToCell) {
+  const TetrahedralMesh mesh = random_cells(cube_mesh(1e-2));
+  EXPECT_LE(sweeps_of(mesh, 100, 1, DiffusionLength::automatic), 22);
+  const int nonlocal = sweeps_of(mesh, 1000, 0.1, DiffusionLength::automatic);
+  EXPECT_LE(nonlocal, 28);
+  EXPECT_GT(sweeps_of(mesh, 1000, 0.1, DiffusionLength::local), nonlocal + 5);
+}
+
+TEST(DiffusionAcceleration, DiffuseEnclosureInVacuumTakesFewSweeps) {
+  const TetrahedralMesh mesh = cube_mesh(1e-2);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0, 0, 0), uniform_wall(1, 1, 0.95, 0));
+  const Solution solution =
+      solve(problem, directions_ldfe_sq(1), options_of(Method::gmres, Acceleration::diffusion));
+  EXPECT_TRUE(solution.converged());
+  EXPECT_LE(solution.convergence[0].sweeps, 25);
+  // Everywhere the radiance of the walls, multiplied by their reflections, as in a furnace.
+  EXPECT_LT(largest_deviation(solution.fluence, 4 * M_PI / 0.05), 1e-6);
+}
+
+TEST(DiffusionAcceleration, SameBitsForAnyNumberOfThreads) {
+  const TetrahedralMesh mesh = cube_mesh(1e-2);
+  const Problem problem = uniform_problem(mesh, uniform_medium(2, 0.1, 5, 1, PhaseHenyeyGreenstein{0.4}),
+                                          uniform_wall(2, 0.2, 0.5, 0.1));
+  SolveOptions options = options_of(Method::gmres, Acceleration::diffusion, 1e-7);
+  const Solution one = solve(problem, directions_triangular(6), options);
+  for (const int threads : {2, 4}) {
+    options.threads = threads;
+    EXPECT_EQ(solve(problem, directions_triangular(6), options).fluence, one.fluence);
+  }
+}
+
+TEST(DiffusionAcceleration, BandsWithEqualCoefficientsShareOneSolver) {
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
+  Medium medium = uniform_medium(3, 0.1, 5, 1);
+  medium.scattering[1] = Coefficient(7);
+  const Problem problem = uniform_problem(mesh, medium, uniform_wall(3, 0.2, 0.5, 0));
+  std::vector<double> extinction;
+  for (std::size_t i = 0; i < problem.scattering().size(); ++i)
+    extinction.push_back(problem.scattering()[i] + problem.absorption()[i]);
+  const DirectionSet directions = directions_triangular(4);
+  TransportSweep sweep(problem, directions, extinction, tight_options());
+  EXPECT_EQ(DiffusionAcceleration(problem, sweep, extinction).solver_count(), 2);
+}
+
+TEST(DiffusionAcceleration, NothingHappensToABandThatIsDone) {
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
+  const Problem problem = uniform_problem(mesh, uniform_medium(2, 0.1, 5, 1), uniform_wall(2, 0.2, 0.5, 0));
+  const std::vector<double> extinction(static_cast<std::size_t>(2 * mesh.cell_count()), 5.1);
+  const DirectionSet directions = directions_triangular(4);
+  TransportSweep sweep(problem, directions, extinction, tight_options());
+  DiffusionAcceleration acceleration(problem, sweep, extinction);
+  TransportState zero(sweep.layout()), residual(sweep.layout()), corrected(sweep.layout());
+  sweep.apply(zero, residual);
+  acceleration.apply(residual, corrected, {1, 0});
+  for (std::size_t i = 0; i < residual.fluence().size(); i += 2) {
+    EXPECT_GT(corrected.fluence()[i], residual.fluence()[i]);
+    EXPECT_EQ(corrected.fluence()[i + 1], residual.fluence()[i + 1]);
+  }
+}
+
+}  // namespace
+}  // namespace etendue
