@@ -79,7 +79,11 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
 }
 
 DirectionSet build_directions(const Case& input) {
-  const DirectionSet set = make_directions(input.direction_set, input.direction_order);
+  std::optional<ConeRefinement> cone = input.direction_refinement;
+  if (cone && input.direction_rotation)
+    cone->direction = input.direction_rotation->transpose() * cone->direction;
+  const DirectionSet set = cone ? directions_ldfe_sq(input.direction_order, *cone)
+                                : make_directions(input.direction_set, input.direction_order);
   return input.direction_rotation ? rotated(set, *input.direction_rotation) : set;
 }
 

@@ -11,6 +11,7 @@
 #include "mesh/base/errors.h"
 #include "mesh/base/vec3.h"
 #include "mesh/geometry/geometry.h"
+#include "solver/angle/refinement.h"
 #include "solver/angle/rotation.h"
 #include "solver/ordinates/solve.h"
 #include "solver/problem/angular_space.h"
@@ -54,8 +55,9 @@ struct MeshCase {
 struct MediumCase {
   std::optional<BandValues> absorption, scattering, extinction, albedo;
   std::optional<BandValues> emission, power_density;
-  std::optional<BandValues> power;   ///< of the whole region; numbers [power]
-  std::vector<PhaseFunction> phase;  ///< one for all bands or one for each
+  std::optional<BandValues> power;       ///< of the whole region; numbers [power]
+  std::vector<PhaseFunction> phase;      ///< one for all bands or one for each
+  std::vector<std::string> phase_notes;  ///< what was computed on the way to them
   Origin origin;
   AngularSpace space = AngularSpace::sphere;  ///< what power is divided by
 };
@@ -103,6 +105,7 @@ struct Case {
   std::string direction_set = "ldfe-sq";
   int direction_order = 1;
   std::optional<Rotation> direction_rotation;
+  std::optional<ConeRefinement> direction_refinement;
   AngularSpace angular_space = AngularSpace::sphere;
   Origin directions_origin;
   SolveOptions solve;

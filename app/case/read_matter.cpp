@@ -25,18 +25,39 @@ bool scatters(const Section& section) {
          (section.has("extinction") && section.has("absorption"));
 }
 
-std::vector<PhaseFunction> read_phases(Section& section, const MatterContext& context) {
+/// One function for each band from a table that depends on the wavelength; the first faulty band is reported.
+std::vector<PhaseFunction> phases_of_bands(Section& section, const MatterContext& context,
+                                           std::vector<std::string>& notes) {
+  std::vector<PhaseFunction> phases;
+  const std::size_t before = section.faults().size();
+  for (int band = 0; band < std::max(context.bands.count(), 1); ++band) {
+    phases.push_back(read_phase(section.section("phase"),
+                                {context.space, context.case_folder, context.bands, band, &notes}));
+    if (section.faults().size() > before) return {PhaseIsotropic{}};
+  }
+  return phases;
+}
+
+std::vector<PhaseFunction> read_phases(Section& section, const MatterContext& context,
+                                       std::vector<std::string>& notes) {
   if (!scatters(section)) {
     section.unused("phase", "nothing scatters in this region");
     return {PhaseIsotropic{}};
   }
   const TomlNode* node = section.find("phase");
   if (node == nullptr) return {PhaseIsotropic{}};
-  if (node->is_table()) return {read_phase(section.section("phase"), {context.space, context.case_folder})};
+  if (node->is_table() && depends_on_band(section.section("phase")))
+    return phases_of_bands(section, context, notes);
+  const auto in_band = [&](int band) {
+    return PhaseContext{context.space, context.case_folder, context.bands, band, &notes};
+  };
+  if (node->is_table()) return {read_phase(section.section("phase"), in_band(0))};
   check_band_count(section, "phase", node->array().size(), context.bands);
   std::vector<PhaseFunction> phases;
-  for (Section& phase : section.list("phase"))
-    phases.push_back(read_phase(std::move(phase), {context.space, context.case_folder}));
+  for (Section& phase : section.list("phase")) {
+    const int band = static_cast<int>(phases.size());
+    phases.push_back(read_phase(std::move(phase), in_band(band)));
+  }
   return phases;
 }
 
@@ -83,7 +104,7 @@ MediumCase read_medium(Section section, const MatterContext& context) {
   medium.emission = read_band_values(section, "emission", bands);
   medium.power_density = read_band_values(section, "power_density", bands);
   medium.power = read_band_values(section, "power", bands);
-  medium.phase = read_phases(section, context);
+  medium.phase = read_phases(section, context, medium.phase_notes);
   check_medium(section, medium, bands);
   fill_in(section, medium);
   return medium;

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <complex>
 #include <numeric>
 
 #include "app/case/edit_distance.h"
 #include "app/case/keys.h"
 #include "app/case/number_columns.h"
 #include "app/case/read_mesh.h"
+#include "solver/mie/mie_scattering.h"
 
 namespace etendue {
 namespace {
@@ -21,8 +23,8 @@ struct ModelKeys {
   std::vector<std::string> keys;
 };
 
-const std::array<ModelKeys, 8>& model_keys() {
-  static const std::array<ModelKeys, 8> models = {{
+const std::array<ModelKeys, 9>& model_keys() {
+  static const std::array<ModelKeys, 9> models = {{
       {"isotropic", {}},
       {"rayleigh", {}},
       {"henyey-greenstein", {"g"}},
@@ -30,6 +32,7 @@ const std::array<ModelKeys, 8>& model_keys() {
       {"cornette-shanks", {"g"}},
       {"legendre", {"coefficients", "file"}},
       {"table", {"file"}},
+      {"mie", {"radius", "index", "absorption_index", "wavelength", "distribution", "deviation", "variance"}},
       {"mixture", {"mix"}},
   }};
   return models;
@@ -51,6 +54,7 @@ class PhaseReader {
     if (model == "cornette-shanks") return PhaseCornetteShanks{number("g")};
     if (model == "legendre") return series();
     if (model == "table") return table();
+    if (model == "mie") return mie();
     if (model == "mixture") return mixture();
     return PhaseIsotropic{};
   }
@@ -127,6 +131,58 @@ class PhaseReader {
     return PhaseIsotropic{};
   }
 
+  /// As given, or the middle of the band [nm].
+  std::optional<double> wavelength() {
+    if (section_.has("wavelength")) return section_.number_if("wavelength");
+    const std::vector<double>& edges = context_.bands.edges;
+    const auto band = static_cast<std::size_t>(context_.band);
+    if (edges.size() > band + 1) return (edges[band] + edges[band + 1]) / 2;
+    section_.fault("wavelength", "missing; use a wavelength in the unit of radius, or bands.edges in nm");
+    return std::nullopt;
+  }
+
+  /// The keys of the distributions that were not chosen are faults.
+  std::optional<Sizes> sizes(double radius) {
+    const std::string distribution = section_.text("distribution");
+    const bool normal = distribution == "log-normal", gamma = distribution == "gamma";
+    if (!normal) section_.unused("deviation", "it belongs to a log-normal distribution");
+    if (!gamma) section_.unused("variance", "it belongs to a gamma distribution");
+    const char* key = normal ? "deviation" : "variance";
+    if (!normal && !gamma) return OneSize{radius};
+    if (!section_.has(key)) section_.fault(key, "missing; use " + accepted_text(*find_key(path_, key)));
+    const std::optional<double> width = section_.number_if(key);
+    if (!width) return std::nullopt;
+    return normal ? Sizes(LogNormalSizes{radius, *width}) : Sizes(GammaSizes{radius, *width});
+  }
+
+  PhaseFunction mie() {
+    if (!section_.has("radius"))
+      section_.fault("radius", "missing; use " + accepted_text(*find_key(path_, "radius")));
+    if (!section_.has("index"))
+      section_.fault("index", "missing; use " + accepted_text(*find_key(path_, "index")));
+    const std::optional<double> radius = section_.number_if("radius"), length = wavelength();
+    const std::optional<double> real = section_.number_if("index");
+    const double imaginary = section_.number("absorption_index");
+    const std::optional<Sizes> spheres = sizes(radius.value_or(1));
+    if (context_.space == AngularSpace::plane) {
+      section_.fault("model", "spheres scatter out of the plane; use another model in flatland");
+      return PhaseIsotropic{};
+    }
+    if (!radius || !length || !real || !spheres) return PhaseIsotropic{};
+    const std::complex<double> index(*real, imaginary);
+    if (const std::string problem = mie_problem(*spheres, index, *length); !problem.empty()) {
+      section_.fault("radius", problem);
+      return PhaseIsotropic{};
+    }
+    const MieScattering cloud = mie_scattering(*spheres, index, *length);
+    if (context_.notes)
+      context_.notes->push_back(fmt::format(
+          "spheres at wavelength {:g}: Q_ext = {:.6g}, Q_sca = {:.6g}, g = {:.6g}, mean of pi r^2 = {:.6g}",
+          *length, cloud.extinction_cross_section / cloud.area, cloud.scattering_cross_section / cloud.area,
+          moment_of(cloud.phase, 1), cloud.area));
+    return cloud.phase;
+  }
+
   PhaseFunction mixture() {
     PhaseMixture phase;
     for (Section& part : section_.list("mix")) {
@@ -156,7 +212,16 @@ class PhaseReader {
   const PhaseContext& context_;
 };
 
+bool is_mie(Section& table) { return table.has("model") && table.text_if("model").value_or("") == "mie"; }
+
 }  // namespace
+
+bool depends_on_band(Section phase) {
+  if (is_mie(phase)) return true;
+  if (!phase.has("mix")) return false;
+  std::vector<Section> parts = phase.list("mix");
+  return std::ranges::any_of(parts, is_mie);
+}
 
 PhaseFunction read_phase(Section phase, const PhaseContext& context) {
   return PhaseReader(phase, "media.NAME.phase", context).read();

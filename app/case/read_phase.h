@@ -2,9 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/case/section.h"
 #include "solver/problem/angular_space.h"
+#include "solver/problem/bands.h"
 #include "solver/problem/phase_function.h"
 
 namespace etendue {
@@ -13,9 +16,14 @@ namespace etendue {
 struct PhaseContext {
   AngularSpace space;
   const std::filesystem::path& case_folder;
+  const Bands& bands;
+  int band = 0;                               ///< that the function is for
+  std::vector<std::string>* notes = nullptr;  ///< what was computed on the way is told here
 };
 
 /// A table [media.NAME.phase].
 PhaseFunction read_phase(Section phase, const PhaseContext& context);
+/// Whether it, or a part of its mixture, depends on the wavelength of the band.
+bool depends_on_band(Section phase);
 
 }  // namespace etendue

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "app/case/build.h"
 #include "app/case/edit_distance.h"
 #include "app/case/read_mesh.h"
 #include "solver/angle/direction_set.h"
@@ -119,7 +120,7 @@ OutputCase read_output(Section section, const std::filesystem::path& case_file) 
 
 void check_ordinates(Section output, const Case& result) {
   if (result.output.radiance_ordinates.empty()) return;
-  const int count = make_directions(result.direction_set, result.direction_order).count();
+  const int count = build_directions(result).count();
   for (auto& field : output.node().find("fields")->array()) {
     const std::string& text = field->text();
     if (field->faulty || !text.starts_with(radiance_prefix) || *ordinate_of(text) < count) continue;

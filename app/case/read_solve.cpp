@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/read_solve.h"
 
+#include <stdexcept>
+
+#include "app/case/build.h"
 #include "app/case/read_mesh.h"
 #include "solver/angle/direction_set.h"
 
@@ -21,6 +24,34 @@ std::optional<Rotation> read_rotation(Section& directions, AngularSpace space) {
   return random_rotation(static_cast<std::uint64_t>(directions.integer("seed")), space);
 }
 
+std::optional<ConeRefinement> read_refinement(Section& directions) {
+  if (!directions.has("refine")) return std::nullopt;
+  Section cone = directions.section("refine");
+  const auto direction = cone.point_if("direction");
+  const auto angle = cone.number_if("angle"), levels = cone.number_if("levels");
+  if (!direction || !angle || !levels) return std::nullopt;
+  if (direction->norm() == 0) {
+    cone.fault("direction", "has no direction; use a vector that is not zero");
+    return std::nullopt;
+  }
+  return ConeRefinement{*direction, *angle, static_cast<int>(*levels)};
+}
+
+/// A refined set is made once to see how large it is.
+void check_refinement(Section& directions, const Case& result) {
+  if (!result.direction_refinement) return;
+  if (result.direction_set != "ldfe-sq")
+    return directions.fault("refine",
+                            "only ldfe-sq can be refined (its quadrilaterals are split); use set = "
+                            "\"ldfe-sq\", or a higher order");
+  try {
+    build_directions(result);
+  } catch (const std::length_error& error) {
+    directions.fault("refine",
+                     std::string(error.what()) + "; use fewer levels, a smaller angle or a lower order");
+  }
+}
+
 }  // namespace
 
 void read_directions(Section directions, Case& result) {
@@ -29,10 +60,12 @@ void read_directions(Section directions, Case& result) {
   result.directions_origin = directions.origin("order");
   result.angular_space = angular_space(result.direction_set);
   result.direction_rotation = read_rotation(directions, result.angular_space);
+  result.direction_refinement = read_refinement(directions);
   for (const char* name : {"set", "order"})
     if (directions.node().find(name)->faulty) return;  // nothing to say about their combination
   const std::string problem = check_direction_order(result.direction_set, result.direction_order);
-  if (!problem.empty()) directions.fault("order", problem);
+  if (!problem.empty()) return directions.fault("order", problem);
+  check_refinement(directions, result);
 }
 
 void read_space(Section space, SolveOptions& options) {

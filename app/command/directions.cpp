@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "app/command/commands.h"
 #include "app/command/text_table.h"
@@ -14,8 +13,6 @@
 namespace etendue {
 namespace {
 
-// Those of them that suit a set show how it grows.
-constexpr std::array orders_shown = {1, 2, 3, 4, 6, 8, 12, 16};
 constexpr int rows_of_a_set = 5;
 
 std::string half_range_error(const DirectionSetReport& report) {
@@ -49,12 +46,7 @@ kernel      worst error of the normalisation of Henyey-Greenstein scattering wit
 std::string overview() {
   TextTable table = table_of_sets();
   for (const std::string& name : direction_set_names()) {
-    int rows = 0;
-    for (const int order : orders_shown) {
-      if (rows == rows_of_a_set || !check_direction_order(name, order).empty()) continue;
-      add_set(table, name, order);
-      ++rows;
-    }
+    for (const int order : sample_orders(name, rows_of_a_set)) add_set(table, name, order);
   }
   return table.text() + legend;
 }

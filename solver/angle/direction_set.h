@@ -67,6 +67,12 @@ DirectionSet directions_thurgood(int order);
 /// Linear discontinuous finite elements on spherical quadrilaterals (Lau and Adams 2017): 96 order^2.
 DirectionSet directions_ldfe_sq(int order);
 
+/// Lebedev's rule of this degree (Lebedev and Laikov 1999): exact up to it, closed under the octahedral
+/// group, with directions on the axes. The degrees are lebedev_degrees().
+DirectionSet directions_lebedev(int degree);
+/// Odd degrees of the rules with positive weights: 3 … 131.
+const std::vector<int>& lebedev_degrees();
+
 /// Flatland: `order` directions (a multiple of 4) at half steps on the circle z = 0, of equal weights that
 /// sum to 2 pi. Exact for cos(k t) and sin(k t) up to k = order - 1.
 DirectionSet directions_flatland(int order);
@@ -81,6 +87,8 @@ DirectionSet rotated(const DirectionSet& set, const Rotation& rotation);
 std::vector<std::string> direction_set_names();
 /// Where the directions of the set of this name lie.
 AngularSpace angular_space(const std::string& set_name);
+/// Orders of the set of this name that show how it grows, at most `most`.
+std::vector<int> sample_orders(const std::string& set_name, int most);
 /// Empty where the order suits the set, else why not and what is accepted.
 std::string check_direction_order(const std::string& name, int order);
 

@@ -3,9 +3,11 @@
 // ordinates quadratures based on linear and quadratic discontinuous finite elements over spherical
 // quadrilaterals, Nucl. Sci. Eng. 185 (2017) 36-52. The positions are found by Newton's method, so that
 // every weight equals the solid angle of its own quarter of a quadrilateral.
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -14,6 +16,7 @@
 #include "solver/angle/direction_set.h"
 #include "solver/angle/gauss_legendre.h"
 #include "solver/angle/octant.h"
+#include "solver/angle/refinement.h"
 
 namespace etendue {
 namespace {
@@ -186,7 +189,114 @@ WeightedDirections quarter_face(int order) {
   return face;
 }
 
+/// Splits the quadrilaterals of one quarter of a face, seen from the octant x, y, z > 0.
+class RefinedQuarter {
+ public:
+  /// `axis` is that of the cone in the frame of the quarter face, a unit vector.
+  RefinedQuarter(const Vec3& axis, double radians, int levels, WeightedDirections& points)
+      : axis_(axis), radians_(radians), levels_(levels), points_(points) {}
+
+  void append(const Rectangle& r, int level = 0) {
+    if (level < levels_ && meets_cone(r)) {
+      const double u = (r.u0 + r.u1) / 2, v = (r.v0 + r.v1) / 2;
+      for (const Rectangle& quarter : {Rectangle{r.u0, u, r.v0, v}, Rectangle{u, r.u1, r.v0, v},
+                                       Rectangle{r.u0, u, v, r.v1}, Rectangle{u, r.u1, v, r.v1}})
+        append(quarter, level + 1);
+      return;
+    }
+    const Quadrilateral quadrilateral(r);
+    const Vec4 position = quadrilateral.balanced_position(), weight = quadrilateral.weights(position);
+    for (int k = 0; k < 4; ++k) {
+      points_.directions.push_back(quadrilateral.direction(position, k));
+      points_.weights.push_back(weight[k]);
+    }
+    if (points_.weights.size() > most_directions)
+      throw std::length_error("more than 100000 directions: each costs a sweep in every iteration");
+  }
+
+ private:
+  static constexpr std::size_t most_directions = 100000;
+
+  /// Whether the circle around the quadrilateral meets the cone or its opposite.
+  bool meets_cone(const Rectangle& r) const {
+    const Vec3 center = on_sphere((r.u0 + r.u1) / 2, (r.v0 + r.v1) / 2);
+    const auto angle = [](const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); };
+    double radius = 0;
+    for (const double u : {r.u0, r.u1})
+      for (const double v : {r.v0, r.v1}) radius = std::max(radius, angle(center, on_sphere(u, v)));
+    const double distance = angle(center, axis_);
+    return std::min(distance, std::numbers::pi - distance) < radians_ + radius;
+  }
+
+  Vec3 axis_;
+  double radians_;
+  int levels_;
+  WeightedDirections& points_;
+};
+
+constexpr int constraints = 21;
+using Constraints = Eigen::Matrix<double, constraints, 1>;
+
+/// 1, |x|, |y| and |z| in each pair of opposite octants, and the products of two coordinates (but z^2, which
+/// follows from the others and 1).
+Constraints constrained_functions(const Vec3& d) {
+  Constraints values = Constraints::Zero();
+  const bool flip = d.z() < 0;
+  const int octant = ((d.x() < 0) != flip ? 1 : 0) + ((d.y() < 0) != flip ? 2 : 0);
+  values.segment<4>(4 * octant) << 1, std::abs(d.x()), std::abs(d.y()), std::abs(d.z());
+  values.tail<5>() << d.x() * d.x(), d.y() * d.y(), d.x() * d.y(), d.y() * d.z(), d.z() * d.x();
+  return values;
+}
+
+/// Symmetry gives the unrefined set its second moments. Here weights are multiplied by 1 + f, f as small as
+/// it can be in the mean square, so that they are exact again and the moments of each octant stay as they
+/// are.
+void restore_second_moments(WeightedDirections& set) {
+  Eigen::Matrix<double, constraints, constraints> products;
+  products.setZero();
+  Constraints excess = Constraints::Zero();
+  for (std::size_t m = 0; m < set.weights.size(); ++m) {
+    const Constraints values = constrained_functions(set.directions[m]);
+    products += set.weights[m] * values * values.transpose();
+    excess.tail<5>() += set.weights[m] * values.tail<5>();
+  }
+  const double exact = 4 * std::numbers::pi / 3;
+  excess[constraints - 5] -= exact;
+  excess[constraints - 4] -= exact;
+  const Constraints factors = products.ldlt().solve(-excess);
+  for (std::size_t m = 0; m < set.weights.size(); ++m)
+    set.weights[m] *= 1 + factors.dot(constrained_functions(set.directions[m]));
+}
+
 }  // namespace
+
+DirectionSet directions_ldfe_sq(int order, const ConeRefinement& refinement) {
+  // The four weights of a small quadrilateral hang on its curvature: beyond this rounding decides them.
+  constexpr int finest = 32;
+  if (std::ldexp(order, refinement.levels) > finest)
+    throw std::length_error("splits quadrilaterals beyond those of order 32, which rounding spoils");
+  const Vec3 axis = refinement.direction.normalized();
+  const std::vector<double> at = lines(order);
+  WeightedDirections all;
+  for (int signs = 0; signs < 8; ++signs)
+    for (int face = 0; face < 3; ++face) {
+      const Vec3 sign(signs & 1 ? -1 : 1, signs & 2 ? -1 : 1, signs & 4 ? -1 : 1);
+      // The point (u, v, w) of the quarter face is (x, y, z)[i] = sign[i] (u, v, w)[(face + i) % 3].
+      Vec3 in_quarter;
+      for (int i = 0; i < 3; ++i) in_quarter[(face + i) % 3] = sign[i] * axis[i];
+      WeightedDirections points;
+      RefinedQuarter quarter(in_quarter, refinement.angle * std::numbers::pi / 180, refinement.levels,
+                             points);
+      for (std::size_t i = 0; i + 1 < at.size(); ++i)
+        for (std::size_t j = 0; j + 1 < at.size(); ++j) quarter.append({at[i], at[i + 1], at[j], at[j + 1]});
+      for (const Vec3& d : points.directions)
+        all.directions.emplace_back(sign[0] * d[face], sign[1] * d[(face + 1) % 3],
+                                    sign[2] * d[(face + 2) % 3]);
+      all.weights.insert(all.weights.end(), points.weights.begin(), points.weights.end());
+    }
+  restore_second_moments(all);
+  return DirectionSet("refined ldfe-sq", order, all.directions, all.weights);
+}
 
 DirectionSet directions_ldfe_sq(int order) {
   const WeightedDirections face = quarter_face(order);

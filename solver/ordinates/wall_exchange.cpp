@@ -91,7 +91,7 @@ void WallExchange::find_mirrors() {
             fmt::format(
                 "the mirror at ({:.6g}, {:.6g}, {:.6g}) with normal ({:.6g}, {:.6g}, {:.6g}) takes ordinates "
                 "out of the {} set of order {} (a mirrored ordinate must be in it); use mirrors on planes "
-                "across x, y or z with a set that is not rotated, or diffuse reflectance",
+                "across x, y or z with a set that is neither rotated nor refined, or diffuse reflectance",
                 at.x(), at.y(), at.z(), normal.x(), normal.y(), normal.z(), directions_.name(),
                 directions_.order())));
         continue;

@@ -22,7 +22,8 @@ const Check keys[] = {
     {"Misspelt", "[media.smoke]\nscatering = 2.0\n",
      "slab.toml:8: media.smoke.scatering = 2.0: unknown key; did you mean \"scattering\"?"},
     {"MisspeltTable", "[direction]\nset = \"product\"\n",
-     "slab.toml:7: direction: unknown key; did you mean \"directions\"?"},
+     "slab.toml:7: direction: misplaced key; \"direction\" belongs in [directions.refine] (or did you mean "
+     "\"directions\"?)"},
     {"Misplaced", "[solve]\nscattering = 2.0\n",
      "slab.toml:8: solve.scattering = 2.0: misplaced key; \"scattering\" belongs in [media.NAME] (NAME: a "
      "region or "
@@ -76,9 +77,6 @@ const Check later[] = {
      "slab.toml:8: walls.xmin.radiance = \"x\": a formula is not in this version; use a number, or a list "
      "with one for "
      "each band, each at least 0"},
-    {"DirectionSet", "[directions]\nset = \"lebedev\"\n",
-     "slab.toml:8: directions.set = \"lebedev\": not in this version; use \"product\", \"triangular\", "
-     "\"double-gauss\", \"ldfe-sq\", \"level-symmetric\", \"thurgood\" or \"flatland\""},
     {"SpaceOrder", "[space]\norder = 2\n", "slab.toml:8: space.order = 2: not in this version; use 0 or 1"},
     {"Field", "[output]\nfields = [\"direction_error\"]\n",
      "slab.toml:8: output.fields[0] = \"direction_error\": not in this version; use \"fluence\", "
@@ -156,14 +154,14 @@ const Check values[] = {
     {"UnknownPhase", "[media.air]\nscattering = 1\nphase = { model = \"henyey-greenstien\", g = 0.5 }\n",
      "slab.toml:9: media.air.phase.model = \"henyey-greenstien\": is not known (did you mean "
      "\"henyey-greenstein\"?); use \"isotropic\", \"rayleigh\", \"henyey-greenstein\", "
-     "\"double-henyey-greenstein\", \"cornette-shanks\", \"legendre\", \"table\" or \"mixture\""},
+     "\"double-henyey-greenstein\", \"cornette-shanks\", \"legendre\", \"table\", \"mie\" or \"mixture\""},
     {"AsymmetryIsOne", "[media.air]\nscattering = 1\nphase = { model = \"henyey-greenstein\", g = 1.0 }\n",
      "slab.toml:9: media.air.phase.g = 1.0: out of range; use a number above -1 and below 1"},
     {"NoAsymmetry", "[media.air]\nscattering = 1\nphase = { model = \"henyey-greenstein\" }\n",
      "slab.toml:9: media.air.phase.g: missing; use a number above -1 and below 1"},
     {"NoModel", "[media.air]\nscattering = 1\nphase = { g = 0.5 }\n",
      "slab.toml:9: media.air.phase.model: missing; \"isotropic\", \"rayleigh\", \"henyey-greenstein\", "
-     "\"double-henyey-greenstein\", \"cornette-shanks\", \"legendre\", \"table\" or \"mixture\""},
+     "\"double-henyey-greenstein\", \"cornette-shanks\", \"legendre\", \"table\", \"mie\" or \"mixture\""},
     {"IsotropicWithAsymmetry", "[media.air]\nscattering = 1\nphase = { model = \"isotropic\", g = 0.5 }\n",
      "slab.toml:9: media.air.phase.g = 0.5: unused (it is no key of the model isotropic); remove it"},
     {"PhaseWithoutScattering", "[media.air]\nabsorption = 1\nphase = { model = \"isotropic\" }\n",
@@ -191,7 +189,12 @@ const Check values[] = {
      "below the equator); use 2, 4, 6 … 222"},
     {"UnknownSet", "[directions]\nset = \"lfde-sq\"\n",
      "slab.toml:8: directions.set = \"lfde-sq\": is not known (did you mean \"ldfe-sq\"?); use \"product\", "
-     "\"triangular\", \"double-gauss\", \"ldfe-sq\", \"level-symmetric\", \"thurgood\" or \"flatland\""},
+     "\"triangular\", \"double-gauss\", \"ldfe-sq\", \"level-symmetric\", \"thurgood\", \"lebedev\" or "
+     "\"flatland\""},
+    {"LebedevOfNegativeWeights", "[directions]\nset = \"lebedev\"\norder = 13\n",
+     "slab.toml:9: directions.order = 13: no rule of this degree has positive weights; use 3, 5, 7, 9, 11, "
+     "15, "
+     "17, 19, 21, 23, 29, 31, 35, 41, 47, 53, 59, 65, 71, 77, 83, 89, 95, 101, 107, 113, 119, 125, 131"},
     {"LevelSymmetricTooFine", "[directions]\nset = \"level-symmetric\"\norder = 18\n",
      "slab.toml:9: directions.order = 18: too large (level-symmetric sets of higher order lose their "
      "positive "
@@ -210,6 +213,15 @@ const Check values[] = {
     {"RotationOutOfThePlane",
      "[directions]\nset = \"flatland\"\norder = 8\nrotation = { axis = [1, 0, 0], angle = 10 }\n",
      "slab.toml:10: directions.rotation: turns directions out of the plane z = const; use axis = [0, 0, 1]"},
+    {"RefinedSetOfOtherKind",
+     "[directions]\nset = \"product\"\norder = 4\nrefine = { direction = [0, 0, 1], angle = 10, levels = 1 "
+     "}\n",
+     "slab.toml:10: directions.refine: only ldfe-sq can be refined (its quadrilaterals are split); use set = "
+     "\"ldfe-sq\", or a higher order"},
+    {"RefinedTooFar", "[directions]\norder = 8\nrefine = { direction = [0, 0, 1], angle = 90, levels = 6 }\n",
+     "slab.toml:9: directions.refine: splits quadrilaterals beyond those of order 32, which rounding spoils; "
+     "use "
+     "fewer levels, a smaller angle or a lower order"},
     {"SeedOfNothing", "[directions]\nseed = 3\n",
      "slab.toml:8: directions.seed = 3: unused (only a random rotation is drawn); remove it"},
     {"OrderIsAFloat", "[directions]\norder = 1.0\n",

@@ -174,10 +174,10 @@ TEST(DirectionSet, SaysWhichOrdersAreAccepted) {
   EXPECT_NE(message_of("ldfe-sq", 2147483647).find("too large (442721857"), std::string::npos);
   EXPECT_EQ(message_of("ldfe", 1),
             "directions.set = \"ldfe\": unknown in this version; use product, triangular, double-gauss, "
-            "ldfe-sq, level-symmetric, thurgood, flatland");
+            "ldfe-sq, level-symmetric, thurgood, lebedev, flatland");
   EXPECT_EQ(check_direction_order("ldfe", 1),
             "no order suits the unknown set \"ldfe\"; use product, triangular, double-gauss, ldfe-sq, "
-            "level-symmetric, thurgood, flatland");
+            "level-symmetric, thurgood, lebedev, flatland");
 }
 
 TEST(DirectionSet, FlatlandStaysInThePlaneAndOffTheAxes) {
