@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/band_values.h"
 #include "app/case/build.h"
+#include "app/case/build_lights.h"
 #include "app/case/medium_coefficients.h"
 #include "app/case/mesh_names.h"
 
@@ -31,6 +32,7 @@ Medium medium_of(const MediumCase& entry, const std::string& region, double volu
   Medium medium;
   medium.name = region;
   medium.origin = entry.origin;
+  medium.uncollided = entry.uncollided;
   for (int band = 0; band < bands; ++band) {
     const MatterValues matter = matter_values(entry, band);
     medium.absorption.push_back(coefficient(matter.absorption));
@@ -57,8 +59,12 @@ std::vector<double> band_numbers(const BandValues& values, int bands) {
 }
 
 Wall wall_of(const WallCase& entry, const std::string& name, int bands) {
-  return {name, band_numbers(entry.radiance, bands), band_numbers(entry.diffuse, bands),
-          band_numbers(entry.specular, bands), entry.origin};
+  return {name,
+          band_numbers(entry.radiance, bands),
+          band_numbers(entry.diffuse, bands),
+          band_numbers(entry.specular, bands),
+          entry.origin,
+          entry.uncollided};
 }
 
 }  // namespace
@@ -75,7 +81,9 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
   std::vector<Wall> walls;
   for (const std::string& name : mesh.wall_names())
     walls.push_back(wall_of(entry_of(input.walls, name), name, bands));
-  return Problem(mesh, input.bands, std::move(media), std::move(walls), input.angular_space);
+  std::vector<Light> lights = build_lights(input, mesh, walls);
+  return Problem(mesh, input.bands, std::move(media), std::move(walls), input.angular_space,
+                 std::move(lights));
 }
 
 DirectionSet build_directions(const Case& input) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "solver/angle/rotation.h"
 #include "solver/ordinates/solve.h"
 #include "solver/problem/angular_space.h"
+#include "solver/problem/light.h"
 #include "solver/problem/phase_function.h"
 
 namespace etendue {
@@ -58,12 +60,31 @@ struct MediumCase {
   std::optional<BandValues> power;       ///< of the whole region; numbers [power]
   std::vector<PhaseFunction> phase;      ///< one for all bands or one for each
   std::vector<std::string> phase_notes;  ///< what was computed on the way to them
+  Uncollided uncollided = Uncollided::automatic;
   Origin origin;
   AngularSpace space = AngularSpace::sphere;  ///< what power is divided by
 };
 
+/// A [[light]] or the beam of a wall. What its kind does not use keeps its default.
+struct LightCase {
+  std::string name;
+  std::string kind;
+  Vec3 position = Vec3::Zero();
+  Vec3 direction = -Vec3::UnitZ();  ///< unit
+  Vec3 along = Vec3::UnitX();       ///< unit
+  double radius = 0;                ///< [length]
+  std::array<double, 2> size{};     ///< [length]
+  std::vector<double> angle;        ///< [degree]
+  std::vector<double> intensity;
+  std::vector<double> strength;  ///< [band] power, irradiance or radiance
+  std::vector<std::string> walls;
+  Origin origin;
+};
+
 struct WallCase {
   BandValues radiance, diffuse, specular;  ///< numbers only in this version; empty values: 0
+  Uncollided uncollided = Uncollided::automatic;
+  std::optional<LightCase> beam;
   Origin origin;
 };
 
@@ -102,6 +123,7 @@ struct Case {
   Bands bands;
   std::map<std::string, MediumCase> media;  ///< by region; "*" stands for the rest
   std::map<std::string, WallCase> walls;    ///< by wall; "*" stands for the rest
+  std::vector<LightCase> lights;            ///< beams of walls too
   std::string direction_set = "ldfe-sq";
   int direction_order = 1;
   std::optional<Rotation> direction_rotation;

@@ -109,7 +109,6 @@ std::string table_header(std::string_view path) {
 }
 
 std::string accepted_text(const KeyDeclaration& key) {
-  if (key.type == KeyType::switch_ && !key.later.empty()) return "\"auto\" or false";
   if (!key.choices.empty()) return enumerate(quoted_choices(key));
   const std::string type = type_text(key.type), range = key.range.text();
   if (range.empty()) return type;

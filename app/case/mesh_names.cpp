@@ -87,6 +87,11 @@ void check_geometry(const Geometry& geometry, NameCheck& regions, NameCheck& wal
   for (const Patch& patch : geometry.patches) walls.used(patch.wall, below(patch.origin, "wall"));
 }
 
+void check_lights(const std::vector<LightCase>& lights, NameCheck& walls) {
+  for (const LightCase& light : lights)
+    for (const std::string& wall : light.walls) walls.used(wall, below(light.origin, "walls"));
+}
+
 // A box names its sides, a hole its surface, and what neither they nor a patch name is named by its axis.
 MeshNames possible_names(const Geometry& geometry) {
   MeshNames names;
@@ -134,6 +139,7 @@ void check_names(const Case& input, const MeshNames& names) {
       walls("wall", names.walls, of_a_mesh, faults);
   check_sizes(input.mesh, regions);
   check_geometry(input.mesh.geometry, regions, walls);
+  check_lights(input.lights, walls);
   regions.entries(input.media, input.file.string(), "media");
   walls.entries(input.walls, input.file.string(), "walls");
   if (!faults.empty()) throw InputError(std::move(faults));
@@ -145,6 +151,7 @@ void check_possible_names(const Case& input, std::vector<Fault>& faults) {
   NameCheck regions("region", names.regions, of_primitives, faults),
       walls("wall", names.walls, of_primitives, faults);
   check_sizes(input.mesh, regions);
+  check_lights(input.lights, walls);
   regions.all_used(input.media);
   walls.all_used(input.walls);
 }

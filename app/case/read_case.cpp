@@ -5,6 +5,7 @@
 #include "app/case/mesh_names.h"
 #include "app/case/override.h"
 #include "app/case/read_exact.h"
+#include "app/case/read_light.h"
 #include "app/case/read_matter.h"
 #include "app/case/read_mesh.h"
 #include "app/case/read_report.h"
@@ -28,6 +29,9 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   read_directions(top.section("directions"), result);
   result.media = read_media(top.section("media"), {result.bands, result.angular_space, file.parent_path()});
   result.walls = read_walls(top.section("walls"), result.bands);
+  result.lights = read_lights(top, result.bands, file.parent_path());
+  for (const auto& [name, wall] : result.walls)
+    if (wall.beam) result.lights.push_back(*wall.beam);
   read_space(top.section("space"), result.solve);
   read_solve(top.section("solve"), file.parent_path(), result);
   if (top.has("exact")) read_exact(top.section("exact"), result);

@@ -30,6 +30,13 @@ void check_sources(const Case& input, Faults& faults) {
                faults);
 }
 
+void check_lights(const Case& input, Faults& faults) {
+  for (const LightCase& light : input.lights)
+    faults.push_back(
+        fault_at(light.origin, "",
+                 "a light in a case with [exact] (what enters follows from the radiance); remove it"));
+}
+
 void check_walls(const Case& input, Faults& faults) {
   for (const auto& [name, wall] : input.walls) {
     refuse(wall.radiance, "emits in a case with [exact] (what enters follows from the radiance); remove it",
@@ -44,6 +51,7 @@ void check_walls(const Case& input, Faults& faults) {
 void read_exact(Section exact, Case& result) {
   check_sources(result, exact.faults());
   check_walls(result, exact.faults());
+  check_lights(result, exact.faults());
   const auto radiance = exact.text_if("radiance");
   if (!radiance) return;
   try {

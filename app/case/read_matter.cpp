@@ -8,6 +8,7 @@
 
 #include "app/case/band_values.h"
 #include "app/case/medium_coefficients.h"
+#include "app/case/read_light.h"
 #include "app/case/read_phase.h"
 
 namespace etendue {
@@ -85,7 +86,6 @@ void check_medium(Section& section, const MediumCase& medium, const Bands& bands
 
 // Writes what an absent key means into the resolved case.
 void fill_in(Section& section, const MediumCase& medium) {
-  section.value("uncollided");
   if (!medium.extinction && !medium.albedo)
     for (const char* name : {"absorption", "scattering"}) section.value(name);
   if (!medium.power_density && !medium.power) section.value("emission");
@@ -105,6 +105,7 @@ MediumCase read_medium(Section section, const MatterContext& context) {
   medium.power_density = read_band_values(section, "power_density", bands);
   medium.power = read_band_values(section, "power", bands);
   medium.phase = read_phases(section, context, medium.phase_notes);
+  medium.uncollided = read_uncollided(section);
   check_medium(section, medium, bands);
   fill_in(section, medium);
   return medium;
@@ -121,13 +122,14 @@ void check_reflectances(Section& section, const WallCase& wall, const Bands& ban
   }
 }
 
-WallCase read_wall(Section section, const Bands& bands) {
+WallCase read_wall(const std::string& name, Section section, const Bands& bands) {
   WallCase wall;
   wall.origin = section.origin();
   wall.diffuse = read_band_values_or_default(section, "diffuse", bands);
   wall.specular = read_band_values_or_default(section, "specular", bands);
   wall.radiance = read_band_values_or_default(section, "radiance", bands);
-  section.value("uncollided");
+  wall.uncollided = read_uncollided(section);
+  wall.beam = read_beam(section, name, bands);
   if (!any_faulty(section, {"diffuse", "specular"})) check_reflectances(section, wall, bands);
   return wall;
 }
@@ -136,7 +138,7 @@ template <class Entry, class Reader>
 std::map<std::string, Entry> read_entries(Section section, const Bands& bands, std::string_view kind,
                                           Reader reader) {
   std::map<std::string, Entry> entries;
-  for (auto& [name, table] : section.named()) entries.emplace(name, reader(std::move(table), bands));
+  for (auto& [name, table] : section.named()) entries.emplace(name, reader(name, std::move(table), bands));
   if (section.node().table().entries.empty() && !section.node().faulty)
     section.fault("no entry; add one for each " + std::string(kind) + ", or \"*\" for all");
   return entries;
@@ -145,7 +147,7 @@ std::map<std::string, Entry> read_entries(Section section, const Bands& bands, s
 }  // namespace
 
 std::map<std::string, MediumCase> read_media(Section media, const MatterContext& context) {
-  const auto reader = [&context](Section section, const Bands&) {
+  const auto reader = [&context](const std::string&, Section section, const Bands&) {
     return read_medium(std::move(section), context);
   };
   return read_entries<MediumCase>(std::move(media), context.bands, "region", reader);

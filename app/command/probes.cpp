@@ -26,6 +26,21 @@ Fault outside(const Probe& probe, const Vec3& point, const TetrahedralMesh& mesh
                   probe.name, text_of(low), text_of(high)));
 }
 
+/// Puts the uncollided light at the point in the place of its projection.
+void make_exact(const LightSetup& lights, const Solution& solution, const CellLocator& locator,
+                ProbeRow& row) {
+  const std::vector<ProbeValue> projected = probe_uncollided(lights.problem(), solution, locator, row.point);
+  const LightAtPoint exact = lights.at({locator.find(row.point).front().cell, row.point}, std::nullopt);
+  row.fluence_field.emplace();
+  for (std::size_t b = 0; b < row.values.size(); ++b) {
+    row.fluence_field->push_back(row.values[b].fluence);
+    row.values[b].fluence += exact.fluence[b] - projected[b].fluence;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      row.values[b].net_flux[axis] +=
+          exact.net_flux[b][static_cast<Eigen::Index>(axis)] - projected[b].net_flux[axis];
+  }
+}
+
 }  // namespace
 
 std::vector<IrradianceMeter> place_probes(const std::vector<Probe>& probes, const TetrahedralMesh& mesh,
@@ -42,15 +57,17 @@ std::vector<IrradianceMeter> place_probes(const std::vector<Probe>& probes, cons
   return meters;
 }
 
-std::vector<ProbeRow> read_probes(const std::vector<Probe>& probes, const Problem& problem,
+std::vector<ProbeRow> read_probes(const std::vector<Probe>& probes, const LightSetup& lights,
                                   const Solution& solution, const CellLocator& locator) {
+  const Problem& problem = lights.problem();
   const auto bands = static_cast<std::ptrdiff_t>(problem.band_count());
   std::vector<ProbeRow> rows;
   auto meter = solution.meters.begin();
   for (const Probe& place : probes)
     for (std::size_t i = 0; i < place.points.size(); ++i) {
-      ProbeRow row{place.name, static_cast<int>(i), place.points[i], {}, {}};
+      ProbeRow row{place.name, static_cast<int>(i), place.points[i], {}, {}, {}};
       row.values = probe(problem, solution, locator, row.point);
+      if (!lights.empty()) make_exact(lights, solution, locator, row);
       if (place.normal) {
         row.irradiance.emplace(meter, meter + bands);
         meter += bands;

@@ -6,6 +6,7 @@
 #include "app/case/case.h"
 #include "app/write/results.h"
 #include "mesh/tetrahedra/cell_locator.h"
+#include "solver/lights/light_setup.h"
 #include "solver/ordinates/solve.h"
 
 namespace etendue {
@@ -15,8 +16,9 @@ namespace etendue {
 std::vector<IrradianceMeter> place_probes(const std::vector<Probe>& probes, const TetrahedralMesh& mesh,
                                           const CellLocator& locator);
 
-/// The solution at all probes; its meters are those of place_probes.
-std::vector<ProbeRow> read_probes(const std::vector<Probe>& probes, const Problem& problem,
+/// The solution at all probes; its meters are those of place_probes. Uncollided light is computed exactly at
+/// each point, the rest is interpolated.
+std::vector<ProbeRow> read_probes(const std::vector<Probe>& probes, const LightSetup& lights,
                                   const Solution& solution, const CellLocator& locator);
 
 }  // namespace etendue

@@ -18,6 +18,7 @@
 #include "app/write/results.h"
 #include "app/write/solution_file.h"
 #include "solver/exact/exact_balance.h"
+#include "solver/split/solve_split.h"
 
 namespace etendue {
 namespace {
@@ -103,9 +104,9 @@ class Checkpoints {
   std::ostream& err_;
 };
 
-Solution solve_visibly(const Problem& problem, const DirectionSet& directions, const SolveOptions& options,
+Solution solve_visibly(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
                        ProgressDisplay& display, Checkpoints checkpoints, const Interruption& interruption) {
-  Solution solution = solve(problem, directions, options, [&](const SweepProgress& progress) {
+  Solution solution = solve_split(lights, directions, options, [&](const SweepProgress& progress) {
     display.show(progress);
     checkpoints.consider(progress);
     return interruption.noted() ? SolveControl::stop : SolveControl::proceed;
@@ -153,6 +154,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   out << mesh_line(mesh) << std::flush;
   const Problem problem = build_problem(input, mesh);
   const DirectionSet directions = build_directions(input);
+  const LightSetup lights(problem);
   const CellLocator locator(mesh);
   const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
   SolveOptions options = solve_options(input, place_probes(input.probes, mesh, locator));
@@ -163,7 +165,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
     options.initial = &initial;
     out << "starts from " << input.initial->path.string() << std::endl;
   }
-  check_memory(estimate_memory(problem, directions, options), mesh, problem.band_count());
+  check_memory(estimate_split_memory(lights, directions, options), mesh, problem.band_count());
   out << fmt::format("directions: {} ({} {}); bands: {}; threads: {}\n", directions.count(),
                      directions.name(), directions.order(), problem.band_count(), options.threads)
       << std::flush;
@@ -172,12 +174,12 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   interruption.note_the_first();
   ProgressDisplay display(resolved_style(request.progress, out), out);
   const Solution solution =
-      solve_visibly(problem, directions, options, display, Checkpoints(input, problem, err), interruption);
+      solve_visibly(lights, directions, options, display, Checkpoints(input, problem, err), interruption);
   interruption.note_all();
   RunResult result{.input = input,
                    .problem = problem,
                    .solution = solution,
-                   .probes = read_probes(input.probes, problem, solution, locator),
+                   .probes = read_probes(input.probes, lights, solution, locator),
                    .balances = balances(problem, solution),
                    .walls = wall_powers(problem, solution),
                    .regions = region_powers(problem, solution),
@@ -186,8 +188,8 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   if (exact) add_exact(*exact, directions, result);
   result.seconds.total = watch.total();
   const WrittenResults written = write_results(result);
-  out << convergence_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
-      << exact_text(result) << cautions_text(result) << closing_text(result, written);
+  out << convergence_text(result) << uncollided_text(result) << balance_text(result) << powers_text(result)
+      << probes_text(result) << exact_text(result) << cautions_text(result) << closing_text(result, written);
   if (reader) reader(result);
   return conclude(result, interruption.noted(), err);
 }

@@ -126,6 +126,21 @@ std::string balance_text(const RunResult& result) {
   return section("balance [" + result.input.units.power + "]: emitted + inflow = absorbed + outflow", table);
 }
 
+std::string uncollided_text(const RunResult& result) {
+  const std::vector<UncollidedBalance>& balances = result.solution.lights.balance;
+  if (balances.empty()) return "";
+  TextTable table(
+      {"band", "sent", "absorbed", "collided", "reflected", "kept", "residual"},
+      {Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::right});
+  for (std::size_t b = 0; b < balances.size(); ++b)
+    table.add_row({band_name(result, b), number(balances[b].sent), number(balances[b].absorbed),
+                   number(balances[b].collided), number(balances[b].reflected), number(balances[b].kept),
+                   fmt::format("{:.1e}", balances[b].residual)});
+  return section(
+      "uncollided light [" + result.input.units.power + "]: sent = absorbed + collided + reflected + kept",
+      table);
+}
+
 std::string powers_text(const RunResult& result) {
   const UnitLabels units(result.input.units);
   const std::size_t bands = result.problem.bands().names.size();

@@ -13,6 +13,8 @@ namespace etendue {
 std::string convergence_text(const RunResult& result);
 /// The balance of each band.
 std::string balance_text(const RunResult& result);
+/// The balance of uncollided light, where there are lights.
+std::string uncollided_text(const RunResult& result);
 /// Walls and regions.
 std::string powers_text(const RunResult& result);
 /// Probes, where they are few.

@@ -29,6 +29,8 @@ struct ProbeRow {
   Vec3 point = Vec3::Zero();
   std::vector<ProbeValue> values;                 ///< [band]
   std::optional<std::vector<double>> irradiance;  ///< [band], where a normal was given
+  /// [band] of the P1 field, where uncollided light makes `values` differ from it
+  std::optional<std::vector<double>> fluence_field = {};
 };
 
 /// All that the writers need; nothing of it is changed by them.

@@ -28,6 +28,11 @@ Json as_json(const Balance& balance) {
           {"residual", balance.residual}};
 }
 
+Json as_json(const UncollidedBalance& balance) {
+  return {{"sent", balance.sent},           {"absorbed", balance.absorbed}, {"collided", balance.collided},
+          {"reflected", balance.reflected}, {"kept", balance.kept},         {"residual", balance.residual}};
+}
+
 Json as_json(const KernelReport& kernel) {
   return {{"medium", kernel.medium},
           {"band", kernel.band},
@@ -85,6 +90,9 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["sweeps"] = array_of(solution.convergence, [](const BandConvergence& c) { return c.sweeps; });
   summary["residual"] = array_of(solution.convergence, [](const BandConvergence& c) { return c.residual; });
   summary["balance"] = array_of(result.balances, [](const Balance& b) { return as_json(b); });
+  if (!solution.lights.balance.empty())
+    summary["uncollided"] =
+        array_of(solution.lights.balance, [](const UncollidedBalance& b) { return as_json(b); });
   summary["negative"] = array_of(solution.negative, [](const NegativeCensus& n) { return as_json(n); });
   if (!solution.fixups.empty())
     summary["positivity"] = array_of(fixup_totals(solution), [](const FixupTotal& total) {

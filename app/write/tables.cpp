@@ -26,14 +26,17 @@ void add_row(std::string& table, fmt::format_string<Values...> row, Values&&... 
 
 std::string probes_csv(const RunResult& result) {
   const std::vector<std::string>& bands = result.problem.bands().names;
-  std::string table = "probe,index,x,y,z,band,fluence,flux_x,flux_y,flux_z,irradiance\n";
+  const bool with_field = !result.solution.lights.fluence.empty();
+  std::string table = "probe,index,x,y,z,band,fluence,flux_x,flux_y,flux_z,irradiance";
+  table += with_field ? ",fluence_field\n" : "\n";
   for (const ProbeRow& row : result.probes)
     for (std::size_t b = 0; b < bands.size(); ++b) {
       const ProbeValue& value = row.values[b];
-      add_row(table, "{},{},{},{},{},{},{},{},{},{},{}", quoted(row.name), row.index, row.point.x(),
+      add_row(table, "{},{},{},{},{},{},{},{},{},{},{}{}", quoted(row.name), row.index, row.point.x(),
               row.point.y(), row.point.z(), quoted(bands[b]), value.fluence, value.net_flux[0],
               value.net_flux[1], value.net_flux[2],
-              row.irradiance ? fmt::to_string((*row.irradiance)[b]) : "");
+              row.irradiance ? fmt::to_string((*row.irradiance)[b]) : "",
+              with_field ? fmt::format(",{}", (*row.fluence_field)[b]) : "");
     }
   return table;
 }

@@ -94,6 +94,9 @@ class FieldsOfCells {
     grid_->GetCellData()->AddArray(
         vtk_array({"fluence_mean", bands_, units_.flux}, band_count(), cell_means(fluence, bands_.size())));
     if (!are_display_primaries(result_.problem.bands())) return;
+    if (const auto& uncollided = result_.solution.lights.fluence; !uncollided.empty())
+      grid_->GetPointData()->AddArray(
+          vtk_array({"fluence_uncollided", bands_, units_.flux}, band_count(), uncollided));
     const Exposure exposure = exposure_of(fluence, result_.problem.mesh().volumes(), 4);
     grid_->GetPointData()->AddArray(
         vtk_colors(describe(exposure, units_.flux), display_colors(fluence, exposure)));

@@ -50,6 +50,16 @@ Vec3 RayMesh::centroid(const Cell& cell) const {
   return sum / 4;
 }
 
+Vec3 RayMesh::point_of(const Exit& exit) const {
+  const double sum = exit.area[0] + exit.area[1] + exit.area[2];
+  Vec3 result = Vec3::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point& p = points_[static_cast<std::size_t>(exit.corner[i].vertex)];
+    result += (sum > 0 ? exit.area[i] / sum : 1. / 3) * Vec3(p.x, p.y, p.z);
+  }
+  return result;
+}
+
 // Two faces lie on the line of the ray; the farther one is the way out.
 bool RayMesh::first_exit(const Frame& frame, const Cell& cell, Exit& exit) const {
   std::array<Projected, 4> p;

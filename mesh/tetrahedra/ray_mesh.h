@@ -16,6 +16,7 @@ struct RayEnd {
   double distance = 0;                 ///< from the start [length]
   CellIndex cell = CellIndex(0);       ///< the last one
   std::optional<FaceIndex> wall = {};  ///< the face where the ray left the domain; empty: it did not
+  Vec3 point = Vec3::Zero();           ///< where it left: in that face, however flat the ray meets it
 };
 
 /// The mesh as rays see it: 32 bytes for each cell and for each vertex. A ray goes from cell to cell through
@@ -71,6 +72,7 @@ class RayMesh {
   bool first_exit(const Frame& frame, const Cell& cell, Exit& exit) const;
   Exit start(CellIndex cell, const Vec3& from, const Vec3& direction, Frame& frame) const;
   Vec3 centroid(const Cell& cell) const;
+  Vec3 point_of(const Exit& exit) const;
   /// A straight line meets a cell once.
   std::size_t step_limit() const { return cells_.size() + 1; }
   /// Replaces the corner that the ray's way out of the next cell does not have.
@@ -142,7 +144,7 @@ RayEnd RayMesh::walk(CellIndex start_cell, const Vec3& from, const Vec3& directi
     reached = next;
     const std::int32_t across =
         cells_[static_cast<std::size_t>(cell)].across[static_cast<std::size_t>(exit.opposite)];
-    if (across < 0) return {reached, CellIndex(cell), FaceIndex(-1 - across)};
+    if (across < 0) return {reached, CellIndex(cell), FaceIndex(-1 - across), point_of(exit)};
     cell = across >> 2;
     const Cell& record = cells_[static_cast<std::size_t>(cell)];
     const std::int32_t opposite = across & 3;

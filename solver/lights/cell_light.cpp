@@ -67,7 +67,7 @@ class PointsOfCell {
       fewest = std::min(fewest, count);
       most = std::max(most, count);
     }
-    if (fewest == most || source_.is_extended()) return moments_.add(sum);
+    if (fewest == most) return moments_.add(sum);
     for (const SubTetrahedron& child : eight_parts(whole_cell()))
       add(child, cell_.volume / 8, most_divisions - 1);
   }
@@ -98,7 +98,7 @@ void add_image(const LightPaths& paths, const PointSource& source, const PointSo
   std::vector<SolidAnglePoint> points;
   for (const Wedge& wedge : wedges_of(corners)) {
     points.clear();
-    append_points(wedge.directions, largest_side(cell), points);
+    append_points(wedge.directions, largest_side(cell), TriangleRule::seven_points, points);
     for (const SolidAnglePoint& point : points) {
       const double intensity = source.intensity(image, point.direction) * point.weight;
       const double in = wedge.way_in(point.direction), out = wedge.way_out(point.direction);
@@ -142,10 +142,12 @@ void add_in_polar_frame(const LightPaths& paths, const PointSource& source, cons
 
 void add_by_points(const LightSource& source, const LitCell& cell, LightBeams& beams, NodalMoments& moments) {
   PointsOfCell points(source, cell, beams, moments);
+  // The light of a source with an extent has no steep places of its own.
+  if (source.is_extended()) return points.add(whole_cell(), cell.volume, 0);
   if (cell.thickness > thin || source.is_near(cell.centroid, far_in_sizes / 3 * cell.size))
     points.add_fourteen();
   else
-    points.add(whole_cell(), cell.volume, source.is_extended() ? 0 : most_divisions);
+    points.add(whole_cell(), cell.volume, most_divisions);
 }
 
 }  // namespace etendue

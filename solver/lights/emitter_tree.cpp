@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "solver/lights/simplex_rules.h"
+
 namespace etendue {
 namespace {
 
@@ -106,7 +108,6 @@ EmitterTree::Moments EmitterTree::build(int node, std::span<int> members) {
   return moments;
 }
 
-// For a box the points are those of Gauss, two along each axis.
 void EmitterTree::finish(Node& node, const Moments& moments, std::span<const int> members) const {
   node.total = moments.total;
   node.normal = moments.normal;
@@ -115,20 +116,42 @@ void EmitterTree::finish(Node& node, const Moments& moments, std::span<const int
     for (std::size_t k = 0; k < corner_count(shape_); ++k)
       node.radius =
           std::max(node.radius, (parts_[static_cast<std::size_t>(i)].corners[k] - node.centre).norm());
+  for (const int i : members)
+    for (const double extinction : parts_[static_cast<std::size_t>(i)].extinction)
+      node.thickness = std::max(node.thickness, extinction * node.radius);
+  if (node.part < 0) return place_points(node, moments);
+  const auto& corners = parts_[static_cast<std::size_t>(node.part)].corners;
+  if (shape_ == EmitterShape::triangles)
+    for (const FacePointWeight& point : three_point_rule())
+      node.points[node.point_count++] = point.barycentric[0] * corners[0] +
+                                        point.barycentric[1] * corners[1] + point.barycentric[2] * corners[2];
+  else
+    for (const CellPointWeight& point : four_point_rule())
+      node.points[node.point_count++] = point.barycentric[0] * corners[0] +
+                                        point.barycentric[1] * corners[1] +
+                                        point.barycentric[2] * corners[2] + point.barycentric[3] * corners[3];
+}
+
+// One standard deviation to both sides: for a box these are the points of Gauss, two along each side. In a
+// plane along the principal axes; in space along x, y and z, where most bodies have their sides, so that the
+// points stay inside.
+void EmitterTree::place_points(Node& node, const Moments& moments) const {
   const Eigen::Matrix3d covariance = moments.second / moments.zeroth - node.centre * node.centre.transpose();
-  // Rising: of a plane emitter the first is zero.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
-  std::array<Vec3, 3> step;
-  for (int k = 0; k < 3; ++k)
-    step[static_cast<std::size_t>(k)] =
-        std::sqrt(std::max(0.0, axes.eigenvalues()[k])) * axes.eigenvectors().col(k);
-  for (std::size_t i = 0; i < point_count(); ++i) {
+  std::vector<Vec3> steps;
+  if (shape_ == EmitterShape::tetrahedra) {
+    for (int k = 0; k < 3; ++k)
+      steps.emplace_back(std::sqrt(std::max(0.0, covariance(k, k))) * Vec3::Unit(k));
+  } else {
+    // Rising: across the plane it is zero.
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
+    for (int k = 1; k < 3; ++k)
+      steps.emplace_back(std::sqrt(std::max(0.0, axes.eigenvalues()[k])) * axes.eigenvectors().col(k));
+  }
+  node.point_count = std::size_t{1} << steps.size();
+  for (std::size_t i = 0; i < node.point_count; ++i) {
     node.points[i] = node.centre;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (shape_ == EmitterShape::triangles && k == 0) continue;
-      const std::size_t bit = 2 - k;
-      node.points[i] += (i >> bit & 1) != 0 ? step[k] : Vec3(-step[k]);
-    }
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      node.points[i] += (i >> k & 1) != 0 ? steps[k] : Vec3(-steps[k]);
   }
 }
 

@@ -27,9 +27,13 @@ class EmitterTree {
  public:
   struct Node {
     Vec3 centre;
-    double radius = 0;              ///< of a ball about the centre that holds all of it
-    std::vector<double> total;      ///< [band] brightness times area or volume
-    std::array<Vec3, 8> points{};   ///< of equal weight, with the same mean and covariance as the emitter
+    double radius = 0;          ///< of a ball about the centre that holds all of it
+    double thickness = 0;       ///< largest extinction inside times the radius
+    std::vector<double> total;  ///< [band] brightness times area or volume
+    /// Points of equal weight: of a part those of a rule of degree 2; of a group eight, or in a plane four,
+    /// with its mean and spread.
+    std::array<Vec3, 8> points{};
+    std::size_t point_count = 0;
     Vec3 normal = Vec3::Zero();     ///< of triangles; zero where they do not lie in one plane
     int part = -1;                  ///< of a leaf
     std::array<int, 2> children{};  ///< of a group
@@ -38,8 +42,6 @@ class EmitterTree {
   EmitterTree(EmitterShape shape, std::vector<EmitterPart> parts);
 
   EmitterShape shape() const { return shape_; }
-  /// Of the points of a node, those that are used: four in a plane, eight in space.
-  std::size_t point_count() const { return shape_ == EmitterShape::triangles ? 4 : 8; }
   const Node& root() const { return nodes_.front(); }
   const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
   const EmitterPart& part(int i) const { return parts_[static_cast<std::size_t>(i)]; }
@@ -49,6 +51,7 @@ class EmitterTree {
   struct Moments;
   Moments moments_of(const EmitterPart& part) const;
   Moments build(int node, std::span<int> members);
+  void place_points(Node& node, const Moments& moments) const;
   void finish(Node& node, const Moments& moments, std::span<const int> members) const;
 
   EmitterShape shape_;

@@ -10,9 +10,6 @@
 namespace etendue {
 namespace {
 
-/// Sides of the spherical triangles that near parts are cut into, times the opening.
-constexpr double sides_per_opening = 1.2;
-
 /// What one part brings is the integral over its solid angle of the brightness along each direction.
 void scale(std::span<double> fluence, const std::vector<double>& brightness, double factor) {
   for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] *= brightness[b] * factor;
@@ -60,7 +57,9 @@ void ExtendedSource::add_node(const View& view, const EmitterTree::Node& node, L
   const bool simple = !flat || !node.normal.isZero();
   // All of it shines the other way.
   if (flat && simple && node.normal.dot(view.eye - node.centre) <= 0) return;
-  if (simple && node.radius < view.detail.opening * (node.centre - view.eye).norm())
+  // A single part is as thin as it gets.
+  const bool thin = node.part >= 0 || node.thickness < view.detail.thickness;
+  if (simple && thin && node.radius < view.detail.opening * (node.centre - view.eye).norm())
     return add_points(view, node, beams);
   if (node.part < 0) {
     for (const int child : node.children) add_node(view, tree_.node(child), beams);
@@ -73,7 +72,7 @@ void ExtendedSource::add_node(const View& view, const EmitterTree::Node& node, L
 
 void ExtendedSource::add_points(const View& view, const EmitterTree::Node& node, LightBeams& beams) const {
   const bool one = node.radius < view.detail.single * (node.centre - view.eye).norm();
-  const std::size_t count = one ? 1 : tree_.point_count();
+  const std::size_t count = one ? 1 : node.point_count;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 way = (one ? node.centre : node.points[i]) - view.eye;
     const double distance = way.norm();
@@ -88,7 +87,7 @@ void ExtendedSource::add_triangle(const View& view, const EmitterPart& part, Lig
   const Vec3 a = part.corners[0] - view.eye, b = part.corners[1] - view.eye, c = part.corners[2] - view.eye;
   const Vec3 normal = (b - a).cross(c - a);
   std::vector<SolidAnglePoint> points;
-  append_points({a, b, c}, sides_per_opening * view.detail.opening, points);
+  append_points({a, b, c}, view.detail.largest_side, view.detail.rule, points);
   for (const SolidAnglePoint& point : points) {
     const double distance = normal.dot(a) / normal.dot(point.direction);
     const std::span<double> fluence = view.open_way(paths_, point.direction, distance, beams);
@@ -102,7 +101,7 @@ void ExtendedSource::add_tetrahedron(const View& view, const EmitterPart& part, 
   std::vector<SolidAnglePoint> points;
   for (const Wedge& wedge : wedges_of(corners)) {
     points.clear();
-    append_points(wedge.directions, sides_per_opening * view.detail.opening, points);
+    append_points(wedge.directions, view.detail.largest_side, view.detail.rule, points);
     for (const SolidAnglePoint& point : points) {
       const double in = wedge.way_in(point.direction), out = wedge.way_out(point.direction);
       const std::span<double> fluence = view.open_way(paths_, point.direction, in, beams);

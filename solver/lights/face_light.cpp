@@ -105,7 +105,7 @@ void add_image(const LightPaths& paths, const PointSource& source, const PointSo
   std::vector<SolidAnglePoint> points;
   append_points(
       {face.corners[0] - image.position, face.corners[1] - image.position, face.corners[2] - image.position},
-      largest_side, points);
+      largest_side, TriangleRule::seven_points, points);
   for (const SolidAnglePoint& point : points) {
     const double distance = height / face.normal.dot(point.direction);
     const Vec3 position = image.position + distance * point.direction;

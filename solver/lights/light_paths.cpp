@@ -62,21 +62,24 @@ bool LightPaths::transmit(const PointInCell& from, const Vec3& direction, double
   while (true) {
     const RayEnd end = walk(at, along, left, transmittance);
     left -= end.distance;
-    if (!end.wall) break;
     const bool at_end = left <= end_of_way * length;
+    if (!end.wall) {
+      // What touches a mirror is seen at once behind it.
+      if (!mirrors_.touches(mirrors, at.position + end.distance * along, end_of_way * length)) return false;
+      break;
+    }
     const int plane = mirrors_.of(*end.wall);
-    // A light that touches a mirror is seen at once behind it.
     if (plane >= 0 && (mirrors >> plane & 1) != 0) {
       mirrors &= ~(MirrorSet{1} << plane);
       reflect(*end.wall, transmittance);
-      at = {end.cell, at.position + end.distance * along};
+      at = {end.cell, end.point};
       along = mirrors_.reflected(plane, along);
     } else if (!at_end) {
       return false;
     }
-    if (at_end) break;
+    if (at_end && mirrors_.touches(mirrors, end.point, end_of_way * length)) break;
+    if (at_end) return false;
   }
-  if (mirrors != 0) return false;
   for (double& value : transmittance) value = std::exp(-value);
   return true;
 }
@@ -94,7 +97,7 @@ std::optional<WayOut> LightPaths::leave(const PointInCell& from, const Vec3& dir
       return WayOut{*end.wall, along};
     }
     reflect(*end.wall, transmittance);
-    at = {end.cell, at.position + end.distance * along};
+    at = {end.cell, end.point};
     along = mirrors_.reflected(plane, along);
   }
   return std::nullopt;

@@ -7,6 +7,7 @@
 
 #include "solver/lights/light_beams.h"
 #include "solver/lights/light_paths.h"
+#include "solver/lights/solid_angle.h"
 
 namespace etendue {
 
@@ -14,13 +15,18 @@ namespace etendue {
 enum class Sight { attenuated, clear };
 
 /// How finely a light that is not a point is cut up: parts are taken for four or eight points each where
-/// their radius is below `opening` times their distance, and for one below `single`.
+/// their radius is below `opening` times their distance and their own optical thickness below `thickness`,
+/// and for one below `single`; nearer ones are integrated over their solid angle by a rule on triangles with
+/// sides of `largest_side`.
 struct LightDetail {
   double opening;
   double single;
+  double thickness;
+  double largest_side;
+  TriangleRule rule;
 };
-constexpr LightDetail coarse_light{0.5, 0.1};
-constexpr LightDetail fine_light{0.2, 0.01};
+constexpr LightDetail coarse_light{0.7, 0.03, 0.6, 0.9, TriangleRule::three_points};
+constexpr LightDetail fine_light{0.2, 0.01, 0.15, 0.25, TriangleRule::seven_points};
 
 class PointSource;
 

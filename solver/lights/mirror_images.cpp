@@ -58,6 +58,13 @@ Vec3 MirrorPlanes::reflected(int plane, const Vec3& direction) const {
   return direction - 2 * direction.dot(normal) * normal;
 }
 
+bool MirrorPlanes::touches(MirrorSet set, const Vec3& point, double distance) const {
+  for (std::size_t i = 0; i < planes_.size(); ++i)
+    if ((set >> i & 1) != 0 && std::abs(planes_[i].normal.dot(point) - planes_[i].offset) > distance)
+      return false;
+  return true;
+}
+
 Vec3 MirrorPlanes::image(MirrorSet set, Vec3 point) const {
   for (std::size_t i = 0; i < planes_.size(); ++i)
     if ((set >> i & 1) != 0)

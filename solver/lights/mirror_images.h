@@ -21,6 +21,8 @@ class MirrorPlanes {
   int of(FaceIndex face) const { return of_face_[face.at()]; }
   bool empty() const { return planes_.empty(); }
   Vec3 reflected(int plane, const Vec3& direction) const;
+  /// Whether a point lies on all planes of a set to within a distance.
+  bool touches(MirrorSet mirrors, const Vec3& point, double distance) const;
   /// The point behind the mirrors of a set: for planes at right angles their order does not matter.
   Vec3 image(MirrorSet mirrors, Vec3 point) const;
   Vec3 image_direction(MirrorSet mirrors, Vec3 direction) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "solver/lights/simplex_rules.h"
 
@@ -12,20 +13,28 @@ namespace {
 /// Distance from a plane, relative to the size, below which the origin lies on it.
 constexpr double on_plane = 1e-10;
 
-void append_unit(const SphericalTriangle& t, double largest_side, std::vector<SolidAnglePoint>& points) {
+std::span<const FacePointWeight> points_of(TriangleRule rule) {
+  static const std::array<FacePointWeight, 1> one_point = {{{{1. / 3, 1. / 3, 1. / 3}, 1}}};
+  if (rule == TriangleRule::one_point) return one_point;
+  if (rule == TriangleRule::three_points) return three_point_rule();
+  return seven_point_rule();
+}
+
+void append_unit(const SphericalTriangle& t, double largest_side, TriangleRule rule,
+                 std::vector<SolidAnglePoint>& points) {
   const double side =
       std::max({(t[0] - t[1]).squaredNorm(), (t[1] - t[2]).squaredNorm(), (t[2] - t[0]).squaredNorm()});
   if (side > largest_side * largest_side) {
     const Vec3 ab = (t[0] + t[1]).normalized(), bc = (t[1] + t[2]).normalized(),
                ca = (t[2] + t[0]).normalized();
-    append_unit({t[0], ab, ca}, largest_side, points);
-    append_unit({ab, t[1], bc}, largest_side, points);
-    append_unit({ca, bc, t[2]}, largest_side, points);
-    append_unit({ab, bc, ca}, largest_side, points);
+    append_unit({t[0], ab, ca}, largest_side, rule, points);
+    append_unit({ab, t[1], bc}, largest_side, rule, points);
+    append_unit({ca, bc, t[2]}, largest_side, rule, points);
+    append_unit({ab, bc, ca}, largest_side, rule, points);
     return;
   }
   const double half_determinant = std::abs(t[0].dot(t[1].cross(t[2]))) / 2;
-  for (const FacePointWeight& point : seven_point_rule()) {
+  for (const FacePointWeight& point : points_of(rule)) {
     const Vec3 y = point.barycentric[0] * t[0] + point.barycentric[1] * t[1] + point.barycentric[2] * t[2];
     const double length = y.norm();
     points.push_back({y / length, point.weight * half_determinant / (length * length * length)});
@@ -64,12 +73,12 @@ void append_common(const Side& entry, const Side& exit, std::vector<Wedge>& wedg
 
 }  // namespace
 
-void append_points(const SphericalTriangle& triangle, double largest_side,
+void append_points(const SphericalTriangle& triangle, double largest_side, TriangleRule rule,
                    std::vector<SolidAnglePoint>& points) {
   for (const Vec3& corner : triangle)
     if (corner.isZero()) return;
   append_unit({triangle[0].normalized(), triangle[1].normalized(), triangle[2].normalized()}, largest_side,
-              points);
+              rule, points);
 }
 
 std::vector<Wedge> wedges_of(const std::array<Vec3, 4>& vertices) {

@@ -18,10 +18,13 @@ struct SolidAnglePoint {
 /// Directions between three corners (vectors of any length, seen from the origin), of less than a half space.
 using SphericalTriangle = std::array<Vec3, 3>;
 
+/// Points of a rule in a triangle: degree 1, 2 or 5.
+enum class TriangleRule { one_point, three_points, seven_points };
+
 /// Appends points of a rule for the solid angle of the triangle: it is split in four until its sides are at
-/// most `largest_side` (chords of the unit sphere), and each part has the seven points of degree 5 (Radon
-/// 1948) in the flat triangle of its corners, y, with dw = det(a, b, c) / |y|^3.
-void append_points(const SphericalTriangle& triangle, double largest_side,
+/// most `largest_side` (chords of the unit sphere), and each part has the points of the rule in the flat
+/// triangle of its corners, y, with dw = det(a, b, c) / |y|^3.
+void append_points(const SphericalTriangle& triangle, double largest_side, TriangleRule rule,
                    std::vector<SolidAnglePoint>& points);
 
 /// A tetrahedron seen from the origin falls into wedges: directions that come in by one plane and go out by

@@ -22,12 +22,10 @@ void add_cell(const LightPaths& paths, const LightSource& source, const std::opt
   if (!vertices || !vertices->add(cell, beams, moments)) add_by_points(source, cell, beams, moments);
 }
 
-void add_cells(const LightPaths& paths, const LightSource& source, int threads, std::vector<double>& fluence,
-               std::vector<double>& net_flux) {
+void add_cells(const LightPaths& paths, const LightSource& source, const std::optional<VertexLight>& vertices,
+               int threads, std::vector<double>& fluence, std::vector<double>& net_flux) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::size_t bands = paths.bands();
-  std::optional<VertexLight> vertices;
-  if (source.is_extended()) vertices.emplace(paths, source, threads);
 #pragma omp parallel num_threads(threads)
   {
     LightBeams beams(bands);
@@ -48,8 +46,8 @@ void add_cells(const LightPaths& paths, const LightSource& source, int threads, 
   }
 }
 
-void add_walls(const LightPaths& paths, const LightSource& source, int threads,
-               std::vector<double>& irradiance) {
+void add_walls(const LightPaths& paths, const LightSource& source, const std::optional<VertexLight>& vertices,
+               int threads, std::vector<double>& irradiance) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::size_t bands = paths.bands();
 #pragma omp parallel num_threads(threads)
@@ -60,7 +58,8 @@ void add_walls(const LightPaths& paths, const LightSource& source, int threads,
     for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
       const FaceIndex face(f);
       moments.clear();
-      add_irradiance(paths, source, face, beams, moments);
+      if (!vertices || !vertices->add(face, beams, moments))
+        add_irradiance(paths, source, face, beams, moments);
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t b = 0; b < bands; ++b)
           irradiance[(face.at() * 3 + i) * bands + b] += moments.nodal(i, 0, b, mesh.area(face));
@@ -78,8 +77,10 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
   field.irradiance.assign(static_cast<std::size_t>(mesh.boundary_face_count()) * 3 * paths.bands(), 0);
   for (const auto& source : sources) {
     std::vector<double>& own = field.by_source.emplace_back(field.fluence.size(), 0);
-    add_cells(paths, *source, threads, own, field.net_flux);
-    add_walls(paths, *source, threads, field.irradiance);
+    std::optional<VertexLight> vertices;
+    if (source->is_extended()) vertices.emplace(paths, *source, threads);
+    add_cells(paths, *source, vertices, threads, own, field.net_flux);
+    add_walls(paths, *source, vertices, threads, field.irradiance);
     for (std::size_t i = 0; i < own.size(); ++i) field.fluence[i] += own[i];
   }
   return field;

@@ -9,8 +9,6 @@
 namespace etendue {
 namespace {
 
-/// Largest range of log T in a cell: linear between them it is off by less than an eighth of its curvature.
-constexpr double widest_range = 1.0;
 /// Cells that are nearer to the light than this many of their sizes are looked at point by point.
 constexpr double near_in_sizes = 1.5;
 
@@ -58,37 +56,71 @@ VertexLight::VertexLight(const LightPaths& paths, const LightSource& source, int
   }
 }
 
+bool VertexLight::is_lit(std::span<const std::int32_t> vertices) const {
+  for (const std::int32_t v : vertices)
+    for (std::size_t b = 0; b < bands_; ++b)
+      if (!std::isfinite(log_transmittance_[at(v, b)])) return false;
+  return true;
+}
+
+std::vector<VertexLight::LightHere> VertexLight::look(const PointInCell& here,
+                                                      std::span<const double> barycentric,
+                                                      std::span<const std::int32_t> vertices,
+                                                      LightBeams& beams) const {
+  beams.clear();
+  source_.add_beams(here, Sight::clear, coarse_light, beams);
+  std::vector<double> clear(bands_);
+  add_up(beams, clear);
+  std::vector<LightHere> light(bands_);
+  for (std::size_t b = 0; b < bands_; ++b) {
+    double log_transmittance = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      log_transmittance += barycentric[i] * log_transmittance_[at(vertices[i], b)];
+      light[b].direction += barycentric[i] * mean_direction_[at(vertices[i], b)];
+    }
+    light[b].fluence = clear[b] * std::exp(log_transmittance);
+  }
+  return light;
+}
+
 bool VertexLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const {
   if (source_.is_near(cell.centroid, near_in_sizes * cell.size)) return false;
   const auto& vertices = paths_.problem().mesh().vertices(cell.index);
-  for (std::size_t b = 0; b < bands_; ++b) {
-    double lowest = log_transmittance_[at(vertices[0], b)], highest = lowest;
-    for (const std::int32_t v : vertices) {
-      lowest = std::min(lowest, log_transmittance_[at(v, b)]);
-      highest = std::max(highest, log_transmittance_[at(v, b)]);
-    }
-    if (!(highest - lowest <= widest_range)) return false;
-  }
-  std::vector<double> clear(bands_);
+  if (!is_lit(vertices)) return false;
   for (const CellPointWeight& point : four_point_rule()) {
-    beams.clear();
-    source_.add_beams({cell.index, cell.position(point.barycentric)}, Sight::clear, coarse_light, beams);
-    add_up(beams, clear);
-    for (std::size_t b = 0; b < bands_; ++b) {
-      double log_transmittance = 0;
-      Vec3 direction = Vec3::Zero();
+    const PointInCell here{cell.index, cell.position(point.barycentric)};
+    const std::vector<LightHere> light = look(here, point.barycentric, vertices, beams);
+    for (std::size_t b = 0; b < bands_; ++b)
       for (std::size_t i = 0; i < 4; ++i) {
-        log_transmittance += point.barycentric[i] * log_transmittance_[at(vertices[i], b)];
-        direction += point.barycentric[i] * mean_direction_[at(vertices[i], b)];
-      }
-      const double value = point.weight * cell.volume * clear[b] * std::exp(log_transmittance);
-      for (std::size_t i = 0; i < 4; ++i) {
-        moments.at(i, 0, b) += point.barycentric[i] * value;
+        const double value = point.barycentric[i] * point.weight * cell.volume * light[b].fluence;
+        moments.at(i, 0, b) += value;
         for (std::size_t axis = 0; axis < 3; ++axis)
-          moments.at(i, 1 + axis, b) +=
-              point.barycentric[i] * value * direction[static_cast<Eigen::Index>(axis)];
+          moments.at(i, 1 + axis, b) += value * light[b].direction[static_cast<Eigen::Index>(axis)];
       }
-    }
+  }
+  return true;
+}
+
+// Where no mirror sends light back, all of it travels out of the domain: E = F.n.
+bool VertexLight::add(FaceIndex face, LightBeams& beams, NodalMoments& moments) const {
+  const TetrahedralMesh& mesh = paths_.problem().mesh();
+  const double area = mesh.area(face);
+  if (paths_.mirrors().of(face) >= 0 ||
+      source_.is_near(mesh.centroid(face), near_in_sizes * std::sqrt(2 * area)) ||
+      !is_lit(mesh.vertices(face)))
+    return false;
+  const Vec3 normal = mesh.area_normal(face) / area;
+  const auto& vertices = mesh.vertices(face);
+  for (const FacePointWeight& point : three_point_rule()) {
+    Vec3 position = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+      position += point.barycentric[i] * mesh.point(VertexIndex(vertices[i]));
+    const std::vector<LightHere> light =
+        look({mesh.owner(face), position}, point.barycentric, vertices, beams);
+    for (std::size_t b = 0; b < bands_; ++b)
+      for (std::size_t i = 0; i < 3; ++i)
+        moments.at(i, 0, b) += point.barycentric[i] * point.weight * area * light[b].fluence *
+                               std::max(0.0, light[b].direction.dot(normal));
   }
   return true;
 }

@@ -28,6 +28,9 @@ void add_face(WallPower& power, const Problem& problem, const Solution& solution
   power.area += area;
   power.incoming += nodal_mean<3>(solution.irradiance, at, band, bands) * area;
   power.outgoing += nodal_mean<3>(solution.exitance, at, band, bands) * area;
+  const auto wall = static_cast<std::size_t>(mesh.wall(FaceIndex(face)));
+  const bool by_rays = !solution.lights.exact_walls.empty() && solution.lights.exact_walls[wall] != 0;
+  if (by_rays) return;
   power.emitted += radiance * solution.half_range[at] * area;
   power.emitted_exact += radiance * half_range(problem.space()) * area;
 }
@@ -55,6 +58,11 @@ std::vector<std::vector<WallPower>> wall_powers(const Problem& problem, const So
     for (std::size_t band = 0; band < bands; ++band)
       add_face(powers[static_cast<std::size_t>(mesh.wall(FaceIndex(face)))][band], problem, solution, face,
                band);
+  for (std::size_t w = 0; w < solution.lights.from_walls.size(); ++w)
+    for (std::size_t band = 0; band < bands; ++band) {
+      powers[w][band].emitted += solution.lights.from_walls[w][band];
+      powers[w][band].emitted_exact += solution.lights.from_walls[w][band];
+    }
   for (std::vector<WallPower>& wall : powers)
     for (WallPower& power : wall) power.irradiance_mean = ratio(power.incoming, power.area);
   return powers;
@@ -88,6 +96,7 @@ std::vector<Balance> balances(const Problem& problem, const Solution& solution) 
       balance.inflow += wall[band].emitted;
       balance.outflow += wall[band].incoming - reflected;
     }
+    if (!solution.lights.inside.empty()) balance.inflow += solution.lights.inside[band];
     const double given = balance.emitted + balance.inflow;
     balance.residual = ratio(given - balance.absorbed - balance.outflow, given);
   }

@@ -11,7 +11,7 @@ namespace etendue {
 /// Powers of one band; emitted + inflow = absorbed + outflow for a converged solution.
 struct Balance {
   double emitted = 0;   ///< by the media
-  double inflow = 0;    ///< emitted by walls, not what they reflect
+  double inflow = 0;    ///< emitted by walls, not what they reflect, and by lights
   double absorbed = 0;  ///< in the media
   double outflow = 0;   ///< what walls keep: incoming - reflected
   double residual = 0;  ///< (emitted + inflow - absorbed - outflow) / (emitted + inflow); 0 if nothing emits
@@ -23,8 +23,8 @@ struct WallPower {
   double irradiance_mean = 0;  ///< [power/length^2]
   double incoming = 0;         ///< arriving from the domain
   double outgoing = 0;         ///< sent into the domain: emitted + reflected
-  double emitted = 0;          ///< by the discrete half range: L pi_h A
-  double emitted_exact = 0;    ///< pi L A; 2 L A in the plane
+  double emitted = 0;          ///< by the discrete half range, L pi_h A, or by rays
+  double emitted_exact = 0;    ///< pi L A, and beams; 2 L A in the plane
 };
 
 /// Totals of one region and band.

@@ -21,4 +21,8 @@ struct ProbeValue {
 std::vector<ProbeValue> probe(const Problem& problem, const Solution& solution, const CellLocator& locator,
                               const Vec3& point);  ///< [band]
 
+/// The same of the uncollided light that the solution holds, as it is projected on the cells.
+std::vector<ProbeValue> probe_uncollided(const Problem& problem, const Solution& solution,
+                                         const CellLocator& locator, const Vec3& point);  ///< [band]
+
 }  // namespace etendue

@@ -57,13 +57,14 @@ Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const Sol
     degrees.push_back(degree);
   }
   int highest = 0;
+  const AngularInput* input = options.angular_input;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const int degree = degrees[static_cast<std::size_t>(mesh.region(CellIndex(c)))];
-    if (degree == 0 || !scatters(problem, CellIndex(c))) continue;
-    sizes.angular_cells += 1;
-    highest = std::max(highest, degree);
+    const bool scatters_so = degree > 0 && scatters(problem, CellIndex(c));
+    if (scatters_so || (input != nullptr && input->depends_on_direction(CellIndex(c))))
+      sizes.angular_cells += 1;
+    if (scatters_so) highest = std::max(highest, degree);
   }
-  if (options.angular_input != nullptr) sizes.angular_cells = sizes.cells;
   sizes.moments = harmonic_count(highest);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     if (mirrors(problem.wall(mesh.wall(FaceIndex(f))))) sizes.mirrors += 1;

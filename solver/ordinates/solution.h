@@ -74,6 +74,26 @@ struct OrdinateRadiance {
   std::vector<double> values;  ///< [cell][4][band] [power/(length^2 sr)]
 };
 
+/// Powers of light before its first collision: sent = absorbed + collided + reflected + kept.
+struct UncollidedBalance {
+  double sent = 0;
+  double absorbed = 0;   ///< in the media
+  double collided = 0;   ///< scattered for the first time
+  double reflected = 0;  ///< diffusely by walls, for the first time
+  double kept = 0;       ///< by walls, what leaves the domain included
+  double residual = 0;   ///< what the cells miss of it, relative
+};
+
+/// The part of a solution that was integrated along rays from the lights; empty without any.
+struct UncollidedPart {
+  std::vector<double> fluence;                  ///< [cell][4][band] included in that of the solution
+  std::vector<double> net_flux;                 ///< [cell][4][3][band] included in that of the solution
+  std::vector<UncollidedBalance> balance;       ///< [band]
+  std::vector<char> exact_walls;                ///< [wall] whether its radiance L was sent as pi L A
+  std::vector<std::vector<double>> from_walls;  ///< [wall][band] what lights send through walls [power]
+  std::vector<double> inside;                   ///< [band] of lights that are neither media nor walls [power]
+};
+
 /// A solution of a Problem, whatever method found it. Fields have four values in each cell, at its vertices
 /// in their order, and jump between cells; walls have three in each boundary face.
 struct Solution {
@@ -90,6 +110,7 @@ struct Solution {
   std::vector<double> meters;                ///< [meter][band] irradiance [power/length^2]
   std::vector<BandConvergence> convergence;  ///< [band]
   std::vector<HistoryEntry> history;
+  UncollidedPart lights;
   std::vector<NegativeCensus> negative;  ///< [band]
   std::vector<OrdinateFixup> fixups;     ///< [ordinate][band]; empty where nothing was kept positive
   std::vector<KernelReport> kernels;

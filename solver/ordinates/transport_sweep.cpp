@@ -121,7 +121,7 @@ TransportSweep::~TransportSweep() = default;
 std::vector<CellIndex> TransportSweep::observed_cells() const {
   std::vector<CellIndex> cells;
   for (std::int32_t c = 0; angular_input_ != nullptr && c < problem_.mesh().cell_count(); ++c)
-    cells.push_back(CellIndex(c));
+    if (angular_input_->depends_on_direction(CellIndex(c))) cells.push_back(CellIndex(c));
   for (const IrradianceMeter& meter : meters_)
     for (const CellPoint& point : meter.cells) cells.push_back(point.cell);
   return cells;
@@ -156,6 +156,8 @@ void TransportSweep::form_source(const TransportState& last) {
     const ProcessorTimer timer(processor_seconds_);
     scattering_.form_source(last, emission_, first, std::min(cells, first + merge_block), records_.data(),
                             moment_source_.data());
+    if (angular_input_ != nullptr && emission_ == Emission::included)
+      add_isotropic_source(first, std::min(cells, first + merge_block));
   }
 }
 

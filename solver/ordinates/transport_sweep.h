@@ -88,7 +88,9 @@ class TransportSweep {
                   const SweepSlots& slots) const;
   void keep_lagged(OrdinateIndex m, const SweepOrder& order, TransportState& next,
                    const SweepSlots& slots) const;
+  void add_isotropic_source(std::int32_t first, std::int32_t last);
   void add_angular_source(OrdinateIndex m, double* angular) const;
+  void add_input(OrdinateIndex m, CellIndex cell, std::vector<double>& values, double* right) const;
   void add_angular_inflow(OrdinateIndex m, const SweepSlots& slots, std::span<double> exitance) const;
   void read_meters(OrdinateIndex m, const double* angular, std::span<double> meters) const;
   void merge(std::int32_t first_batch, int batches, TransportState& next, SweepRecord* record);

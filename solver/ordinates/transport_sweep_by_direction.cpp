@@ -9,26 +9,41 @@
 
 namespace etendue {
 
-void TransportSweep::add_angular_source(OrdinateIndex m, double* angular) const {
+// Adds the input of one cell to its right-hand side [node][stride]; `values` [4][band] is scratch.
+void TransportSweep::add_input(OrdinateIndex m, CellIndex cell, std::vector<double>& values,
+                               double* right) const {
   const auto bands = static_cast<std::size_t>(cells_.bands());
   const auto stride = static_cast<std::size_t>(cells_.stride());
   const auto nodes = static_cast<std::size_t>(cells_.nodes());
-  std::vector<double> values(4 * bands);
-  for (const std::int32_t c : scattering_.angular_cells()) {
-    const CellIndex cell(c);
-    std::fill(values.begin(), values.end(), 0.0);
-    angular_input_->add_source(m, cell, values);
-    double* right = angular + static_cast<std::size_t>(scattering_.row(cell)) * scattering_.row_length();
-    for (std::size_t b = 0; b < bands; ++b) {
-      const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, static_cast<int>(b));
-      const double total = values[b] + values[bands + b] + values[2 * bands + b] + values[3 * bands + b];
-      for (std::size_t i = 0; i < nodes; ++i) {
-        // A constant element has the mean of the four values.
-        const double own = nodes == 1 ? total / 4 : values[i * bands + b];
-        right[i * stride + b] += mass.sum * total + mass.own * own;
-      }
+  std::fill(values.begin(), values.end(), 0.0);
+  angular_input_->add_source(m, cell, values);
+  for (std::size_t b = 0; b < bands; ++b) {
+    const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, static_cast<int>(b));
+    const double total = values[b] + values[bands + b] + values[2 * bands + b] + values[3 * bands + b];
+    for (std::size_t i = 0; i < nodes; ++i) {
+      // A constant element has the mean of the four values.
+      const double own = nodes == 1 ? total / 4 : values[i * bands + b];
+      right[i * stride + b] += mass.sum * total + mass.own * own;
     }
   }
+}
+
+void TransportSweep::add_isotropic_source(std::int32_t first, std::int32_t last) {
+  const RecordLayout& layout = cells_.layout();
+  std::vector<double> values(4 * static_cast<std::size_t>(cells_.bands()));
+  for (std::int32_t c = first; c < last; ++c) {
+    const CellIndex cell(c);
+    const bool has_row = scattering_.index() != nullptr && scattering_.row(cell) > 0;
+    if (!has_row)
+      add_input(OrdinateIndex(0), cell, values, records_.data() + cell.at() * layout.length + layout.source);
+  }
+}
+
+void TransportSweep::add_angular_source(OrdinateIndex m, double* angular) const {
+  std::vector<double> values(4 * static_cast<std::size_t>(cells_.bands()));
+  for (const std::int32_t c : scattering_.angular_cells())
+    add_input(m, CellIndex(c), values,
+              angular + static_cast<std::size_t>(scattering_.row(CellIndex(c))) * scattering_.row_length());
 }
 
 void TransportSweep::add_angular_inflow(OrdinateIndex m, const SweepSlots& slots,

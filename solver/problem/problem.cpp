@@ -86,12 +86,13 @@ std::vector<double> cell_means(const TetrahedralMesh& mesh, const CellsByRegion&
 }  // namespace
 
 Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls,
-                 AngularSpace space)
+                 AngularSpace space, std::vector<Light> lights)
     : mesh_(mesh),
       bands_(std::move(bands)),
       media_(std::move(media)),
       walls_(std::move(walls)),
-      space_(space) {
+      space_(space),
+      lights_(std::move(lights)) {
   require_sizes(mesh_, bands_, media_, walls_);
   if (space_ == AngularSpace::plane)
     for (Medium& medium : media_)

@@ -10,6 +10,7 @@
 #include "solver/problem/angular_space.h"
 #include "solver/problem/bands.h"
 #include "solver/problem/coefficient.h"
+#include "solver/problem/light.h"
 #include "solver/problem/phase_function.h"
 
 namespace etendue {
@@ -22,6 +23,7 @@ struct Medium {
   std::vector<Coefficient> emission;    ///< [band] q [power/(length^3 sr)], isotropic
   std::vector<PhaseFunction> phase;     ///< [band]
   Origin origin;
+  Uncollided uncollided = Uncollided::automatic;  ///< of the emission
 };
 
 /// What one wall does, per band. Reflectances: diffuse + specular <= 1.
@@ -31,6 +33,7 @@ struct Wall {
   std::vector<double> diffuse;   ///< [band] Lambertian reflectance
   std::vector<double> specular;  ///< [band] mirror reflectance
   Origin origin;
+  Uncollided uncollided = Uncollided::automatic;  ///< of the radiance
 };
 
 /// What is asked: the coefficients of the transport equation on every cell and wall. Valid by construction.
@@ -44,7 +47,7 @@ class Problem {
   /// something emits while nothing absorbs and every wall reflects fully. In the plane phase functions become
   /// those of the plane, and walls must stand upright or be cold mirrors across z.
   Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls,
-          AngularSpace space = AngularSpace::sphere);
+          AngularSpace space = AngularSpace::sphere, std::vector<Light> lights = {});
 
   const TetrahedralMesh& mesh() const { return mesh_; }
   const Bands& bands() const { return bands_; }
@@ -63,6 +66,8 @@ class Problem {
   const Wall& wall(int wall) const { return walls_[static_cast<std::size_t>(wall)]; }
   std::span<const Medium> media() const { return media_; }
   std::span<const Wall> walls() const { return walls_; }
+  /// Beside what media and walls emit.
+  std::span<const Light> lights() const { return lights_; }
 
  private:
   std::size_t at(CellIndex c, int band) const {
@@ -74,6 +79,7 @@ class Problem {
   std::vector<Medium> media_;
   std::vector<Wall> walls_;
   AngularSpace space_;
+  std::vector<Light> lights_;
   std::vector<double> absorption_;
   std::vector<double> scattering_;
   std::vector<double> emission_;

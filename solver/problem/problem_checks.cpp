@@ -46,6 +46,7 @@ std::optional<Origin> emitter(const Problem& problem, std::size_t band) {
     if (emits[region]) return origin_of(problem.media()[region], "emission");
   for (const Wall& wall : problem.walls())
     if (wall.radiance[band] > 0) return origin_of(wall, "radiance");
+  if (!problem.lights().empty()) return problem.lights().front().origin;
   return {};
 }
 

@@ -22,8 +22,8 @@ const Check keys[] = {
     {"Misspelt", "[media.smoke]\nscatering = 2.0\n",
      "slab.toml:8: media.smoke.scatering = 2.0: unknown key; did you mean \"scattering\"?"},
     {"MisspeltTable", "[direction]\nset = \"product\"\n",
-     "slab.toml:7: direction: misplaced key; \"direction\" belongs in [directions.refine] (or did you mean "
-     "\"directions\"?)"},
+     "slab.toml:7: direction: misplaced key; \"direction\" belongs in [walls.NAME.beam] (NAME: a wall or "
+     "\"*\"), [[light]] or [directions.refine] (or did you mean \"directions\"?)"},
     {"Misplaced", "[solve]\nscattering = 2.0\n",
      "slab.toml:8: solve.scattering = 2.0: misplaced key; \"scattering\" belongs in [media.NAME] (NAME: a "
      "region or "
@@ -50,10 +50,6 @@ const Check keys[] = {
 };
 
 const Check later[] = {
-    {"Light", "[[light]]\nname = \"bulb\"\nkind = \"point\"\n",
-     "slab.toml:7: light: not in this version; remove it"},
-    {"Beam", "[walls.window]\nbeam = { direction = [0, 0.6, -0.8], irradiance = 1.0 }\n",
-     "slab.toml:8: walls.window.beam: not in this version; remove it"},
     {"Camera", "[[camera]]\nname = \"front\"\n", "slab.toml:7: camera: not in this version; remove it"},
     {"Sensor", "[[sensor]]\nname = \"front\"\n", "slab.toml:7: sensor: not in this version; remove it"},
     {"Method", "[solve]\nmethod = \"photons\"\n",
@@ -63,10 +59,10 @@ const Check later[] = {
      "slab.toml:10: solve.acceleration = \"diffusion\": takes linear elements; use space.order = 1, or "
      "\"auto\" "
      "or \"none\""},
-    {"UncollidedMedium", "[media.air]\nuncollided = true\n",
-     "slab.toml:8: media.air.uncollided = true: not in this version; use \"auto\" or false"},
-    {"UncollidedWall", "[walls.xmin]\nuncollided = true\n",
-     "slab.toml:8: walls.xmin.uncollided = true: not in this version; use \"auto\" or false"},
+    {"UncollidedLight", "[[light]]\nname = \"sky\"\nkind = \"sky\"\nradiance = 1\nuncollided = false\n",
+     "slab.toml:11: light[0].uncollided = false: not in this version (directions alone do not see a lamp); "
+     "use "
+     "\"auto\" or true"},
     {"Kernel", "[media.air]\nkernel = \"vx\"\n",
      "slab.toml:8: media.air.kernel = \"vx\": not in this version; remove it"},
     {"DirectionInFormula", "[media.air]\nabsorption = \"1 + wx\"\n",

@@ -24,7 +24,7 @@ double volume_from(const Vec3& eye) {
   std::vector<SolidAnglePoint> points;
   for (const Wedge& wedge : wedges_of(seen_from(eye))) {
     points.clear();
-    append_points(wedge.directions, 0.1, points);
+    append_points(wedge.directions, 0.1, TriangleRule::seven_points, points);
     for (const SolidAnglePoint& point : points) {
       const double in = wedge.way_in(point.direction), out = wedge.way_out(point.direction);
       EXPECT_GE(out, in - 1e-12);
@@ -56,7 +56,7 @@ TEST(Wedges, FillTheTetrahedronFromItsVerticesEdgesAndFaces) {
 
 TEST(SolidAngle, OfAnOctantIsHalfPi) {
   std::vector<SolidAnglePoint> points;
-  append_points({Vec3::UnitX(), 3 * Vec3::UnitY(), Vec3::UnitZ()}, 0.35, points);
+  append_points({Vec3::UnitX(), 3 * Vec3::UnitY(), Vec3::UnitZ()}, 0.35, TriangleRule::seven_points, points);
   double sum = 0;
   for (const SolidAnglePoint& point : points) sum += point.weight;
   EXPECT_NEAR(sum, pi / 2, 1e-6);

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/build_lights.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/tetrahedra/cell_locator.h"
+
+namespace etendue {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int sides_of_a_disc = 64;
+
+bool is_bare(const Wall& wall) {
+  const auto zero = [](const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double v) { return v == 0; });
+  };
+  return zero(wall.radiance) && zero(wall.diffuse) && zero(wall.specular);
+}
+
+/// The walls that a light names; without names those that neither shine nor reflect.
+std::vector<int> walls_of(const LightCase& light, const std::vector<Wall>& walls) {
+  std::vector<int> numbers;
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    if (light.walls.empty() ? is_bare(walls[w]) : std::ranges::count(light.walls, walls[w].name) > 0)
+      numbers.push_back(static_cast<int>(w));
+  return numbers;
+}
+
+PointLight point_light(const LightCase& light) {
+  PointLight point{light.position, light.strength, light.direction, {}, light.intensity};
+  for (const double degrees : light.angle) point.angle.push_back(degrees * pi / 180);
+  return point;
+}
+
+// A regular polygon of the disc's area, counterclockwise from where it shines to.
+SurfaceLight disc_light(const LightCase& light) {
+  const Vec3 u = light.direction.unitOrthogonal(), v = light.direction.cross(u);
+  const double step = 2 * pi / sides_of_a_disc;
+  const double radius = light.radius * std::sqrt(step / std::sin(step));
+  const auto rim = [&](int i) {
+    return Vec3(light.position + radius * (std::cos(i * step) * u + std::sin(i * step) * v));
+  };
+  SurfaceLight surface{{}, light.strength};
+  for (int i = 0; i < sides_of_a_disc; ++i)
+    for (const Vec3& corner : {light.position, rim(i), rim(i + 1)}) surface.triangles.push_back(corner);
+  return surface;
+}
+
+SurfaceLight rectangle_light(const LightCase& light) {
+  const Vec3 across = light.direction.cross(light.along).normalized();
+  const Vec3 u = across.cross(light.direction) * light.size[0] / 2, v = across * light.size[1] / 2;
+  const Vec3& p = light.position;
+  const Vec3 a = p - u - v, b = p + u - v, c = p + u + v, d = p - u + v;
+  return {{a, b, c, a, c, d}, light.strength};
+}
+
+void require_inside(const LightCase& light, std::span<const Vec3> points, const CellLocator& locator,
+                    std::vector<Fault>& faults) {
+  for (const Vec3& point : points)
+    if (locator.find(point).empty())
+      return faults.push_back(fault_at(
+          light.origin, "",
+          fmt::format("the light \"{}\" reaches out of the mesh at [{}, {}, {}]; move it into a region",
+                      light.name, point.x(), point.y(), point.z())));
+}
+
+/// A wall that lets light in must not mirror: what comes through would be turned back there.
+void require_open(const LightCase& light, const std::vector<int>& numbers, const std::vector<Wall>& walls,
+                  std::vector<Fault>& faults) {
+  if (numbers.empty())
+    faults.push_back(fault_at(light.origin, "",
+                              fmt::format("no wall lets the light \"{}\" in (all of them shine or reflect); "
+                                          "name walls",
+                                          light.name)));
+  for (const int w : numbers)
+    for (const double specular : walls[static_cast<std::size_t>(w)].specular)
+      if (specular > 0)
+        return faults.push_back(fault_at(
+            light.origin, "",
+            fmt::format(
+                "the light \"{}\" comes in by the mirror {} (it would be turned back there); make the "
+                "wall black or diffuse",
+                light.name, walls[static_cast<std::size_t>(w)].name)));
+}
+
+void shine(const LightCase& light, const std::vector<int>& numbers, std::vector<Wall>& walls,
+           std::vector<Fault>& faults) {
+  for (const int w : numbers) {
+    Wall& wall = walls[static_cast<std::size_t>(w)];
+    if (std::ranges::any_of(wall.radiance, [](double v) { return v > 0; })) {
+      faults.push_back(
+          fault_at(light.origin, "",
+                   fmt::format("the wall {} of the light \"{}\" has a radiance already; give one "
+                               "of them",
+                               wall.name, light.name)));
+      continue;
+    }
+    wall.radiance = light.strength;
+    wall.uncollided = Uncollided::yes;
+  }
+}
+
+}  // namespace
+
+std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, std::vector<Wall>& walls) {
+  std::vector<Light> lights;
+  std::vector<Fault> faults;
+  if (input.lights.empty()) return lights;
+  const CellLocator locator(mesh);
+  const std::vector<Wall> as_written = walls;
+  for (const LightCase& light : input.lights) {
+    const std::vector<int> numbers = walls_of(light, as_written);
+    if (light.kind == "point" || light.kind == "spot") {
+      require_inside(light, std::span(&light.position, 1), locator, faults);
+      lights.push_back({light.name, point_light(light), light.origin});
+    } else if (light.kind == "sun") {
+      require_open(light, numbers, as_written, faults);
+      lights.push_back({light.name, BeamLight{light.direction, light.strength, numbers}, light.origin});
+    } else if (light.kind == "wall" || light.kind == "sky") {
+      shine(light, numbers, walls, faults);
+    } else {
+      SurfaceLight surface = light.kind == "disc" ? disc_light(light) : rectangle_light(light);
+      require_inside(light, surface.triangles, locator, faults);
+      lights.push_back({light.name, std::move(surface), light.origin});
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return lights;
+}
+
+}  // namespace etendue

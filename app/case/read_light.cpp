@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read_light.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/case/band_values.h"
+#include "app/case/light_table.h"
+#include "app/case/read_mesh.h"
+
+namespace etendue {
+namespace {
+
+/// The keys of a kind of light besides name, kind and uncollided; those that it needs first.
+struct KindKeys {
+  std::string_view kind;
+  std::vector<std::string> needed;
+  std::vector<std::string> optional;
+};
+
+const std::array<KindKeys, 7>& kind_keys() {
+  static const std::array<KindKeys, 7> kinds = {{
+      {"point", {"position", "power"}, {"distribution", "direction"}},
+      {"spot", {"position", "power", "direction", "angle"}, {"falloff"}},
+      {"sun", {"direction", "irradiance"}, {"walls"}},
+      {"disc", {"position", "direction", "radius", "radiance"}, {}},
+      {"rectangle", {"position", "direction", "along", "size", "radiance"}, {}},
+      {"wall", {"walls", "radiance"}, {}},
+      {"sky", {"radiance"}, {"walls"}},
+  }};
+  return kinds;
+}
+
+void check_kind_keys(Section& section, const KindKeys& kind) {
+  for (const std::string& key : kind.needed)
+    if (!section.has(key)) section.fault(fmt::format("a light of kind {} needs {}; add it", kind.kind, key));
+  for (const KindKeys& other : kind_keys())
+    for (const auto* keys : {&other.needed, &other.optional})
+      for (const std::string& key : *keys)
+        if (std::ranges::count(kind.needed, key) == 0 && std::ranges::count(kind.optional, key) == 0 &&
+            section.find(key) != nullptr)
+          section.unused(key, fmt::format("it is no key of the kind {}", kind.kind));
+}
+
+std::optional<Vec3> unit_if(Section& section, std::string_view name) {
+  std::optional<Vec3> vector = section.point_if(name);
+  if (!vector) return {};
+  if (vector->norm() > 0) return vector->normalized();
+  section.fault(name, "has no direction; use a vector that is not zero");
+  return {};
+}
+
+std::vector<double> numbers_if(Section& section, std::string_view name, const Bands& bands) {
+  const std::optional<BandValues> values = read_band_values(section, name, bands);
+  std::vector<double> numbers;
+  for (int b = 0; values && b < bands.count(); ++b) numbers.push_back(std::get<double>(value_of(*values, b)));
+  return numbers;
+}
+
+void read_shape(Section& section, LightCase& light, const std::filesystem::path& folder) {
+  if (const TomlNode* file = section.find("distribution")) {
+    LightTable table = read_light_table(resolve_path(*file, folder), file->origin);
+    light.angle = std::move(table.angle);
+    light.intensity = std::move(table.intensity);
+  }
+  const auto angle = section.number_if("angle");
+  if (!angle) return;
+  const double falloff = section.number("falloff");
+  if (falloff > *angle) return section.fault("falloff", "is wider than the cone; use at most `angle`");
+  light.angle = {0, *angle - falloff, *angle};
+  light.intensity = {1, 1, 0};
+  if (falloff == 0) light.intensity.back() = 1;
+}
+
+void read_size(Section& section, LightCase& light) {
+  const TomlNode* size = section.find("size");
+  if (size == nullptr) return;
+  if (size->array().size() != 2) return section.fault("size", "needs two lengths; give [along, across]");
+  light.size = {size->array()[0]->number(), size->array()[1]->number()};
+}
+
+LightCase read_light(Section& section, const Bands& bands, const std::filesystem::path& folder) {
+  LightCase light;
+  light.origin = section.origin();
+  light.name = section.text_if("name").value_or("");
+  light.kind = section.text_if("kind").value_or("");
+  if (read_uncollided(section) == Uncollided::no)
+    section.fault("uncollided",
+                  "not in this version (directions alone do not see a lamp); use \"auto\" or true");
+  const auto kind = std::ranges::find(kind_keys(), light.kind, &KindKeys::kind);
+  if (kind == kind_keys().end()) {
+    // Nothing is said about the keys of a kind that is not known.
+    for (const KindKeys& any : kind_keys())
+      for (const auto* keys : {&any.needed, &any.optional})
+        for (const std::string& key : *keys) section.find(key);
+    return light;
+  }
+  check_kind_keys(section, *kind);
+  light.position = section.point_if("position").value_or(Vec3::Zero());
+  light.direction = unit_if(section, "direction").value_or(-Vec3::UnitZ());
+  light.along = unit_if(section, "along").value_or(Vec3::UnitX());
+  if (light.kind == "rectangle" && light.along.cross(light.direction).norm() < 1e-6)
+    section.fault("along", "has the direction in which the light shines; use one across it");
+  light.radius = section.number_if("radius").value_or(0);
+  read_size(section, light);
+  read_shape(section, light, folder);
+  for (const char* quantity : {"power", "irradiance", "radiance"})
+    if (section.has(quantity)) light.strength = numbers_if(section, quantity, bands);
+  if (section.has("walls"))
+    for (const std::string& wall : section.texts("walls")) light.walls.push_back(wall);
+  return light;
+}
+
+}  // namespace
+
+std::vector<LightCase> read_lights(Section& top, const Bands& bands, const std::filesystem::path& folder) {
+  std::vector<LightCase> lights;
+  for (Section& section : top.list("light")) {
+    LightCase light = read_light(section, bands, folder);
+    if (std::ranges::count(lights, light.name, &LightCase::name) > 0 && !light.name.empty())
+      section.fault("name", "another light has this name; give each its own");
+    lights.push_back(std::move(light));
+  }
+  return lights;
+}
+
+Uncollided read_uncollided(Section& section) {
+  const TomlNode& node = section.value("uncollided");
+  if (const bool* value = std::get_if<bool>(&node.value)) return *value ? Uncollided::yes : Uncollided::no;
+  return Uncollided::automatic;
+}
+
+std::optional<LightCase> read_beam(Section& wall, const std::string& name, const Bands& bands) {
+  if (!wall.has("beam")) return {};
+  Section section = wall.section("beam");
+  LightCase beam;
+  beam.origin = section.origin();
+  beam.name = name + ".beam";
+  beam.kind = "sun";
+  beam.walls = {name};
+  beam.direction = unit_if(section, "direction").value_or(-Vec3::UnitZ());
+  beam.strength = numbers_if(section, "irradiance", bands);
+  return beam;
+}
+
+}  // namespace etendue

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/split/first_collision.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace etendue {
+namespace {
+
+constexpr double per_sphere = 1 / (4 * std::numbers::pi);
+
+/// Phase functions that are not isotropic, each once, and the number of that of each region and band.
+struct PhaseList {
+  explicit PhaseList(const Problem& problem) {
+    for (const Medium& medium : problem.media())
+      for (const PhaseFunction& phase : medium.phase) {
+        if (std::holds_alternative<PhaseIsotropic>(phase)) {
+          number.push_back(-1);
+          continue;
+        }
+        const auto found = std::find(phases.begin(), phases.end(), phase);
+        number.push_back(static_cast<int>(found - phases.begin()));
+        if (found == phases.end()) phases.push_back(phase);
+      }
+  }
+
+  std::vector<PhaseFunction> phases;
+  std::vector<int> number;
+};
+
+std::vector<CellIndex> cells_of_vertices(const TetrahedralMesh& mesh) {
+  std::vector<CellIndex> cells(static_cast<std::size_t>(mesh.vertex_count()), CellIndex(0));
+  for (std::int32_t c = mesh.cell_count() - 1; c >= 0; --c)
+    for (const std::int32_t v : mesh.vertices(CellIndex(c)))
+      cells[static_cast<std::size_t>(v)] = CellIndex(c);
+  return cells;
+}
+
+/// The light at a vertex: what arrives, else, in the dark, what would arrive without obstacles.
+void look(const LightSource& source, const PointInCell& here, LightBeams& beams) {
+  beams.clear();
+  source.add_beams(here, Sight::attenuated, coarse_light, beams);
+  const auto dark = [&] {
+    for (std::size_t i = 0; i < beams.size(); ++i)
+      for (const double value : beams.fluence(i))
+        if (value > 0) return false;
+    return true;
+  };
+  if (!dark()) return;
+  beams.clear();
+  source.add_beams(here, Sight::clear, coarse_light, beams);
+}
+
+}  // namespace
+
+FirstCollision::FirstCollision(const LightSetup& lights, const UncollidedField& field,
+                               const DirectionSet& directions, int threads)
+    : problem_(lights.problem()), field_(field), directions_(directions) {
+  PhaseList list(problem_);
+  phases_ = std::move(list.phases);
+  phase_of_ = std::move(list.number);
+  const TetrahedralMesh& mesh = problem_.mesh();
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    half_range_.push_back(directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
+  tabulate(lights, threads);
+}
+
+// At a vertex the light comes in beams k of directions w_k: the distribution is the sum over k of phi_k
+// p(w_m.w_k), divided by its sum over the set.
+void FirstCollision::tabulate(const LightSetup& lights, int threads) {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const auto vertices = static_cast<std::size_t>(mesh.vertex_count());
+  const auto ordinates = static_cast<std::size_t>(directions_.count());
+  const std::vector<CellIndex> cells = cells_of_vertices(mesh);
+  scattered_.resize(lights.sources().size() * phases_.size());
+  for (std::size_t s = 0; s < lights.sources().size(); ++s)
+    for (std::size_t p = 0; p < phases_.size(); ++p) {
+      std::vector<double>& table = scattered_[s * phases_.size() + p];
+      table.assign(ordinates * vertices, per_sphere);
+#pragma omp parallel num_threads(threads)
+      {
+        LightBeams beams(lights.paths().bands());
+        std::vector<double> values(ordinates);
+#pragma omp for schedule(dynamic, 64)
+        for (std::size_t v = 0; v < vertices; ++v) {
+          look(*lights.sources()[s], {cells[v], mesh.points()[v]}, beams);
+          std::fill(values.begin(), values.end(), 0.0);
+          double sum = 0;
+          for (std::size_t k = 0; k < beams.size(); ++k) {
+            double fluence = 0;
+            for (const double value : beams.fluence(k)) fluence += value;
+            for (std::size_t m = 0; m < ordinates; ++m)
+              values[m] +=
+                  fluence *
+                  phase_value(phases_[p],
+                              std::clamp(directions_.directions()[m].dot(beams.direction(k)), -1.0, 1.0));
+          }
+          for (std::size_t m = 0; m < ordinates; ++m) sum += directions_.weights()[m] * values[m];
+          // In a vertex that is itself the light all directions are alike.
+          for (std::size_t m = 0; m < ordinates && sum > 0; ++m) table[m * vertices + v] = values[m] / sum;
+        }
+      }
+    }
+}
+
+bool FirstCollision::depends_on_direction(CellIndex cell) const {
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  const auto region = static_cast<std::size_t>(problem_.mesh().region(cell));
+  for (std::size_t b = 0; b < bands; ++b)
+    if (phase_of_[region * bands + b] >= 0 && problem_.scattering(cell, static_cast<int>(b)) > 0) return true;
+  return false;
+}
+
+void FirstCollision::add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  const auto region = static_cast<std::size_t>(mesh.region(cell));
+  const std::size_t row = m.at() * static_cast<std::size_t>(mesh.vertex_count());
+  for (std::size_t b = 0; b < bands; ++b) {
+    const double scattering = problem_.scattering(cell, static_cast<int>(b));
+    if (scattering == 0) continue;
+    const int phase = phase_of_[region * bands + b];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t node = (cell.at() * 4 + i) * bands + b;
+      double sum = 0;
+      if (phase < 0) sum = per_sphere * field_.fluence[node];
+      for (std::size_t s = 0; phase >= 0 && s < field_.by_source.size(); ++s)
+        sum += field_.by_source[s][node] * scattered_[s * phases_.size() + static_cast<std::size_t>(phase)]
+                                                     [row + static_cast<std::size_t>(mesh.vertices(cell)[i])];
+      values[i * bands + b] += scattering * sum;
+    }
+  }
+}
+
+void FirstCollision::add_inflow(OrdinateIndex, FaceIndex face, std::span<double> values) const {
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  const Wall& wall = problem_.wall(problem_.mesh().wall(face));
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t b = 0; b < bands; ++b)
+      values[i * bands + b] +=
+          wall.diffuse[b] / half_range_[face.at()] * field_.irradiance[(face.at() * 3 + i) * bands + b];
+}
+
+std::size_t FirstCollision::memory(const LightSetup& lights, const DirectionSet& directions) {
+  const TetrahedralMesh& mesh = lights.problem().mesh();
+  const auto cells = static_cast<std::size_t>(mesh.cell_count());
+  const auto vertices = static_cast<std::size_t>(mesh.vertex_count());
+  const std::size_t bands = lights.paths().bands(), sources = lights.sources().size();
+  const std::size_t tables = sources * PhaseList(lights.problem()).phases.size() * vertices *
+                             static_cast<std::size_t>(directions.count());
+  return sizeof(double) * ((sources + 8) * cells * 4 * bands + tables + cells * bands);
+}
+
+}  // namespace etendue

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solver/angle/direction_set.h"
+#include "solver/lights/light_setup.h"
+#include "solver/ordinates/angular_input.h"
+
+namespace etendue {
+
+/// What uncollided light becomes for the sweep: where it scatters first, a source in the direction m of
+///
+///     s_m = sigma_s phi p(w_m.w') / sum over n of w_n p(w_n.w'),
+///
+/// with the exact phase function p, divided by its sum over the set so that the scattered power is sigma_s
+/// phi; and at walls the radiance that is diffusely reflected, (diffuse / pi_h) E.
+///
+/// The direction w' of the light enters by its distribution at the vertices; phi is the P1 projection.
+class FirstCollision : public AngularInput {
+ public:
+  /// The arguments must outlive it.
+  FirstCollision(const LightSetup& lights, const UncollidedField& field, const DirectionSet& directions,
+                 int threads);
+
+  bool depends_on_direction(CellIndex cell) const override;
+  void add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const override;
+  void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const override;
+
+  /// Upper estimate of the bytes that one will take, the uncollided field included.
+  static std::size_t memory(const LightSetup& lights, const DirectionSet& directions);
+
+ private:
+  void tabulate(const LightSetup& lights, int threads);
+
+  const Problem& problem_;
+  const UncollidedField& field_;
+  const DirectionSet& directions_;
+  std::vector<PhaseFunction> phases_;           ///< those that are not isotropic, each once
+  std::vector<int> phase_of_;                   ///< [region][band] in phases_; -1: isotropic
+  std::vector<std::vector<double>> scattered_;  ///< [source * phases + phase] [ordinate][vertex] [1/sr]
+  std::vector<double> half_range_;              ///< [boundary face] [sr]
+};
+
+}  // namespace etendue

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/split/solve_split.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numbers>
+
+#include "solver/lights/beam_source.h"
+#include "solver/split/first_collision.h"
+
+namespace etendue {
+namespace {
+
+int thread_count(const SolveOptions& options) {
+  return options.threads > 0 ? options.threads : omp_get_num_procs();
+}
+
+void add(std::vector<double>& to, const std::vector<double>& from) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
+}
+
+/// What lights on walls send in, and mirrors send on, added to the exitance; the powers of the lights.
+void add_exitance(const LightSetup& lights, const UncollidedField& field, Solution& solution) {
+  const Problem& problem = lights.problem();
+  const TetrahedralMesh& mesh = problem.mesh();
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  solution.lights.from_walls.assign(problem.walls().size(), std::vector<double>(bands, 0));
+  solution.lights.inside.assign(bands, 0);
+  std::vector<const BeamSource*> beams;
+  for (const auto& source : lights.sources())
+    if (const auto* beam = dynamic_cast<const BeamSource*>(source.get())) beams.push_back(beam);
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const int w = mesh.wall(face);
+    const Wall& wall = problem.wall(w);
+    std::vector<double> sent(bands, 0);
+    for (std::size_t b = 0; b < bands && lights.has_wall(w); ++b)
+      sent[b] = std::numbers::pi * wall.radiance[b];
+    for (const BeamSource* beam : beams)
+      if (std::count(beam->light().walls.begin(), beam->light().walls.end(), w) > 0) {
+        const double seen =
+            std::max(0.0, -beam->light().direction.dot(mesh.area_normal(face))) / mesh.area(face);
+        for (std::size_t b = 0; b < bands; ++b) sent[b] += seen * beam->light().irradiance[b];
+      }
+    for (std::size_t b = 0; b < bands; ++b) {
+      solution.lights.from_walls[static_cast<std::size_t>(w)][b] += sent[b] * mesh.area(face);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t node = (face.at() * 3 + i) * bands + b;
+        solution.exitance[node] += sent[b] + wall.specular[b] * field.irradiance[node];
+      }
+    }
+  }
+}
+
+/// Powers of the uncollided light.
+std::vector<UncollidedBalance> balance_of(const LightSetup& lights, const UncollidedField& field) {
+  const Problem& problem = lights.problem();
+  const TetrahedralMesh& mesh = problem.mesh();
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  std::vector<UncollidedBalance> balances(bands);
+  for (std::size_t b = 0; b < bands; ++b) {
+    UncollidedBalance& balance = balances[b];
+    for (const auto& source : lights.sources()) balance.sent += source->power()[b];
+    for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+      double fluence = 0;
+      for (std::size_t i = 0; i < 4; ++i)
+        fluence += field.fluence[(static_cast<std::size_t>(c) * 4 + i) * bands + b] / 4;
+      fluence *= mesh.volume(CellIndex(c));
+      balance.absorbed += problem.absorption(CellIndex(c), static_cast<int>(b)) * fluence;
+      balance.collided += problem.scattering(CellIndex(c), static_cast<int>(b)) * fluence;
+    }
+    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+      double irradiance = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        irradiance += field.irradiance[(static_cast<std::size_t>(f) * 3 + i) * bands + b] / 3;
+      const Wall& wall = problem.wall(mesh.wall(FaceIndex(f)));
+      const double arrived = irradiance * mesh.area(FaceIndex(f));
+      balance.reflected += wall.diffuse[b] * arrived;
+      balance.kept += (1 - wall.diffuse[b] - wall.specular[b]) * arrived;
+    }
+    const double found = balance.absorbed + balance.collided + balance.reflected + balance.kept;
+    balance.residual = balance.sent > 0 ? (balance.sent - found) / balance.sent : 0;
+  }
+  return balances;
+}
+
+void count_negative(Solution& solution, std::size_t bands) {
+  solution.negative.assign(bands, {});
+  for (std::size_t i = 0; i < solution.fluence.size(); ++i) {
+    if (solution.fluence[i] >= 0) continue;
+    NegativeCensus& band = solution.negative[i % bands];
+    ++band.count;
+    band.smallest = std::min(band.smallest, solution.fluence[i]);
+  }
+}
+
+/// Lights that are neither walls nor media, nor beams that walls let in. They are the first of the sources.
+void add_lights_inside(const LightSetup& lights, Solution& solution) {
+  const auto all = lights.problem().lights();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t b = 0;
+         b < solution.lights.inside.size() && !std::holds_alternative<BeamLight>(all[i].kind); ++b)
+      solution.lights.inside[b] += lights.sources()[i]->power()[b];
+}
+
+void add_meters(const LightSetup& lights, const SolveOptions& options, Solution& solution) {
+  const TetrahedralMesh& mesh = lights.problem().mesh();
+  const std::size_t bands = lights.paths().bands();
+  for (std::size_t i = 0; i < options.meters.size(); ++i) {
+    const CellPoint& place = options.meters[i].cells.front();
+    Vec3 position = Vec3::Zero();
+    for (std::size_t k = 0; k < 4; ++k)
+      position += place.barycentric[k] * mesh.point(VertexIndex(mesh.vertices(place.cell)[k]));
+    const LightAtPoint light = lights.at({place.cell, position}, options.meters[i].normal);
+    for (std::size_t b = 0; b < bands; ++b) solution.meters[i * bands + b] += light.irradiance[b];
+  }
+}
+
+}  // namespace
+
+Solution solve_split(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
+                     const SolveObserver& observer) {
+  if (lights.empty()) return solve(lights.problem(), directions, options, observer);
+  const auto start = std::chrono::steady_clock::now();
+  const int threads = thread_count(options);
+  UncollidedField field = uncollided_field(lights.paths(), lights.sources(), threads);
+  const FirstCollision input(lights, field, directions, threads);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  const Problem remaining = lights.remaining();
+  SolveOptions with_input = options;
+  with_input.angular_input = &input;
+  Solution solution = solve(remaining, directions, with_input, observer);
+  solution.seconds.lights = seconds;
+  solution.notes.insert(solution.notes.begin(), lights.notes().begin(), lights.notes().end());
+  solution.lights.balance = balance_of(lights, field);
+  add_exitance(lights, field, solution);
+  add_lights_inside(lights, solution);
+  for (std::size_t w = 0; w < lights.problem().walls().size(); ++w)
+    solution.lights.exact_walls.push_back(lights.has_wall(static_cast<int>(w)));
+  add(solution.fluence, field.fluence);
+  add(solution.net_flux, field.net_flux);
+  add(solution.irradiance, field.irradiance);
+  add_meters(lights, options, solution);
+  count_negative(solution, lights.paths().bands());
+  solution.lights.fluence = std::move(field.fluence);
+  solution.lights.net_flux = std::move(field.net_flux);
+  return solution;
+}
+
+std::size_t estimate_split_memory(const LightSetup& lights, const DirectionSet& directions,
+                                  const SolveOptions& options) {
+  const std::size_t rest = estimate_memory(lights.problem(), directions, options);
+  return lights.empty() ? rest : rest + FirstCollision::memory(lights, directions);
+}
+
+}  // namespace etendue
