@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -18,12 +19,21 @@ constexpr double eigenvalue_margin = 1.1;
 constexpr int power_iterations = 8;
 constexpr int cycle_measurements = 6;
 
-/// Whether constants are lost somewhere. Otherwise there is no steady state.
-bool loses(const DiffusionCoefficients& coefficients) {
-  const auto positive = [](double value) { return value > 0; };
-  return std::any_of(coefficients.absorption.begin(), coefficients.absorption.end(), positive) ||
-         std::any_of(coefficients.reflectance.begin(), coefficients.reflectance.end(),
-                     [](double alpha) { return alpha < 1; });
+/// Cycles are measured until residuals have fallen this far: beyond, rounding would be measured.
+constexpr double measured_tolerance = 1e-8;
+
+/// The energy of constants, what is lost, relative to the trace. Below this rounding decides it.
+constexpr double smallest_loss = 100 * std::numeric_limits<double>::epsilon();
+
+/// Whether constants lose so much that rounding leaves it there. Written so that NaN does not.
+bool loses(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients) {
+  double loss = 0, trace = 0;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const Eigen::Matrix4d matrix = cell_matrix(mesh, coefficients, CellIndex(c));
+    loss += matrix.sum();
+    trace += matrix.trace();
+  }
+  return loss > smallest_loss * trace;
 }
 
 /// Factors of Chebyshev's iteration for eigenvalues between two bounds (Saad 2003, algorithm 12.1): each step
@@ -63,9 +73,10 @@ NodalVector rough_vector(std::size_t size) {
 DiffusionSolver::DiffusionSolver(const TetrahedralMesh& mesh, const VertexSpace& vertices,
                                  const DiffusionCoefficients& coefficients, double accuracy, int threads)
     : vertices_(vertices), threads_(threads), matrix_(diffusion_matrix(mesh, coefficients)) {
-  if (!loses(coefficients)) throw std::domain_error("the diffusion matrix is singular");
+  if (!loses(mesh, coefficients)) throw std::domain_error("hardly anything is absorbed or leaves");
   coarse_.compute(vertices.assemble([&](CellIndex cell) { return cell_matrix(mesh, coefficients, cell); }));
-  if (coarse_.info() != Eigen::Success) throw std::domain_error("the diffusion matrix is singular");
+  if (coarse_.info() != Eigen::Success)
+    throw std::domain_error("the matrix of diffusion is not positive definite");
   invert_diagonal();
   largest_ = eigenvalue_margin * largest_eigenvalue();
   measure_cycle(accuracy);
@@ -128,16 +139,20 @@ void DiffusionSolver::precondition(std::span<const double> right, std::span<doub
 // section 6.7).
 void DiffusionSolver::measure_cycle(double accuracy) {
   NodalVector x(4 * inverse_.size());
-  ConjugateGradientOptions options{0, cycle_measurements, threads_};
+  ConjugateGradientOptions options{measured_tolerance, cycle_measurements, threads_};
   std::vector<double> spectrum;
   options.ritz_values = &spectrum;
   const NodalVector start = rough_vector(x.size());
   conjugate_gradients([this](auto from, auto to) { matrix_.multiply(from, to, threads_); },
                       [this](auto from, auto to) { precondition(from, to); }, start, x, options);
+  const auto usable = [](double value) { return std::isfinite(value) && value > 0; };
+  if (spectrum.empty() || !std::all_of(spectrum.begin(), spectrum.end(), usable))
+    throw std::domain_error("the matrix of diffusion is not positive definite");
   lowest_ = spectrum.front() / eigenvalue_margin;
   highest_ = spectrum.back() * 1.05;
   const double ratio = highest_ / lowest_;
-  steps_ = static_cast<int>(std::ceil(std::acosh(1 / accuracy) / std::acosh((ratio + 1) / (ratio - 1))));
+  const double wanted = std::ceil(std::acosh(1 / accuracy) / std::acosh((ratio + 1) / (ratio - 1)));
+  steps_ = static_cast<int>(std::clamp(wanted, 1.0, double{longest_polynomial}));
 }
 
 void DiffusionSolver::approximate(std::span<const double> right, std::span<double> x) const {

@@ -13,13 +13,17 @@
 
 namespace etendue {
 
+/// Most cycles of one approximation.
+inline constexpr int longest_polynomial = 8;
+
 /// Solves the interior penalty form of diffusion again and again for one set of coefficients: conjugate
 /// gradients with two levels, Chebyshev iteration on cell blocks for what jumps, and continuous functions for
 /// what does not. Iterations do not grow with the mesh.
 class DiffusionSolver {
  public:
-  /// `vertices` must outlive it. `accuracy` is that of approximate(). Throws std::domain_error where the
-  /// matrix is singular: nothing absorbs and nothing leaves.
+  /// `vertices` must outlive it. `accuracy` is that of approximate(), as far as `longest_polynomial` goes.
+  /// Throws std::domain_error where the matrix is singular to rounding, all but nothing being absorbed or
+  /// leaving, or is not positive definite.
   DiffusionSolver(const TetrahedralMesh& mesh, const VertexSpace& vertices,
                   const DiffusionCoefficients& coefficients, double accuracy, int threads);
 

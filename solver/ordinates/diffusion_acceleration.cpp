@@ -14,6 +14,11 @@ namespace {
 /// Extinctions that differ by more than this call for the non-local coefficient.
 constexpr double large_contrast = 100;
 
+/// Bounds of the free path that diffusion is given, the lower one in parts of that of a cell among black
+/// ones, the upper one in mean chords of the domain, beyond which lengths mean nothing.
+constexpr double shortest_part = 0.5;
+constexpr double longest_chords = 100;
+
 /// How far the low-order solve goes. Beside sweeps with moments it costs next to nothing.
 constexpr double accuracy_of_fluence = 0.5;
 constexpr double accuracy_with_moments = 0.05;
@@ -30,11 +35,32 @@ double reflectance(const Wall& wall, std::size_t band) {
   return std::min(1.0, wall.diffuse[band] + wall.specular[band]);
 }
 
+/// Mean length of the straight lines through a convex body.
+double mean_chord(double volume, double area) { return 4 * volume / area; }
+
+double mean_chord(const TetrahedralMesh& mesh, CellIndex cell) {
+  double area = 0;
+  for (const std::int32_t face : mesh.faces(cell)) area += mesh.area(FaceIndex(face));
+  return mean_chord(mesh.volume(cell), area);
+}
+
+double mean_chord(const TetrahedralMesh& mesh) {
+  double volume = 0, area = 0;
+  for (const double part : mesh.volumes()) volume += part;
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) area += mesh.area(FaceIndex(f));
+  return mean_chord(volume, area);
+}
+
 }  // namespace
 
 DiffusionAcceleration::DiffusionAcceleration(const Problem& problem, TransportSweep& sweep,
                                              std::span<const double> extinction, DiffusionLength length)
-    : problem_(problem), sweep_(sweep), vertices_(problem.mesh()) {
+    : problem_(problem),
+      sweep_(sweep),
+      vertices_(problem.mesh()),
+      longest_free_path_(longest_chords * mean_chord(problem.mesh())) {
+  if (sweep.cells().nodes() != 4)
+    throw std::invalid_argument("acceleration by diffusion takes linear elements, not constant ones");
   nonlocal_ = length == DiffusionLength::nonlocal ||
               (length == DiffusionLength::automatic && wants_nonlocal(extinction));
   std::unique_ptr<TransportState> path;
@@ -54,8 +80,10 @@ DiffusionAcceleration::DiffusionAcceleration(const Problem& problem, TransportSw
     try {
       solvers_.push_back(
           std::make_unique<DiffusionSolver>(problem.mesh(), vertices_, wanted, accuracy, sweep.threads()));
-    } catch (const std::domain_error&) {
+      faults_.emplace_back();
+    } catch (const std::domain_error& fault) {
       solvers_.push_back(nullptr);
+      faults_.emplace_back(fault.what());
     }
     known.push_back(std::move(wanted));
   }
@@ -75,27 +103,36 @@ bool DiffusionAcceleration::wants_nonlocal(std::span<const double> extinction) c
   return false;
 }
 
+// The mean of the flight lengths to where light comes from, or 1/sigma_t. The elements of the one may be
+// negative where extinctions jump, the other is infinite in a void. Nothing is shorter than in a cell among
+// black ones, about 1/(sigma_t + 1/chord) (Wigner's rational approximation).
+double DiffusionAcceleration::free_path(CellIndex cell, std::size_t band, double extinction,
+                                        const TransportState* path) const {
+  double result = 1 / extinction;
+  if (path != nullptr) {
+    result = 0;
+    const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
+    for (std::size_t i = 0; i < 4; ++i)
+      result += path->fluence()[(4 * cell.at() + i) * stride + band] / (4 * full_range(problem_.space()));
+  }
+  const double shortest = shortest_part / (extinction + 1 / mean_chord(problem_.mesh(), cell));
+  return std::min(longest_free_path_, std::max(shortest, result));
+}
+
 DiffusionCoefficients DiffusionAcceleration::coefficients(std::size_t band,
                                                           std::span<const double> extinction,
                                                           const TransportState* path) const {
   const TetrahedralMesh& mesh = problem_.mesh();
   const auto bands = static_cast<std::size_t>(problem_.band_count());
-  const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
   DiffusionCoefficients result;
   result.partial_current = partial_current(problem_.space());
   for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c) {
-    const double total = extinction[c * bands + band];
-    result.absorption.push_back(std::max(0.0, total - problem_.scattering()[c * bands + band]));
-    double free_path = 0;
-    if (path != nullptr) {
-      for (std::size_t i = 0; i < 4; ++i)
-        free_path += path->fluence()[(4 * c + i) * stride + band] / (4 * full_range(problem_.space()));
-    } else {
-      free_path = 1 / total;
-    }
-    result.diffusion.push_back(free_path / dimension(problem_.space()) * Eigen::Matrix3d::Identity());
-    result.lumped.push_back(
-        sweep_.cells().is_lumped(CellIndex(static_cast<std::int64_t>(c)), static_cast<int>(band)));
+    const CellIndex cell(static_cast<std::int64_t>(c));
+    // Not as extinction less scattering, in which a tiny absorption is lost.
+    result.absorption.push_back(problem_.absorption()[c * bands + band]);
+    const double length = free_path(cell, band, extinction[c * bands + band], path);
+    result.diffusion.push_back(length / dimension(problem_.space()) * Eigen::Matrix3d::Identity());
+    result.lumped.push_back(sweep_.cells().is_lumped(cell, static_cast<int>(band)));
   }
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     result.reflectance.push_back(reflectance(problem_.wall(mesh.wall(FaceIndex(f))), band));
@@ -107,7 +144,7 @@ void DiffusionAcceleration::apply(const TransportState& residual, TransportState
   const auto start = Clock::now();
   std::copy(residual.values().begin(), residual.values().end(), corrected.values().begin());
   for (std::size_t band = 0; band < solver_of_.size(); ++band)
-    if (active[band] && solvers_[solver_of_[band]] != nullptr) correct_band(band, residual, corrected);
+    if (active[band] && acts_on(band)) correct_band(band, residual, corrected);
   seconds_ += seconds_since(start);
 }
 
@@ -191,14 +228,23 @@ void DiffusionAcceleration::correct_walls(std::size_t band, const NodalVector& c
   }
 }
 
-std::string DiffusionAcceleration::description() const {
+std::vector<std::string> DiffusionAcceleration::notes() const {
+  std::vector<std::string> notes;
+  for (std::size_t band = 0; band < solver_of_.size(); ++band)
+    if (!acts_on(band))
+      notes.push_back(fmt::format("not accelerated in band {}: {}", problem_.bands().names[band],
+                                  faults_[solver_of_[band]]));
+  if (notes.size() == solver_of_.size()) return notes;
   int cycles = 0;
   for (const auto& solver : solvers_) cycles = std::max(cycles, solver ? solver->steps() : 0);
-  return fmt::format("accelerated by diffusion: {}, {} of two levels for each sweep",
-                     nonlocal_
-                         ? "non-local coefficient (a void, or extinctions that differ by more than 100 times)"
-                         : "local coefficient",
-                     cycles == 1 ? "one cycle" : fmt::format("{} cycles", cycles));
+  notes.insert(
+      notes.begin(),
+      fmt::format("accelerated by diffusion: {}, {} of two levels for each sweep",
+                  nonlocal_
+                      ? "non-local coefficient (a void, or extinctions that differ by more than 100 times)"
+                      : "local coefficient",
+                  cycles == 1 ? "one cycle" : fmt::format("{} cycles", cycles)));
+  return notes;
 }
 
 }  // namespace etendue

@@ -16,10 +16,14 @@ namespace etendue {
 /// of I - T, and |P r| is an estimate of the error. It acts on the fluence and on light at reflecting walls.
 class DiffusionAcceleration {
  public:
-  /// The arguments must outlive it. `extinction` is [cell][band] [1/length]. May do one sweep.
+  /// The arguments must outlive it. `extinction` is [cell][band] [1/length]. May do one sweep. Throws
+  /// std::invalid_argument unless the elements are linear.
   DiffusionAcceleration(const Problem& problem, TransportSweep& sweep, std::span<const double> extinction,
                         DiffusionLength length = DiffusionLength::automatic);
 
+  /// Whether there is a low-order solver in this band. Where there is none P = I, and |P r| is no more an
+  /// estimate of the error than |r|.
+  bool acts_on(std::size_t band) const { return solvers_[solver_of_[band]] != nullptr; }
   /// corrected = P residual, in the bands that are `active`.
   void apply(const TransportState& residual, TransportState& corrected, const std::vector<char>& active);
 
@@ -27,10 +31,12 @@ class DiffusionAcceleration {
   int solver_count() const { return static_cast<int>(solvers_.size()); }
   double seconds() const { return seconds_; }              ///< in apply()
   double setup_seconds() const { return setup_seconds_; }  ///< sweeps left out
-  std::string description() const;
+  /// What is done, and in which bands nothing is, with the reason.
+  std::vector<std::string> notes() const;
 
  private:
   bool wants_nonlocal(std::span<const double> extinction) const;
+  double free_path(CellIndex cell, std::size_t band, double extinction, const TransportState* path) const;
   DiffusionCoefficients coefficients(std::size_t band, std::span<const double> extinction,
                                      const TransportState* path) const;
   void correct_band(std::size_t band, const TransportState& residual, TransportState& corrected);
@@ -44,7 +50,9 @@ class DiffusionAcceleration {
   TransportSweep& sweep_;
   VertexSpace vertices_;
   std::vector<std::size_t> solver_of_;                     ///< [band]
-  std::vector<std::unique_ptr<DiffusionSolver>> solvers_;  ///< null where the matrix is singular
+  std::vector<std::unique_ptr<DiffusionSolver>> solvers_;  ///< null where there is a fault
+  std::vector<std::string> faults_;                        ///< [solver] why it is null
+  double longest_free_path_ = 0;                           ///< [length]
   bool nonlocal_ = false;
   int sweeps_ = 0;
   double seconds_ = 0;

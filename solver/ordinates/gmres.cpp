@@ -81,7 +81,7 @@ class Run {
         result_.bands[b].residual = errors[b];
         // Without acceleration the residual after the first sweep says only that something shines.
         result_.bands[b].converged =
-            (measured_ || accelerated() || errors[b] <= rounding) && errors[b] <= options_.tolerance;
+            (measured_ || accelerated(b) || errors[b] <= rounding) && errors[b] <= options_.tolerance;
       }
       if (!report() || all_converged() || finished()) break;
       cycle();
@@ -92,6 +92,8 @@ class Run {
 
  private:
   bool accelerated() const { return options_.acceleration != nullptr; }
+  /// Whether |P r| is an estimate of the error in this band.
+  bool accelerated(std::size_t band) const { return accelerated() && options_.acceleration->acts_on(band); }
   bool finished() const { return sweeps_ >= options_.max_sweeps || result_.interrupted; }
   bool all_converged() const {
     return std::all_of(result_.bands.begin(), result_.bands.end(), [](const auto& b) { return b.converged; });
@@ -102,13 +104,11 @@ class Run {
     sweep_.apply(state_, work_);
     ++sweeps_;
     vectors_.add(work_, BandScalars(bands_, -1), state_);
-    if (!accelerated()) {
-      std::vector<double> errors = relative_change(sweep_.mesh(), sweep_, state_, work_);
-      for (std::size_t b = 0; b < bands_; ++b) errors[b] = sweep_.is_direct() ? 0 : errors[b] / smallest_[b];
-      return errors;
-    }
-    precondition(std::vector<char>(bands_, 1));
-    return relative_change(sweep_.mesh(), sweep_, state_, work_);
+    if (accelerated()) precondition(std::vector<char>(bands_, 1));
+    std::vector<double> errors = relative_change(sweep_.mesh(), sweep_, state_, work_);
+    for (std::size_t b = 0; b < bands_; ++b)
+      if (!accelerated(b)) errors[b] = sweep_.is_direct() ? 0 : errors[b] / smallest_[b];
+    return errors;
   }
 
   /// work_ = P work_
@@ -215,7 +215,7 @@ class Run {
     }
     for (std::size_t b = 0; b < bands_; ++b) {
       if (done_[b]) continue;
-      if (!accelerated()) errors[b] = problems_[b].residual() / (smallest_[b] * size_[b]);
+      if (!accelerated(b)) errors[b] = problems_[b].residual() / (smallest_[b] * size_[b]);
       result_.bands[b].residual = errors[b];
       done_[b] = errors[b] <= safety * options_.tolerance;
     }

@@ -214,7 +214,7 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     if (acceleration) {
       solution.seconds.low_order_setup = acceleration->setup_seconds();
       solution.seconds.low_order = acceleration->seconds() + acceleration->setup_seconds();
-      solution.notes.push_back(acceleration->description());
+      for (std::string& note : acceleration->notes()) solution.notes.push_back(std::move(note));
     }
   }
   if (options.positivity != Positivity::none && options.order == SpaceOrder::linear)

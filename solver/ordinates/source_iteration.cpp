@@ -73,10 +73,10 @@ IterationResult SourceIteration::run(TransportSweep& sweep, TransportState& stat
     double left = 0;
     bool done = true;
     for (std::size_t b = 0; b < bands; ++b) {
-      // |P r| is an estimate of the error itself.
-      errors[b] = sweep.is_direct()                 ? 0
-                  : options.acceleration != nullptr ? residual[b]
-                                                    : rates[b].error(residual[b]);
+      // Asked in any case, for the sweeps that are left. |P r| is an estimate of the error itself.
+      const double from_rate = rates[b].error(residual[b]);
+      const bool corrected = options.acceleration != nullptr && options.acceleration->acts_on(b);
+      errors[b] = sweep.is_direct() ? 0 : corrected ? residual[b] : from_rate;
       const bool converged = errors[b] <= options.tolerance;
       result.bands[b] = {count, errors[b], converged};
       result.history.push_back({count, static_cast<int>(b), errors[b]});

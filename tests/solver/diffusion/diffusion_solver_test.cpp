@@ -113,6 +113,38 @@ TEST(DiffusionSolver, ApproximationIsLinearAndAsAccurateAsAsked) {
   }
 }
 
+TEST(DiffusionSolver, PolynomialHasABoundedLength) {
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
+  const VertexSpace vertices(mesh);
+  EXPECT_EQ(DiffusionSolver(mesh, vertices, uniform(mesh, 0.1, 0.01, 0), 1e-30, 1).steps(),
+            longest_polynomial);
+}
+
+TEST(DiffusionSolver, RefusesWhatIsNotPositiveDefinite) {
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
+  const VertexSpace vertices(mesh);
+  const auto solver = [&](double absorption, double diffusion, double reflectance) {
+    return DiffusionSolver(mesh, vertices, uniform(mesh, absorption, diffusion, reflectance), 0.5, 1);
+  };
+  EXPECT_NO_THROW(solver(1e-8, 1, 1));
+  EXPECT_THROW(solver(0, 1, 1), std::domain_error);
+  EXPECT_THROW(solver(1e-17, 1, 1), std::domain_error) << "a loss that rounding swallows";
+  EXPECT_THROW(solver(1, NAN, 1), std::domain_error);
+  EXPECT_THROW(solver(1, HUGE_VAL, 0), std::domain_error);
+  EXPECT_THROW(solver(1, -1, 1), std::domain_error);
+}
+
+TEST(DiffusionSolver, MeasuresItsCycleOnASingleCell) {
+  RawMesh raw;
+  raw.points = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  raw.cells = {{0, 1, 2, 3}};
+  raw.cell_regions = {0};
+  raw.region_names = {"domain"};
+  const TetrahedralMesh mesh(raw);
+  const VertexSpace vertices(mesh);
+  EXPECT_EQ(DiffusionSolver(mesh, vertices, uniform(mesh, 1, 1, 0), 0.5, 1).steps(), 1);
+}
+
 TEST(DiffusionSolver, SameBitsForAnyNumberOfThreads) {
   const TetrahedralMesh mesh = cube_mesh(1e-3);
   const VertexSpace vertices(mesh);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -171,6 +172,96 @@ TEST(DiffusionAcceleration, BandsWithEqualCoefficientsShareOneSolver) {
   const DirectionSet directions = directions_triangular(4);
   TransportSweep sweep(problem, directions, extinction, tight_options());
   EXPECT_EQ(DiffusionAcceleration(problem, sweep, extinction).solver_count(), 2);
+}
+
+/// Relative, in the mean square, of the fluence of a band from a constant.
+double deviation(const Solution& solution, std::size_t bands, std::size_t band, double expected) {
+  double sum = 0;
+  for (std::size_t i = band; i < solution.fluence.size(); i += bands)
+    sum += std::pow(solution.fluence[i] / expected - 1, 2);
+  return std::sqrt(sum * static_cast<double>(bands) / static_cast<double>(solution.fluence.size()));
+}
+
+/// Two bands in a closed box, the second one absorbing well.
+Problem closed_box(const TetrahedralMesh& mesh, double absorption, double diffuse) {
+  Medium medium = uniform_medium(2, absorption, 1, 1);
+  medium.absorption[1] = Coefficient(0.5);
+  medium.emission[1] = Coefficient(0.5);
+  return uniform_problem(mesh, medium, uniform_wall(2, 0, diffuse, 1 - diffuse));
+}
+
+TEST(DiffusionAcceleration, ClosedBoxNeverConvergesToAWrongAnswer) {
+  const TetrahedralMesh mesh = cube_mesh(4e-2);
+  const double tolerance = 0.02;
+  for (const double diffuse : {0.0, 1.0})
+    for (const double absorption : {1e-8, 1e-12, 1e-15, 1e-18})
+      for (const Method method : {Method::gmres, Method::source_iteration}) {
+        const Problem problem = closed_box(mesh, absorption, diffuse);
+        SolveOptions options = options_of(method, Acceleration::diffusion, tolerance);
+        options.max_sweeps = 80;
+        const Solution solution = solve(problem, directions_triangular(4), options);
+        EXPECT_TRUE(solution.convergence[1].converged);
+        // The radiance is emission over absorption, everywhere.
+        EXPECT_LT(deviation(solution, 2, 1, 4 * M_PI), 1.5 * tolerance);
+        const double error = deviation(solution, 2, 0, 4 * M_PI / absorption);
+        if (solution.convergence[0].converged) {
+          EXPECT_LT(error, 1.5 * tolerance) << "absorption " << absorption;
+        }
+        EXPECT_TRUE(absorption < 1e-8 || solution.convergence[0].converged);
+      }
+}
+
+TEST(DiffusionAcceleration, SaysWhichBandHasNoSolverAndWhy) {
+  const TetrahedralMesh mesh = cube_mesh(4e-2);
+  const Problem problem = closed_box(mesh, 1e-18, 1);
+  SolveOptions options = options_of(Method::gmres, Acceleration::diffusion, 1e-3);
+  options.max_sweeps = 30;
+  const std::vector<std::string> notes = solve(problem, directions_triangular(4), options).notes;
+  const std::string wanted = "not accelerated in band " + problem.bands().names[0] + ": hardly anything";
+  EXPECT_EQ(std::count_if(notes.begin(), notes.end(),
+                          [&](const std::string& note) { return note.find(wanted) == 0; }),
+            1);
+  EXPECT_EQ(std::count_if(notes.begin(), notes.end(),
+                          [](const std::string& note) { return note.find("accelerated by diffusion") == 0; }),
+            1);
+}
+
+TEST(DiffusionAcceleration, ActsOnAnAbsorptionThatRoundingTakesFromTheExtinction) {
+  const TetrahedralMesh mesh = cube_mesh(4e-2);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 1e-10, 1e7, 1), uniform_wall(1, 0, 1, 0));
+  ASSERT_EQ(1e7 + 1e-10, 1e7);
+  const std::vector<double> extinction(static_cast<std::size_t>(mesh.cell_count()), 1e7);
+  const DirectionSet directions = directions_triangular(4);
+  TransportSweep sweep(problem, directions, extinction, tight_options());
+  EXPECT_TRUE(DiffusionAcceleration(problem, sweep, extinction).acts_on(0));
+}
+
+TEST(DiffusionAcceleration, LocalCoefficientBearsAVoid) {
+  const TetrahedralMesh mesh = cube_with_ball(5e-3);
+  EXPECT_LE(sweeps_of(mesh, 0, 20, DiffusionLength::local), 40);
+}
+
+TEST(DiffusionAcceleration, SourceIterationForecastsWhatIsLeft) {
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.1, 5, 1), uniform_wall(1, 0.2, 0.5, 0));
+  int forecasts = 0;
+  solve(problem, directions_triangular(4), options_of(Method::source_iteration, Acceleration::diffusion),
+        [&](const SweepProgress& progress) {
+          if (progress.sweep > 2 && progress.residual[0] > 10 * progress.tolerance) {
+            EXPECT_GT(progress.seconds_left, 0) << "at sweep " << progress.sweep;
+            ++forecasts;
+          }
+          return SolveControl::proceed;
+        });
+  EXPECT_GT(forecasts, 2);
+}
+
+TEST(DiffusionAcceleration, TakesNoConstantElements) {
+  const TetrahedralMesh mesh = cube_mesh(4e-2);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.1, 5, 1), uniform_wall(1, 0.2, 0.5, 0));
+  SolveOptions options = options_of(Method::gmres, Acceleration::diffusion);
+  options.order = SpaceOrder::constant;
+  EXPECT_THROW(solve(problem, directions_triangular(4), options), std::invalid_argument);
 }
 
 TEST(DiffusionAcceleration, NothingHappensToABandThatIsDone) {
