@@ -110,6 +110,38 @@ def slab(results):
     return found
 
 
+def haze(results):
+    """Reflected and transmitted part of the light that comes in; bands are g, tau = 10, albedo 0.99."""
+    walls = {(row["wall"], float(row["band"])): row for row in read_table(results / "walls.csv")}
+    found = []
+    for row in read_table(REFERENCES / "slab_diffuse.csv"):
+        g = float(row["g"])
+        if (float(row["w"]), float(row["tau"])) != (0.99, 10.0) or ("lit", g) not in walls:
+            continue
+        sent = float(walls["lit", g]["outgoing"])
+        for name, wall, column in (("R", "lit", "R"), ("T", "dark", "T_total")):
+            found.append(Comparison(f"{name}, g = {g:g}", float(walls[wall, g]["incoming"]) / sent, float(row[column])))
+    return found
+
+
+def canopy(results):
+    """Reflectance and transmittance of level Lambertian leaves, whose upward and downward irradiance obey
+    dE_down/dL = -(1 - t) E_down + r E_up and the same upwards (Goudriaan 1977); leaf area 2, dark ground."""
+    walls = {(row["wall"], row["band"]): row for row in read_table(results / "walls.csv")}
+    found = []
+    for band, r, t in (("black", 0.0, 0.0), ("red", 0.08, 0.04), ("infrared", 0.45, 0.45)):
+        rate = math.sqrt((1 - t) ** 2 - r ** 2)
+        deep = (1 - t - rate) / r if r else 0.0
+        through = math.exp(-2 * rate)
+        exact = {"sky": deep * (1 - through ** 2) / (1 - (deep * through) ** 2),
+                 "ground": (1 - deep ** 2) * through / (1 - (deep * through) ** 2)}
+        sent = float(walls["sky", band]["outgoing"])
+        for wall, name in (("sky", "R"), ("ground", "T")):
+            if exact[wall]:
+                found.append(Comparison(f"{name}, {band}", float(walls[wall, band]["incoming"]) / sent, exact[wall]))
+    return found
+
+
 def furnace(results):
     """Fluence 4 pi L in every node of the field, at the probes, and irradiance pi L on every wall."""
     radiance = {"one": 1.0, "two": 2.0, "five": 5.0}

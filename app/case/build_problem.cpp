@@ -2,6 +2,7 @@
 #include "app/case/band_values.h"
 #include "app/case/build.h"
 #include "app/case/build_lights.h"
+#include "app/case/kernel_coefficient.h"
 #include "app/case/medium_coefficients.h"
 #include "app/case/mesh_names.h"
 
@@ -33,6 +34,8 @@ Medium medium_of(const MediumCase& entry, const std::string& region, double volu
   medium.name = region;
   medium.origin = entry.origin;
   medium.uncollided = entry.uncollided;
+  medium.choice = entry.choice;
+  medium.directional = entry.directional;
   for (int band = 0; band < bands; ++band) {
     const MatterValues matter = matter_values(entry, band);
     medium.absorption.push_back(coefficient(matter.absorption));
@@ -49,6 +52,21 @@ Medium medium_of(const MediumCase& entry, const std::string& region, double volu
                                                : entry.phase[common ? 0 : static_cast<std::size_t>(band)]);
   }
   return medium;
+}
+
+/// A kernel's scattering follows from its formula or matrix, and its absorption from what is given beside it.
+void add_kernel(Medium& medium, const DirectionSet& directions, const TetrahedralMesh& mesh, int region,
+                Origin origin) {
+  try {
+    for (std::size_t band = 0; band < medium.directional.size(); ++band) {
+      medium.scattering[band] = kernel_scattering(medium.directional[band], directions, mesh, region);
+      if (const auto extinction = kernel_extinction(medium.directional[band]))
+        medium.absorption[band] = *extinction - medium.scattering[band].at(Vec3::Zero());
+    }
+  } catch (const InputError& error) {
+    origin.key += ".kernel";
+    throw InputError(fault_at(origin, "", error.faults().front().text));
+  }
 }
 
 std::vector<double> band_numbers(const BandValues& values, int bands) {
@@ -76,7 +94,10 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
   std::vector<Medium> media;
   for (std::size_t region = 0; region < volumes.size(); ++region) {
     const std::string& name = mesh.region_names()[region];
-    media.push_back(medium_of(entry_of(input.media, name), name, volumes[region], bands));
+    const MediumCase entry = entry_of(input.media, name);
+    media.push_back(medium_of(entry, name, volumes[region], bands));
+    if (entry.has_kernel)
+      add_kernel(media.back(), build_directions(input), mesh, static_cast<int>(region), entry.origin);
   }
   std::vector<Wall> walls;
   for (const std::string& name : mesh.wall_names())

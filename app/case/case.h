@@ -16,6 +16,7 @@
 #include "solver/angle/rotation.h"
 #include "solver/ordinates/solve.h"
 #include "solver/problem/angular_space.h"
+#include "solver/problem/directional_scattering.h"
 #include "solver/problem/light.h"
 #include "solver/problem/phase_function.h"
 
@@ -57,10 +58,13 @@ struct MeshCase {
 struct MediumCase {
   std::optional<BandValues> absorption, scattering, extinction, albedo;
   std::optional<BandValues> emission, power_density;
-  std::optional<BandValues> power;       ///< of the whole region; numbers [power]
-  std::vector<PhaseFunction> phase;      ///< one for all bands or one for each
-  std::vector<std::string> phase_notes;  ///< what was computed on the way to them
   Uncollided uncollided = Uncollided::automatic;
+  std::vector<std::string> phase_notes;            ///< what was computed on the way to them
+  std::optional<BandValues> power;                 ///< of the whole region; numbers [power]
+  std::vector<PhaseFunction> phase;                ///< one for all bands or one for each
+  std::vector<ScatteringChoice> choice;            ///< [band]; empty: automatic
+  std::vector<DirectionalScattering> directional;  ///< [band]; empty: none
+  bool has_kernel = false;                         ///< whose scattering follows from it when there is a mesh
   Origin origin;
   AngularSpace space = AngularSpace::sphere;  ///< what power is divided by
 };

@@ -31,6 +31,8 @@ std::string type_column(KeyType type) {
       return "list of text";
     case KeyType::numbers:
       return "list of numbers";
+    case KeyType::band_texts:
+      return "text per band";
     case KeyType::band_numbers:
       return "number per band";
     case KeyType::band_values:

@@ -3,6 +3,7 @@
 
 #include "app/case/keys.h"
 #include "solver/angle/direction_set.h"
+#include "solver/problem/directional_scattering.h"
 
 namespace etendue {
 namespace {
@@ -48,6 +49,11 @@ std::vector<TableDeclaration> make_tables() {
        .form = table_or_list,
        .help = "How light turns when it scatters: one table, or a list with one for each band; without it "
                "isotropic."},
+      {.path = "media.NAME.leaves",
+       .help = "A canopy of flat leaves (Ross), instead of absorption, scattering and phase."},
+      {.path = "media.NAME.flakes",
+       .help = "Micro-flakes (SGGX): mirrors much smaller than a cell, instead of absorption, scattering and "
+               "phase."},
       {.path = "media.NAME.phase.mix", .form = list, .help = "Of the model mixture: its parts."},
       {.path = "walls", .help = "Every wall has an entry; \"*\" stands for the rest."},
       {.path = "walls.NAME", .help = "What the wall NAME does; an empty entry is black and cold."},
@@ -75,7 +81,6 @@ std::vector<TableDeclaration> make_tables() {
 
 std::vector<KeyDeclaration> make_keys() {
   constexpr auto required = Need::required;
-  constexpr auto later = Support::later;
   const std::string_view per_length = "1/length", per_volume = "power/(length^3 sr)";
   const Range sphere_facets{.lowest = 8, .highest = 1e6}, cylinder_facets{.lowest = 3, .highest = 1e5};
   return {
@@ -220,13 +225,104 @@ std::vector<KeyDeclaration> make_keys() {
         .range = not_negative,
         .help = "Of the whole region, instead of `emission`: divided by 4 pi (flatland: 2 pi) and the meshed "
                 "volume."}},
-      {"media.NAME", "kernel", any, {.support = later, .help = "A general scattering kernel."}},
+      {"media.NAME",
+       "scattering_method",
+       band_texts,
+       {.default_value = "\"auto\"",
+        .choices = {"auto", "moments", "dense", "galerkin"},
+        .help = "Through moments of the radiance, or a matrix between the directions: dense (never negative, "
+                "exact energy and mean cosine) or galerkin. auto: moments where the phase function's series "
+                "ends, "
+                "else dense while the angular solution stays below 256 MiB; the reason is printed."}},
+      {"media.NAME",
+       "scattering_degree",
+       integer,
+       {.default_note = "chosen",
+        .range = {.lowest = 0, .highest = 30},
+        .help = "Degree of the moments, where the choice by the phase function is not wanted."}},
+      {"media.NAME",
+       "forward_peak",
+       band_texts,
+       {.default_value = "\"auto\"",
+        .choices = {"auto", "keep", "delta-m"},
+        .help =
+            "What the moments do with a peak that they do not resolve. delta-m, also called extended "
+            "transport "
+            "correction, counts it as not scattered. auto: delta-m where the part left out exceeds 0.02."}},
+      {"media.NAME",
+       "kernel",
+       any,
+       {.unit = "1/(length sr)",
+        .help =
+            "Scattering from the direction (wx, wy, wz) into (vx, vy, vz) as a formula in these and x, y, z, "
+            "instead of scattering and phase: a factor that depends on the place times one that depends on "
+            "the "
+            "directions. Or { file = \"k.csv\" }, lines of from, into, k with numbers of directions. Beside "
+            "it "
+            "absorption, or one number as extinction."}},
+      {"media.NAME",
+       "reciprocal",
+       boolean,
+       {.default_value = "false",
+        .help = "Claims of the kernel that k(w, v) = k(-v, -w), which is checked."}},
       {"media.NAME",
        "uncollided",
        switch_,
        {.default_value = "\"auto\"",
         .help = "Whether the emission's uncollided part is integrated along rays as that of a light; auto: "
                 "where the region is below 5 % of the volume."}},
+
+      {"media.NAME.leaves",
+       "area_density",
+       band_values,
+       {.unit = per_length,
+        .range = not_negative,
+        .need = required,
+        .help = "Leaf area in a volume, one side counted."}},
+      {"media.NAME.leaves",
+       "angles",
+       text,
+       {.default_value = "\"spherical\"",
+        .choices = leaf_angle_names(),
+        .help = "How the leaves' normals are inclined; z points up and azimuths are all alike."}},
+      {"media.NAME.leaves",
+       "reflectance",
+       band_numbers,
+       {.default_value = "0.0", .range = fraction, .help = "Of a leaf."}},
+      {"media.NAME.leaves",
+       "transmittance",
+       band_numbers,
+       {.default_value = "0.0",
+        .range = fraction,
+        .help = "Of a leaf; reflectance + transmittance is at most 1."}},
+
+      {"media.NAME.flakes",
+       "density",
+       band_values,
+       {.unit = per_length,
+        .range = not_negative,
+        .need = required,
+        .help = "Number in a volume times area."}},
+      {"media.NAME.flakes",
+       "axis",
+       point,
+       {.default_note = "[0, 0, 1]", .help = "Of the ellipsoid of revolution."}},
+      {"media.NAME.flakes",
+       "along",
+       number,
+       {.default_value = "1.0",
+        .range = {.lowest = 0, .highest = 1, .lowest_excluded = true},
+        .help = "Projected area that light along the axis meets; below `across`: fibres."}},
+      {"media.NAME.flakes",
+       "across",
+       number,
+       {.default_value = "1.0",
+        .range = {.lowest = 0, .highest = 1, .lowest_excluded = true},
+        .help = "Projected area that light across the axis meets; below `along`: flakes that lie flat."}},
+      {"media.NAME.flakes",
+       "albedo",
+       band_numbers,
+       {.default_value = "0.0", .range = fraction, .help = "Of a flake, a mirror."}},
 
       {"media.NAME.phase",
        "model",

@@ -30,6 +30,8 @@ std::string type_text(KeyType type) {
       return "a list of text";
     case KeyType::numbers:
       return "a list of numbers";
+    case KeyType::band_texts:
+      return "text, or a list with one for each band";
     case KeyType::band_numbers:
       return "a number, or a list with one for each band";
     case KeyType::band_values:

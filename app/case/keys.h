@@ -21,6 +21,7 @@ enum class KeyType {
   points,        ///< list of points
   texts,         ///< list of text
   numbers,       ///< list of numbers
+  band_texts,    ///< text, or a list with one for each band
   band_numbers,  ///< a number, or a list with one for each band
   band_values,   ///< a number or a formula in x, y, z, or a list of such with one for each band
   size_bound,    ///< a number, or a table NAME = number

@@ -8,6 +8,7 @@
 
 #include "app/case/band_values.h"
 #include "app/case/medium_coefficients.h"
+#include "app/case/read_directional.h"
 #include "app/case/read_light.h"
 #include "app/case/read_phase.h"
 
@@ -62,6 +63,51 @@ std::vector<PhaseFunction> read_phases(Section& section, const MatterContext& co
   return phases;
 }
 
+// One text for each band.
+std::vector<std::string> read_band_texts(Section& section, std::string_view name, const Bands& bands) {
+  const TomlNode& node = section.value(name);
+  std::vector<std::string> texts(static_cast<std::size_t>(bands.count()), "auto");
+  if (node.faulty) return texts;
+  if (!node.is_array()) return std::vector<std::string>(texts.size(), node.text());
+  if (!check_band_count(section, name, node.array().size(), bands)) return texts;
+  for (std::size_t band = 0; band < texts.size(); ++band) texts[band] = node.array()[band]->text();
+  return texts;
+}
+
+ScatteringBackend backend_of(const std::string& method) {
+  return method == "moments"    ? ScatteringBackend::moments
+         : method == "dense"    ? ScatteringBackend::dense
+         : method == "galerkin" ? ScatteringBackend::galerkin
+                                : ScatteringBackend::automatic;
+}
+
+ForwardPeak peak_of(const std::string& text) {
+  return text == "keep"      ? ForwardPeak::keep
+         : text == "delta-m" ? ForwardPeak::delta_m
+                             : ForwardPeak::automatic;
+}
+
+std::vector<ScatteringChoice> read_choices(Section& section, const Bands& bands) {
+  if (!scatters(section)) {
+    for (const char* name : {"scattering_method", "scattering_degree", "forward_peak"})
+      section.unused(name, "nothing scatters in this region");
+    return {};
+  }
+  std::vector<ScatteringChoice> choices;
+  const std::vector<std::string> methods = read_band_texts(section, "scattering_method", bands);
+  const std::vector<std::string> peaks = read_band_texts(section, "forward_peak", bands);
+  const TomlNode* degree = section.find("scattering_degree");
+  bool by_moments = false;
+  for (std::size_t band = 0; band < methods.size(); ++band) {
+    choices.push_back({backend_of(methods[band]), -1, peak_of(peaks[band])});
+    by_moments = by_moments || choices.back().backend == ScatteringBackend::moments ||
+                 choices.back().backend == ScatteringBackend::automatic;
+    if (degree != nullptr) choices.back().degree = static_cast<int>(degree->number());
+  }
+  if (!by_moments) section.unused("scattering_degree", "a matrix has no degree");
+  return choices;
+}
+
 // Only values that are all sound can be compared.
 bool any_faulty(const Section& section, std::initializer_list<const char*> names) {
   return std::ranges::any_of(names, [&](const char* name) {
@@ -90,6 +136,8 @@ void fill_in(Section& section, const MediumCase& medium) {
     for (const char* name : {"absorption", "scattering"}) section.value(name);
   if (!medium.power_density && !medium.power) section.value("emission");
   if (scatters(section) && !section.has("phase")) section.section("phase").resolve("model", "isotropic");
+  if (!scatters(section)) return;
+  for (const char* name : {"scattering_method", "forward_peak"}) section.value(name);
 }
 
 MediumCase read_medium(Section section, const MatterContext& context) {
@@ -97,6 +145,18 @@ MediumCase read_medium(Section section, const MatterContext& context) {
   MediumCase medium;
   medium.space = context.space;
   medium.origin = section.origin();
+  if (is_directional(section)) {
+    medium.emission = read_band_values(section, "emission", bands);
+    medium.power_density = read_band_values(section, "power_density", bands);
+    medium.power = read_band_values(section, "power", bands);
+    read_directional(section, context, medium);
+    if (!any_faulty(section, {"emission", "power_density", "power"}))
+      report_first(section, medium, bands, emission_problem);
+    section.value("uncollided");
+    if (!medium.power_density && !medium.power) section.value("emission");
+    return medium;
+  }
+  section.unused("reciprocal", "there is no kernel");
   medium.extinction = read_band_values(section, "extinction", bands);
   medium.albedo = read_band_values(section, "albedo", bands);
   medium.absorption = read_band_values(section, "absorption", bands);
@@ -106,6 +166,7 @@ MediumCase read_medium(Section section, const MatterContext& context) {
   medium.power = read_band_values(section, "power", bands);
   medium.phase = read_phases(section, context, medium.phase_notes);
   medium.uncollided = read_uncollided(section);
+  medium.choice = read_choices(section, bands);
   check_medium(section, medium, bands);
   fill_in(section, medium);
   return medium;

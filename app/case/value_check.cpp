@@ -30,7 +30,7 @@ class ValueCheck {
       case KeyType::any:
         return true;
       case KeyType::text:
-        return text(node) && choice(node, node.text());
+        return chosen_text(node);
       case KeyType::number:
         return number(node);
       case KeyType::integer:
@@ -47,6 +47,8 @@ class ValueCheck {
         return list(node, &ValueCheck::text);
       case KeyType::numbers:
         return list(node, &ValueCheck::number);
+      case KeyType::band_texts:
+        return node.is_array() ? list(node, &ValueCheck::chosen_text) : chosen_text(node);
       case KeyType::band_numbers:
         return node.is_array() ? list(node, &ValueCheck::number) : number(node);
       case KeyType::band_values:
@@ -102,6 +104,8 @@ class ValueCheck {
     if (!std::holds_alternative<std::int64_t>(node.value)) return wrong_type(node);
     return choice(node, to_toml(node)) && number(node);
   }
+
+  bool chosen_text(TomlNode& node) { return text(node) && choice(node, node.text()); }
 
   bool number_or_formula(TomlNode& node) { return node.is_text() ? text(node) : number(node); }
 

@@ -71,6 +71,37 @@ std::string stage(const char* name, double seconds) {
   return seconds > 0 ? fmt::format("  {} {:.3g}", name, seconds) : "";
 }
 
+/// What scattering became: effective mean cosine, energy, signs, and why it is discretised so.
+std::string kernel_text(const KernelReport& kernel) {
+  std::string text = fmt::format("    {}: {}; effective g {:.6g}, energy to {:.1e}", kernel.phase,
+                                 kernel.backend, kernel.asymmetry, kernel.energy_error);
+  if (kernel.largest_forward > 0 || kernel.smallest_forward < 0)
+    text += fmt::format("; {:.3g} to {:.3g} of it straight ahead, taken as not scattered",
+                        kernel.smallest_forward, kernel.largest_forward);
+  if (kernel.negative_share > 0)
+    text += fmt::format("; negative down to {:.2g} of the mean, {:.2g} % of all", kernel.smallest,
+                        100 * kernel.negative_share);
+  return text + "\n";
+}
+
+/// Bands that scatter alike stand together.
+std::string kernels_text(const std::vector<KernelReport>& kernels) {
+  std::string text;
+  for (std::size_t i = 0; i < kernels.size();) {
+    const std::string what = kernel_text(kernels[i]);
+    std::string bands = kernels[i].band;
+    std::size_t next = i + 1;
+    for (; next < kernels.size() && kernels[next].medium == kernels[i].medium &&
+           kernel_text(kernels[next]) == what;
+         ++next)
+      bands += ", " + kernels[next].band;
+    text += fmt::format("  scattering in {}, {} {}\n{}", kernels[i].medium, next - i == 1 ? "band" : "bands",
+                        bands, what);
+    i = next;
+  }
+  return text;
+}
+
 std::string outcome(const RunResult& result, const BandConvergence& band) {
   if (band.converged) return "converged";
   return result.solution.interrupted ? "interrupted" : "NOT converged";
@@ -105,6 +136,7 @@ std::string convergence_text(const RunResult& result) {
   const Solution& solution = result.solution;
   std::string text;
   for (const std::string& note : solution.notes) text += "  " + note + "\n";
+  text += kernels_text(solution.kernels);
   TextTable table({"band", "sweeps", "residual", ""}, {Align::left, Align::right, Align::right, Align::left});
   for (std::size_t b = 0; b < solution.convergence.size(); ++b) {
     const BandConvergence& band = solution.convergence[b];

@@ -40,7 +40,8 @@ struct Part {
 constexpr Part parts[] = {{"moments", &SavedState::moments},
                           {"wall_irradiance", &SavedState::irradiance},
                           {"mirror_traces", &SavedState::mirrors},
-                          {"lagged_traces", &SavedState::lagged}};
+                          {"lagged_traces", &SavedState::lagged},
+                          {"radiance_where_dense", &SavedState::radiance}};
 
 vtkSmartPointer<vtkUnstructuredGrid> grid_of(const TetrahedralMesh& mesh) {
   std::vector<double> coordinates;

@@ -38,7 +38,11 @@ Json as_json(const KernelReport& kernel) {
           {"band", kernel.band},
           {"asymmetry", kernel.asymmetry},
           {"energy_error", kernel.energy_error},
-          {"backend", kernel.backend}};
+          {"backend", kernel.backend},
+          {"phase", kernel.phase},
+          {"smallest", kernel.smallest},
+          {"negative_share", kernel.negative_share},
+          {"forward", {kernel.smallest_forward, kernel.largest_forward}}};
 }
 
 Json as_json(const NegativeCensus& census) {

@@ -84,6 +84,15 @@ DiscreteHarmonics::DiscreteHarmonics(const DirectionSet& set, int degree) : spac
   }
 }
 
+DiscreteHarmonics complete_harmonics(const DirectionSet& set) {
+  int degree = static_cast<int>(std::sqrt(set.count()));
+  while (true) {
+    DiscreteHarmonics harmonics(set, degree);
+    if (harmonics.count() == set.count()) return harmonics;
+    degree += std::max(1, degree / 4);
+  }
+}
+
 int DiscreteHarmonics::full_degree() const {
   int degree = 0;
   const auto complete = [this](int l) {

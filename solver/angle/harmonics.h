@@ -46,6 +46,9 @@ class DiscreteHarmonics {
   std::vector<double> values_;  ///< [ordinate][k]
 };
 
+/// As many harmonics as the set has ordinates: those of the lowest degrees that are independent on it.
+DiscreteHarmonics complete_harmonics(const DirectionSet& set);
+
 /// How far the Legendre series of scattering is carried, and why.
 struct ScatteringDegree {
   int degree = 0;
@@ -56,11 +59,25 @@ struct ScatteringDegree {
 /// most 0.02 (|g|^(L+1) for Henyey and Greenstein), at most 7 and at most what the set resolves.
 ScatteringDegree scattering_degree(const PhaseFunction& phase, const DirectionSet& set);
 
+/// The degree that a person wants, or all that the set resolves below it.
+ScatteringDegree given_degree(int degree, const PhaseFunction& phase, const DirectionSet& set);
+
+/// Whether every moment beyond this degree (up to 8) is small enough to be left out.
+bool is_negligible_beyond(const PhaseFunction& phase, int degree);
+
 /// What scattering became on a set.
 struct ScatteringAccuracy {
-  double asymmetry = 0;     ///< mean cosine, averaged over the ordinates
-  double energy_error = 0;  ///< largest |row sum - 1|
+  double asymmetry = 0;       ///< mean cosine, averaged over the ordinates
+  double energy_error = 0;    ///< largest |row sum - 1|
+  double smallest = 0;        ///< value of the kernel, relative to isotropic scattering
+  double negative_share = 0;  ///< integral of |negative values| over that of all
 };
-ScatteringAccuracy scattering_accuracy(const PhaseFunction& phase, int degree, const DirectionSet& set);
+/// Of a series cut at this degree. `forward` is a part f of the light that is taken as not scattered
+/// (delta-M, Wiscombe 1977): the moments are then (chi_l - f)/(1 - f), and the asymmetry counts that part in.
+ScatteringAccuracy scattering_accuracy(const PhaseFunction& phase, int degree, const DirectionSet& set,
+                                       double forward = 0);
+
+/// Moment l of what is scattered when the part `forward` is not.
+double reduced_moment(const PhaseFunction& phase, int degree, double forward);
 
 }  // namespace etendue

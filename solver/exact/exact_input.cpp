@@ -5,14 +5,14 @@
 #include <cmath>
 #include <cstdio>
 
+#include "solver/ordinates/dense_scattering.h"
+
 namespace etendue {
 namespace {
 
-int highest_degree(const Problem& problem, const DirectionSet& directions) {
+int highest_degree(const std::vector<ScatteringTreatment>& plan) {
   int degree = 0;
-  for (const Medium& medium : problem.media())
-    for (const PhaseFunction& phase : medium.phase)
-      degree = std::max(degree, scattering_degree(phase, directions).degree);
+  for (const ScatteringTreatment& treatment : plan) degree = std::max(degree, treatment.degree);
   return degree;
 }
 
@@ -31,11 +31,19 @@ int highest_degree(const Problem& problem, const DirectionSet& directions) {
 ExactInput::ExactInput(const Problem& problem, const DirectionSet& directions, const ExactRadiance& radiance)
     : problem_(problem),
       directions_(directions),
+      plan_(plan_scattering(problem, directions)),
       vertices_(static_cast<std::size_t>(problem.mesh().vertex_count())),
-      harmonics_(directions, highest_degree(problem, directions)) {
+      harmonics_(directions, highest_degree(plan_)) {
+  for (const Medium& medium : problem.media())
+    for (int band = 0; band < problem.band_count(); ++band)
+      if (medium.is_directional(band))
+        throw InputError(
+            "is not for media of leaves, flakes or kernels; use a phase function in the region " +
+            medium.name);
   fill_values(radiance);
   fill_moments();
   fill_kernels();
+  fill_matrices();
 }
 
 void ExactInput::fill_values(const ExactRadiance& radiance) {
@@ -71,14 +79,32 @@ void ExactInput::fill_moments() {
 }
 
 void ExactInput::fill_kernels() {
+  std::size_t row = 0;
   for (const Medium& medium : problem_.media())
     for (const PhaseFunction& phase : medium.phase) {
-      const int used = scattering_degree(phase, directions_).degree;
+      const ScatteringTreatment& how = plan_[row++];
       for (int k = 0; k < harmonics_.count(); ++k) {
         const int degree = harmonics_.degree_of(k);
-        kernels_.push_back(degree > used ? 0 : phase_moment(phase, degree) / full_range(problem_.space()));
+        kernels_.push_back(degree > how.degree
+                               ? 0
+                               : (1 - how.forward) * reduced_moment(phase, degree, how.forward) /
+                                     full_range(problem_.space()));
       }
     }
+}
+
+void ExactInput::fill_matrices() {
+  matrix_of_.assign(plan_.size(), -1);
+  const Eigen::Index count = directions_.count(), vertices = static_cast<Eigen::Index>(vertices_);
+  const Eigen::Map<const Eigen::VectorXd> weights(directions_.weights().data(), count);
+  const Eigen::Map<const Eigen::MatrixXd> radiance(radiance_.data(), vertices, count);  // [vertex][ordinate]
+  for (const DenseGroup& group : dense_groups(problem_, directions_, plan_)) {
+    for (const int band : group.bands)
+      matrix_of_[static_cast<std::size_t>(group.region * problem_.band_count() + band)] =
+          static_cast<int>(matrices_.size());
+    const Eigen::MatrixXd scattered = radiance * weights.asDiagonal() * group.kernel().rate.transpose();
+    matrices_.push_back({group.kernel().leaving, {scattered.data(), scattered.data() + scattered.size()}});
+  }
 }
 
 double ExactInput::scattered(OrdinateIndex m, std::int32_t vertex, std::span<const double> kernel) const {
@@ -95,13 +121,18 @@ void ExactInput::add_source(OrdinateIndex m, CellIndex cell, std::span<double> v
   const int bands = problem_.band_count();
   for (int band = 0; band < bands; ++band) {
     const double scattering = problem_.scattering(cell, band);
-    const double extinction = scattering + problem_.absorption(cell, band);
     const auto row = static_cast<std::size_t>(mesh.region(cell) * bands + band);
+    const MatrixTerms* matrix =
+        matrix_of_[row] < 0 ? nullptr : &matrices_[static_cast<std::size_t>(matrix_of_[row])];
+    const double leaving = matrix == nullptr ? 1 - plan_[row].forward : matrix->leaving[m.at()];
+    const double extinction = scattering * leaving + problem_.absorption(cell, band);
     const std::span<const double> kernel(&kernels_[row * count], count);
     for (std::size_t i = 0; i < 4; ++i) {
       const std::int32_t vertex = mesh.vertices(cell)[i];
       double source = streaming_[at(m, vertex)] + extinction * radiance_[at(m, vertex)];
-      if (scattering > 0) source -= scattering * scattered(m, vertex, kernel);
+      if (scattering > 0)
+        source -= scattering *
+                  (matrix == nullptr ? scattered(m, vertex, kernel) : matrix->scattered[at(m, vertex)]);
       values[i * static_cast<std::size_t>(bands) + static_cast<std::size_t>(band)] += source;
     }
   }

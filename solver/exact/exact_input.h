@@ -7,6 +7,7 @@
 #include "solver/angle/harmonics.h"
 #include "solver/exact/exact_radiance.h"
 #include "solver/ordinates/angular_input.h"
+#include "solver/ordinates/scattering_plan.h"
 #include "solver/problem/problem.h"
 
 namespace etendue {
@@ -16,8 +17,9 @@ namespace etendue {
 ///     s_m = w_m.grad u_m + sigma_t u_m - sigma_s/(4 pi) sum over k of chi_l(k) Y_k(m) phi_k,
 ///     phi_k = sum over n of w_n Y_k(n) u_n,
 ///
-/// with the set's own scattering kernel, that of ScatteringMoments: all that is left of the error is that of
-/// the discretisation in space. At walls, which must be black, u enters. Values are those at the vertices.
+/// with the set's own scattering kernel, that of ScatteringMoments or of DenseScattering: all that is left of
+/// the error is that of the discretisation in space. At walls, which must be black, u enters. Values are
+/// those at the vertices.
 class ExactInput : public AngularInput {
  public:
   /// The arguments must outlive it. Throws InputError, naming the point, where the radiance or its gradient
@@ -37,16 +39,25 @@ class ExactInput : public AngularInput {
   void fill_values(const ExactRadiance& radiance);
   void fill_moments();
   void fill_kernels();
+  void fill_matrices();
   double scattered(OrdinateIndex m, std::int32_t vertex, std::span<const double> kernel) const;
 
   const Problem& problem_;
   const DirectionSet& directions_;
+  std::vector<ScatteringTreatment> plan_;  ///< [region * bands + band]
   std::size_t vertices_;
   DiscreteHarmonics harmonics_;
   std::vector<double> radiance_;   ///< [ordinate][vertex] u
   std::vector<double> streaming_;  ///< [ordinate][vertex] w.grad u
   std::vector<double> moments_;    ///< [vertex][k] phi_k
   std::vector<double> kernels_;    ///< [region][band][k] chi_l(k)/(4 pi); 0 beyond the degree that is used
+  /// Of a medium and band that scatters by a matrix.
+  struct MatrixTerms {
+    std::vector<double> leaving;    ///< [ordinate]
+    std::vector<double> scattered;  ///< [ordinate][vertex] sum over n of K_mn w_n u_n
+  };
+  std::vector<MatrixTerms> matrices_;
+  std::vector<int> matrix_of_;  ///< [region * bands + band], -1 without
 };
 
 }  // namespace etendue

@@ -63,6 +63,12 @@ std::vector<EmitterPart> parts_of(const SurfaceLight& light) {
   return parts;
 }
 
+bool has_directional_band(const Medium& medium) {
+  for (int band = 0; band < static_cast<int>(medium.directional.size()); ++band)
+    if (medium.is_directional(band)) return true;
+  return false;
+}
+
 }  // namespace
 
 LightSetup::LightSetup(const Problem& problem)
@@ -71,7 +77,11 @@ LightSetup::LightSetup(const Problem& problem)
       region_is_light_(problem.media().size(), 0),
       wall_is_light_(problem.walls().size(), 0) {
   if (problem.space() == AngularSpace::plane) {
-    refuse_all();
+    refuse_all("in flatland", "a set on the sphere");
+    return;
+  }
+  if (std::any_of(problem.media().begin(), problem.media().end(), has_directional_band)) {
+    refuse_all("beside leaves, flakes or a kernel, which rays do not see", "uncollided = \"auto\" or false");
     return;
   }
   add_lights();
@@ -79,11 +89,10 @@ LightSetup::LightSetup(const Problem& problem)
   add_walls();
 }
 
-void LightSetup::refuse_all() {
+void LightSetup::refuse_all(const std::string& where, const std::string& instead) {
   std::vector<Fault> faults;
   const auto refuse = [&](const Origin& origin, const std::string& what) {
-    faults.push_back(
-        fault_at(origin, "", what + " in flatland (not in this version); use a set on the sphere"));
+    faults.push_back(fault_at(origin, "", what + " " + where + " (not in this version); use " + instead));
   };
   for (const Light& light : problem_.lights()) refuse(light.origin, "a light");
   for (const Medium& medium : problem_.media())

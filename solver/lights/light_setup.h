@@ -40,7 +40,7 @@ class LightSetup {
   LightAtPoint at(const PointInCell& point, const std::optional<Vec3>& normal) const;
 
  private:
-  void refuse_all();
+  void refuse_all(const std::string& where, const std::string& instead);
   void add_lights();
   void add_regions();
   void add_walls();

@@ -44,7 +44,9 @@ void add_cell(RegionPower& power, const Problem& problem, const Solution& soluti
       nodal_mean<4>(solution.fluence, cell.at(), band, problem.bands().names.size()) * volume;
   power.volume += volume;
   power.fluence_mean += fluence;
-  power.absorbed += problem.absorption(cell, b) * fluence;
+  power.absorbed += solution.absorbed.empty()
+                        ? problem.absorption(cell, b) * fluence
+                        : solution.absorbed[cell.at() * problem.bands().names.size() + band] * volume;
   power.emitted += full_range(problem.space()) * problem.emission(cell, b) * volume;
 }
 

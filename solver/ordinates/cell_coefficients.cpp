@@ -48,9 +48,13 @@ CellCoefficients::CellCoefficients(const TetrahedralMesh& mesh, std::span<const 
 
 double CellCoefficients::mass(CellIndex cell, int band) const {
   const std::size_t at = cell.at() * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band);
-  const double absorbed = extinction_[at] * volumes_[cell.at()];
-  if (basis_ == Basis::constant) return absorbed;
-  return lumped_[at] != 0 ? -3 * absorbed : 0.6 * absorbed;
+  return mass(cell, band, extinction_[at]);
+}
+
+double CellCoefficients::mass(CellIndex cell, int band, double extinction) const {
+  const double removed = extinction * volumes_[cell.at()];
+  if (basis_ == Basis::constant) return removed;
+  return is_lumped(cell, band) ? -3 * removed : 0.6 * removed;
 }
 
 AlignedArray CellCoefficients::make_records() const {

@@ -44,6 +44,9 @@ class CellCoefficients {
   bool is_lumped(CellIndex cell, int band) const;
   /// As the record holds it (cell_record.h).
   double mass(CellIndex cell, int band) const;
+  /// The same for an extinction that depends on the ordinate. Lumping and source factors stay those of the
+  /// mean ordinate.
+  double mass(CellIndex cell, int band, double extinction) const;
   /// Pairs of a cell and a band whose mass is lumped.
   long lumped_count() const;
 

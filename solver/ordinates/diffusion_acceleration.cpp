@@ -162,7 +162,25 @@ void DiffusionAcceleration::correct_band(std::size_t band, const TransportState&
     for (std::size_t i = 0; i < 4; ++i)
       corrected.moments()[(row * moments * 4 + i) * stride + band] += correction[4 * cell + i];
   }
+  correct_radiance(band, correction, corrected);
   correct_walls(band, correction, residual, corrected);
+}
+
+// Where scattering is by a matrix it takes its light from the radiance: the correction is the same in all
+// directions.
+void DiffusionAcceleration::correct_radiance(std::size_t band, const NodalVector& correction,
+                                             TransportState& corrected) const {
+  const DenseScattering& dense = sweep_.dense_scattering();
+  const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
+  const double share = 1 / full_range(problem_.space());
+  const std::size_t rows = dense.cells().size();
+  const std::size_t ordinates = rows == 0 ? 0 : dense.radiance_size() / (rows * dense.row_length());
+  for (std::size_t m = 0; m < ordinates; ++m)
+    for (std::size_t row = 0; row < rows; ++row) {
+      const auto cell = static_cast<std::size_t>(dense.cells()[row]);
+      double* radiance = corrected.radiance().data() + (m * rows + row) * dense.row_length() + band;
+      for (std::size_t i = 0; i < 4; ++i) radiance[i * stride] += share * correction[4 * cell + i];
+    }
 }
 
 double DiffusionAcceleration::reflectance_seen(FaceIndex face, std::size_t band) const {

@@ -43,6 +43,7 @@ class DiffusionAcceleration {
   /// 0 where no ordinate meets the wall, as above and below a problem of the plane.
   double reflectance_seen(FaceIndex face, std::size_t band) const;
   NodalVector right_side(std::size_t band, const TransportState& residual) const;
+  void correct_radiance(std::size_t band, const NodalVector& correction, TransportState& corrected) const;
   void correct_walls(std::size_t band, const NodalVector& correction, const TransportState& residual,
                      TransportState& corrected) const;
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/angle/harmonics.h"
 #include "solver/angle/spherical_harmonics.h"
 #include "solver/ordinates/gmres.h"
 #include "solver/ordinates/positive_iteration.h"
+#include "solver/ordinates/scattering_plan.h"
 #include "solver/ordinates/solve.h"
 #include "solver/ordinates/transport_sweep.h"
 
@@ -24,6 +24,8 @@ struct Sizes {
   double record_length = 0;  ///< doubles
   double stride = 0;
   double angular_cells = 0;
+  double dense_cells = 0;
+  double matrices = 0;
   double moments = 1;
   double mirrors = 0;  ///< faces
 };
@@ -49,13 +51,15 @@ Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const Sol
   sizes.cell_length = nodes_per_cell(basis) * sizes.stride;
   sizes.trace_length = nodes_per_face(basis) * sizes.stride;
   sizes.record_length = static_cast<double>(record_layout(basis, lane_stride(problem.band_count())).length);
-  std::vector<int> degrees;
-  for (const Medium& medium : problem.media()) {
-    int degree = 0;
-    for (const PhaseFunction& phase : medium.phase)
-      degree = std::max(degree, scattering_degree(phase, directions).degree);
-    degrees.push_back(degree);
+  const std::vector<ScatteringTreatment> plan = plan_scattering(problem, directions);
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  std::vector<int> degrees(problem.media().size(), 0);
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    degrees[i / bands] = std::max(degrees[i / bands], plan[i].degree);
+    if (plan[i].is_dense()) sizes.matrices += 1;
   }
+  sizes.dense_cells = static_cast<double>(dense_cells(problem, plan).size());
+  sizes.angular_cells = sizes.dense_cells;
   int highest = 0;
   const AngularInput* input = options.angular_input;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
@@ -65,6 +69,7 @@ Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const Sol
       sizes.angular_cells += 1;
     if (scatters_so) highest = std::max(highest, degree);
   }
+  sizes.angular_cells = std::min(sizes.angular_cells, sizes.cells);
   sizes.moments = harmonic_count(highest);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     if (mirrors(problem.wall(mesh.wall(FaceIndex(f))))) sizes.mirrors += 1;
@@ -78,8 +83,9 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const Sizes s = sizes_of(problem, directions, options);
   const double fields = s.cells * s.cell_length;
   const double moments = s.angular_cells * s.moments * s.cell_length;
+  const double radiance = s.dense_cells * s.ordinates * s.cell_length;
   const double state =
-      fields + moments + s.faces * s.trace_length + s.mirrors * s.ordinates / 2 * s.trace_length;
+      fields + moments + radiance + s.faces * s.trace_length + s.mirrors * s.ordinates / 2 * s.trace_length;
   // Two changes for each step of the past, the image, its residual and their last ones.
   const double positive = options.positivity == Positivity::none ? 0 : 2.0 * anderson_memory + 6;
   const double basis = options.method == Method::source_iteration
@@ -94,10 +100,12 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double workspaces =
       std::min<double>(threads, std::ceil(s.ordinates / batch)) *
       (slots + 4 * fields + 2 * s.faces * s.trace_length + batch * s.angular_cells * s.cell_length);
-  const double records = s.cells * static_cast<double>(s.record_length);
-  // Sources of moments, the record of the last sweep, and the solution: fluence, three components of flux,
-  // the state.
-  const double results = moments + 3 * fields + 16 * s.cells * s.stride + state;
+  const double records =
+      s.cells * static_cast<double>(s.record_length) * (s.dense_cells > 0 ? 1 + threads : 1) +
+      2 * s.matrices * s.ordinates * s.ordinates;
+  // Sources of moments and matrices, the record of the last sweep, and the solution: fluence, three
+  // components of flux, the state.
+  const double results = moments + radiance + 3 * fields + 16 * s.cells * s.stride + state;
   const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
   // Five blocks of 16 and an inverse for each cell and band, a Cholesky factor and a few vectors.
   const double low_order =

@@ -37,7 +37,8 @@ SavedState saved(const TransportState& state, int bands) {
           unpadded(state.moments(), count, stride),
           unpadded(state.irradiance(), count, stride),
           unpadded(state.mirrors(), count, stride),
-          unpadded(state.lagged(), count, stride)};
+          unpadded(state.lagged(), count, stride),
+          unpadded(state.radiance(), count, stride)};
 }
 
 void restore(const SavedState& from, int bands, TransportState& state) {
@@ -49,6 +50,7 @@ void restore(const SavedState& from, int bands, TransportState& state) {
   pad(from.irradiance, count, stride, state.irradiance());
   pad(from.mirrors, count, stride, state.mirrors());
   pad(from.lagged, count, stride, state.lagged());
+  pad(from.radiance, count, stride, state.radiance());
 }
 
 }  // namespace etendue

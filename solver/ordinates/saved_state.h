@@ -16,6 +16,7 @@ struct SavedState {
   std::vector<double> irradiance;  ///< [boundary face][face node][band]
   std::vector<double> mirrors;     ///< [mirror face][pair of ordinates][face node][band]
   std::vector<double> lagged;      ///< [lagged face of all pairs][2 ordinates][face node][band]
+  std::vector<double> radiance;    ///< [ordinate][dense cell][node][band] where scattering is by a matrix
 };
 
 /// The values of a state, to the last bit.

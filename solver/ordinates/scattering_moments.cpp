@@ -1,48 +1,31 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/ordinates/scattering_moments.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace etendue {
 namespace {
 
-int highest(const std::vector<std::vector<int>>& degrees) {
+int highest_degree(const std::vector<ScatteringTreatment>& plan) {
   int degree = 0;
-  for (const auto& bands : degrees)
-    for (const int d : bands) degree = std::max(degree, d);
+  for (const ScatteringTreatment& treatment : plan) degree = std::max(degree, treatment.degree);
   return degree;
-}
-
-/// The degree that each medium and band needs on this set, and why.
-std::vector<std::vector<int>> needed_degrees(const Problem& problem, const DirectionSet& directions,
-                                             std::vector<std::string>& reasons) {
-  std::vector<std::vector<int>> degrees;
-  for (const Medium& medium : problem.media()) {
-    degrees.emplace_back();
-    for (const PhaseFunction& phase : medium.phase) {
-      const ScatteringDegree chosen = scattering_degree(phase, directions);
-      degrees.back().push_back(chosen.degree);
-      reasons.push_back(chosen.reason);
-    }
-  }
-  return degrees;
 }
 
 }  // namespace
 
 ScatteringMoments::ScatteringMoments(const Problem& problem, const DirectionSet& directions,
-                                     const CellCoefficients& cells, std::span<const CellIndex> observed)
+                                     const CellCoefficients& cells,
+                                     const std::vector<ScatteringTreatment>& plan,
+                                     std::span<const CellIndex> observed)
     : problem_(problem),
       directions_(directions),
       cells_(cells),
-      degree_(needed_degrees(problem, directions, reason_)),
-      harmonics_(directions, highest(degree_)),
+      plan_(plan),
+      harmonics_(directions, highest_degree(plan)),
       row_length_(cells.cell_length()) {
   find_angular_cells(observed);
   fill_factors();
-  report_kernels();
 }
 
 void ScatteringMoments::find_angular_cells(std::span<const CellIndex> observed) {
@@ -51,10 +34,10 @@ void ScatteringMoments::find_angular_cells(std::span<const CellIndex> observed) 
   for (const CellIndex cell : observed) index_[cell.at()] = 1;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
-    const auto& degrees = degree_[static_cast<std::size_t>(mesh.region(cell))];
-    for (int band = 0; band < problem_.band_count(); ++band)
-      if (degrees[static_cast<std::size_t>(band)] > 0 && problem_.scattering(cell, band) > 0)
-        index_[cell.at()] = 1;
+    for (int band = 0; band < problem_.band_count(); ++band) {
+      const ScatteringTreatment& how = treatment(mesh.region(cell), band);
+      if (how.is_dense() || (how.degree > 0 && problem_.scattering(cell, band) > 0)) index_[cell.at()] = 1;
+    }
     if (index_[cell.at()] == 0) continue;
     angular_cells_.push_back(c);
     index_[cell.at()] = static_cast<std::int32_t>(angular_cells_.size());
@@ -69,15 +52,19 @@ void ScatteringMoments::fill_factors() {
       integration_.push_back(value * directions_.weight(OrdinateIndex(m)));
     }
   const auto stride = static_cast<std::size_t>(cells_.stride());
-  phase_moments_.assign(degree_.size() * count() * stride, 0);
-  for (std::size_t region = 0; region < degree_.size(); ++region)
-    for (std::size_t band = 0; band < degree_[region].size(); ++band)
-      for (std::size_t k = 0; k < count(); ++k) {
+  phase_moments_.assign(problem_.media().size() * count() * stride, 0);
+  for (std::size_t region = 0; region < problem_.media().size(); ++region)
+    for (int b = 0; b < problem_.band_count(); ++b) {
+      const ScatteringTreatment& how = treatment(static_cast<int>(region), b);
+      const auto band = static_cast<std::size_t>(b);
+      const PhaseFunction& phase = problem_.media()[region].phase[band];
+      for (std::size_t k = 0; k < count() && !how.is_dense(); ++k) {
         const int degree = harmonics_.degree_of(static_cast<int>(k));
-        if (degree > degree_[region][band]) continue;
+        if (degree > how.degree) continue;
         phase_moments_[(region * count() + k) * stride + band] =
-            phase_moment(problem_.medium(static_cast<int>(region)).phase[band], degree);
+            (1 - how.forward) * reduced_moment(phase, degree, how.forward);
       }
+    }
 }
 
 void ScatteringMoments::form_source(const TransportState& state, Emission emission, std::int32_t first,
@@ -105,8 +92,8 @@ void ScatteringMoments::form_source(const TransportState& state, Emission emissi
       const auto band = static_cast<std::size_t>(b);
       const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, b);
       const double factor = problem_.scattering(cell, b) / full_range(problem_.space());
-      apply(fluence, band, emission == Emission::included ? problem_.emission(cell, b) : 0, factor, mass,
-            right);
+      apply(fluence, band, emission == Emission::included ? problem_.emission(cell, b) : 0,
+            factor * phase_moments_[region * count() * stride + band], mass, right);
       for (std::size_t k = 1; row > 0 && k < count(); ++k) {
         const std::size_t at = static_cast<std::size_t>(row - 1) * count() + k;
         apply(state.moments().data() + at * row_length_, band, 0,
@@ -131,21 +118,6 @@ void ScatteringMoments::form_unit_source(double* records, double* moments) const
       const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, b);
       for (std::size_t i = 0; i < nodes; ++i)
         right[i * stride + static_cast<std::size_t>(b)] = mass.sum * static_cast<double>(nodes) + mass.own;
-    }
-  }
-}
-
-void ScatteringMoments::report_kernels() {
-  const auto bands = static_cast<std::size_t>(problem_.band_count());
-  for (std::size_t region = 0; region < degree_.size(); ++region) {
-    const Medium& medium = problem_.medium(static_cast<int>(region));
-    for (std::size_t band = 0; band < bands; ++band) {
-      if (medium.scattering[band].is_constant() && medium.scattering[band].at(Vec3::Zero()) == 0) continue;
-      const ScatteringAccuracy accuracy =
-          scattering_accuracy(medium.phase[band], degree_[region][band], directions_);
-      kernels_.push_back(
-          {medium.name, problem_.bands().names[band], accuracy.asymmetry, accuracy.energy_error,
-           fmt::format("moments, degree {} ({})", degree_[region][band], reason_[region * bands + band])});
     }
   }
 }

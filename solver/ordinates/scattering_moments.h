@@ -8,6 +8,7 @@
 #include "solver/angle/direction_set.h"
 #include "solver/angle/harmonics.h"
 #include "solver/ordinates/cell_coefficients.h"
+#include "solver/ordinates/scattering_plan.h"
 #include "solver/ordinates/transport_state.h"
 #include "solver/problem/problem.h"
 
@@ -18,13 +19,15 @@ namespace etendue {
 ///     S(w_m) = sigma_s / (4 pi) sum over k of chi_l(k) Y_k(w_m) phi_k,   phi_k = sum of w_n Y_k(w_n) u_n,
 ///
 /// with harmonics orthonormalised on the direction set: energy and asymmetry are exact on every set. Only the
-/// cells whose medium scatters anisotropically (and those that a meter looks at) are "angular": they have a
-/// source for each direction and moments beyond the fluence. Rows of directions begin with a scratch row 0.
+/// cells whose medium scatters anisotropically (and those that a meter looks at or that scatter by a matrix)
+/// are "angular": they have a source for each direction and moments beyond the fluence. Rows of directions
+/// begin with a scratch row 0.
 class ScatteringMoments {
  public:
-  /// `observed` are cells whose radiance is wanted direction by direction. The arguments must outlive it.
+  /// `observed` are cells whose radiance is wanted direction by direction. Where the plan says delta-M the
+  /// part of the light that goes straight ahead is left out. The arguments must outlive it.
   ScatteringMoments(const Problem& problem, const DirectionSet& directions, const CellCoefficients& cells,
-                    std::span<const CellIndex> observed);
+                    const std::vector<ScatteringTreatment>& plan, std::span<const CellIndex> observed);
 
   std::size_t row_count() const { return angular_cells_.size(); }  ///< without the scratch row
   std::size_t row_length() const { return row_length_; }           ///< doubles
@@ -49,19 +52,18 @@ class ScatteringMoments {
   /// Right-hand sides of an isotropic source of 1 in all cells and bands, as form_source() writes them.
   void form_unit_source(double* records, double* moments) const;
 
-  const std::vector<KernelReport>& kernels() const { return kernels_; }
-
  private:
   std::size_t count() const { return static_cast<std::size_t>(moment_count()); }
+  const ScatteringTreatment& treatment(int region, int band) const {
+    return plan_[static_cast<std::size_t>(region * problem_.band_count() + band)];
+  }
   void find_angular_cells(std::span<const CellIndex> observed);
   void fill_factors();
-  void report_kernels();
 
   const Problem& problem_;
   const DirectionSet& directions_;
   const CellCoefficients& cells_;
-  std::vector<std::string> reason_;       ///< [region * bands + band] why that degree
-  std::vector<std::vector<int>> degree_;  ///< [region][band] of the harmonics that are used
+  const std::vector<ScatteringTreatment>& plan_;
   DiscreteHarmonics harmonics_;
   std::size_t row_length_;
   std::vector<std::int32_t> index_;
@@ -69,7 +71,6 @@ class ScatteringMoments {
   std::vector<double> evaluation_;
   std::vector<double> integration_;
   std::vector<double> phase_moments_;  ///< [region][moment][stride]
-  std::vector<KernelReport> kernels_;
 };
 
 }  // namespace etendue

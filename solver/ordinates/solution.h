@@ -54,9 +54,14 @@ struct FixupTotal {
 struct KernelReport {
   std::string medium;
   std::string band;
-  double asymmetry = 0;     ///< mean cosine of the discrete kernel, averaged over the directions
-  double energy_error = 0;  ///< largest |row sum - 1|
-  std::string backend;      ///< e.g. "moments, degree 5 (…)"
+  double asymmetry = 0;         ///< mean cosine of the discrete kernel, averaged over the directions
+  double energy_error = 0;      ///< largest |row sum - 1|
+  std::string backend;          ///< e.g. "moments, degree 5 (…)"
+  std::string phase = {};       ///< the phase function's name
+  double smallest = 0;          ///< value of the kernel where it is negative, relative to its mean; else 0
+  double negative_share = 0;    ///< integral of |negative values| over that of all
+  double smallest_forward = 0;  ///< over the directions: part of the scattered light that goes on straight
+  double largest_forward = 0;   ///< ahead and is not counted as scattered
 };
 
 /// Wall-clock seconds of the stages of a solution.
@@ -103,6 +108,9 @@ struct Solution {
   std::vector<double> net_flux;    ///< [cell][4][3 (x, y, z)][band] [power/length^2]
   std::vector<double> irradiance;  ///< [boundary face][3][band] arriving at the wall [power/length^2]
   std::vector<double> exitance;    ///< [boundary face][3][band] sent into the domain [power/length^2]
+  /// [cell][band] absorbed in the mean over the cell [power/length^3] where absorption depends on the
+  /// direction; empty where it is absorption times fluence everywhere.
+  std::vector<double> absorbed;
   std::vector<double>
       half_range;  ///< [boundary face] discrete half range [sr]; pi in the limit, 2 in the plane
   std::vector<OrdinateRadiance> radiance;

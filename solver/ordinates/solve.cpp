@@ -12,6 +12,7 @@
 #include "solver/ordinates/diffusion_acceleration.h"
 #include "solver/ordinates/gmres.h"
 #include "solver/ordinates/positive_iteration.h"
+#include "solver/ordinates/scattering_report.h"
 #include "solver/ordinates/source_iteration.h"
 #include "solver/ordinates/transport_sweep.h"
 
@@ -177,6 +178,16 @@ void measure(TransportSweep& sweep, const TransportState& state, Solution& solut
     solution.radiance.push_back({kept.ordinate, unpadded(kept.values, nodes, 4, stride, bands)});
   solution.meters = unpadded(record.meters, 1, 1, stride, bands);
   solution.state = saved(last_state, sweep.cells().bands());
+  solution.absorbed = std::move(record.absorbed);
+  for (std::size_t i = 0; i < solution.absorbed.size(); ++i) {
+    const CellIndex cell(static_cast<std::int64_t>(i / bands));
+    const int band = static_cast<int>(i % bands);
+    if (sweep.dense_scattering().absorbs_by_direction(cell, band)) continue;
+    double mean = 0;
+    for (std::size_t node = 0; node < 4; ++node)
+      mean += solution.fluence[(cell.at() * 4 + node) * bands + i % bands] / 4;
+    solution.absorbed[i] = sweep.problem().absorption(cell, band) * mean;
+  }
   solution.negative = negative_census(solution.fluence, bands);
 }
 
@@ -224,7 +235,8 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
                            solution.seconds.low_order;
   solution.seconds.orders = sweep.order_seconds();
   solution.half_range = sweep.walls().half_range();
-  solution.kernels = sweep.scattering().kernels();
+  solution.kernels =
+      report_kernels(problem, directions, sweep.scattering_plan(), sweep.scattering_matrices());
   const std::vector<std::string> notes = notes_of(sweep, options);
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
   solution.fixups = fixups_of(sweep, directions);

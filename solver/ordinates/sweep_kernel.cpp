@@ -9,6 +9,7 @@
 #include "solver/ordinates/moment_kernel.h"
 #include "solver/ordinates/packet.h"
 #include "solver/ordinates/positivity_fixup.h"
+#include "solver/ordinates/product_kernel.h"
 
 namespace etendue {
 namespace {
@@ -374,6 +375,7 @@ SweepKernels kernels_for(int stride) {
 SweepKernels ETENDUE_KERNEL_NAME(Basis basis, int stride) {
   SweepKernels kernels =
       basis == Basis::linear ? kernels_for<Basis::linear>(stride) : kernels_for<Basis::constant>(stride);
+  kernels.matrix_product = matrix_product;
   kernels.instruction_set = ETENDUE_KERNEL_ISA;
   return kernels;
 }

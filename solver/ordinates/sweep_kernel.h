@@ -56,6 +56,18 @@ struct MomentTask {
   std::size_t last_row = 0;
 };
 
+/// Columns of a product that are worked on at a time.
+inline constexpr std::size_t product_lanes = 64;
+
+/// result = matrix factor, with product_lanes columns; all row by row.
+struct ProductTask {
+  int rows = 0;
+  int inner = 0;
+  const double* matrix = nullptr;  ///< [row][inner]
+  const double* factor = nullptr;  ///< [inner][product_lanes]
+  double* result = nullptr;        ///< [row][product_lanes]
+};
+
 /// The kernels compiled for one instruction set.
 struct SweepKernels {
   void (*sweep)(const SweepTask&) = nullptr;
@@ -65,6 +77,7 @@ struct SweepKernels {
   void (*moments_to_directions)(const MomentTask&) = nullptr;
   /// moment_rows += matrix^T direction_rows
   void (*directions_to_moments)(const MomentTask&) = nullptr;
+  void (*matrix_product)(const ProductTask&) = nullptr;
   const char* instruction_set = "";
 };
 

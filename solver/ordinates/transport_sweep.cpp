@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <numeric>
+
+#include "solver/ordinates/processor_timer.h"
 
 namespace etendue {
 namespace {
@@ -21,36 +22,16 @@ constexpr std::int64_t smallest_shared_batch = 4096;
 /// Cells that one thread adds up at a time.
 constexpr std::int32_t merge_block = 1024;
 
-/// Adds the processor time of this thread to a sum while it lives. Threads that wait for others are not
-/// counted.
-class ProcessorTimer {
- public:
-  explicit ProcessorTimer(double& sum) : sum_(sum), start_(now()) {}
-  ~ProcessorTimer() {
-    const double spent = now() - start_;
-#pragma omp atomic
-    sum_ += spent;
-  }
-  ProcessorTimer(const ProcessorTimer&) = delete;
-  ProcessorTimer& operator=(const ProcessorTimer&) = delete;
-
- private:
-  static double now() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  }
-
-  double& sum_;
-  double start_;
-};
-
 /// to += from; from = 0
 void move_sum(double* to, double* from, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) {
     to[i] += from[i];
     from[i] = 0;
   }
+}
+
+Basis basis_of(const SolveOptions& options) {
+  return options.order == SpaceOrder::linear ? Basis::linear : Basis::constant;
 }
 
 SweepOrders timed_orders(const TetrahedralMesh& mesh, const DirectionSet& directions,
@@ -78,6 +59,8 @@ struct TransportSweep::Workspace {
   AlignedArray exitance;
   AlignedArray whole;  ///< [1 + cell][node][stride] of an ordinate that is kept
   std::vector<double> meters;
+  std::vector<double> absorbed;
+  AlignedArray records;  ///< as those of the sweep, with the mass of one ordinate where it depends on it
   SweepOrder scratch_order;
 };
 
@@ -89,9 +72,12 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
       keep_ordinates_(options.keep_ordinates),
       angular_input_(options.angular_input),
       threads_(options.threads > 0 ? options.threads : omp_get_num_procs()),
-      cells_(problem.mesh(), extinction, problem.band_count(),
-             options.order == SpaceOrder::linear ? Basis::linear : Basis::constant, options.lumping),
-      scattering_(problem, directions, cells_, observed_cells()),
+      plan_(plan_scattering(problem, directions)),
+      dense_groups_(dense_groups(problem, directions, plan_)),
+      cells_(problem.mesh(), effective_extinction(problem, extinction, plan_, dense_groups_),
+             problem.band_count(), basis_of(options), options.lumping),
+      scattering_(problem, directions, cells_, plan_, observed_cells()),
+      dense_(problem, directions, cells_, extinction, plan_, dense_groups_),
       orders_(timed_orders(problem.mesh(), directions, options, threads_, order_seconds_)),
       walls_(problem, directions, orders_.walls(), cells_.stride(), cells_.face_nodes()),
       kernels_(choose_kernels(cells_.basis(), cells_.stride())),
@@ -112,6 +98,7 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
     work->irradiance = AlignedArray(walls_.irradiance_size());
     work->angular = AlignedArray(static_cast<std::size_t>(ordinates_per_batch(directions.count())) * rows *
                                  scattering_.row_length());
+    if (!dense_.empty()) work->records = AlignedArray(records_.size());
     workspaces_.push_back(std::move(work));
   }
 }
@@ -138,8 +125,8 @@ std::size_t TransportSweep::fluence_size() const {
 
 StateLayout TransportSweep::layout() const {
   const auto trace_length = cells_.trace_length();
-  return {fluence_size(), scattering_.moments_size(), walls_.irradiance_size(), walls_.mirror_size(),
-          2 * orders_.lagged_total() * trace_length};
+  return {fluence_size(),           scattering_.moments_size(), dense_.radiance_size(),
+          walls_.irradiance_size(), walls_.mirror_size(),       2 * orders_.lagged_total() * trace_length};
 }
 
 bool TransportSweep::is_direct() const {
@@ -159,6 +146,8 @@ void TransportSweep::form_source(const TransportState& last) {
     if (angular_input_ != nullptr && emission_ == Emission::included)
       add_isotropic_source(first, std::min(cells, first + merge_block));
   }
+  dense_.form_source(last, kernels_, threads_, processor_seconds_);
+  for (auto& work : workspaces_) std::copy_n(records_.data(), work->records.size(), work->records.data());
 }
 
 void TransportSweep::apply(const TransportState& last, TransportState& next, SweepRecord* record) {
@@ -196,6 +185,9 @@ void TransportSweep::sweep_source(const TransportState& last, TransportState& ne
     record->net_flux = AlignedArray(3 * fluence_size());
     record->exitance = AlignedArray(walls_.irradiance_size());
     record->meters.assign(meters_.size() * static_cast<std::size_t>(cells_.stride()), 0);
+    const std::size_t values =
+        static_cast<std::size_t>(problem_.mesh().cell_count()) * static_cast<std::size_t>(cells_.bands());
+    record->absorbed.assign(dense_.absorbs_by_direction() ? values : 0, 0);
     record->radiance.clear();
     for (const int ordinate : keep_ordinates_)
       record->radiance.push_back({ordinate, std::vector<double>(fluence_size())});
@@ -209,6 +201,7 @@ void TransportSweep::sweep_source(const TransportState& last, TransportState& ne
       work->net_flux = AlignedArray(record->net_flux.size() + 3 * cells_.cell_length());
       work->exitance = AlignedArray(record->exitance.size());
       work->meters.assign(record->meters.size(), 0);
+      work->absorbed.assign(record->absorbed.size(), 0);
       if (!keep_ordinates_.empty()) work->whole = AlignedArray(fluence_size() + scattering_.row_length());
     }
   }
@@ -250,6 +243,8 @@ void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last,
     task.last_row = scattering_.row_count();
     kernels_.moments_to_directions(task);
     const bool shines = angular_input_ != nullptr && emission_ == Emission::included;
+    for (std::int32_t m = first; !dense_.empty() && m < end; ++m)
+      dense_.add_source(OrdinateIndex(m), scattering_.index(), angular_of(m));
     for (std::int32_t m = first; shines && m < end; ++m) add_angular_source(OrdinateIndex(m), angular_of(m));
   }
   for (std::int32_t m = first; m < end; m += 2) {
@@ -271,6 +266,9 @@ void TransportSweep::sweep_ordinate(OrdinateIndex m, const SweepOrder& order, co
   if (shines) add_angular_inflow(m, work.slots, work.exitance.span());
   set_lagged(m, order, last, work.slots);
   run_kernel(m, order, record, angular, work);
+  if (!dense_.empty()) dense_.keep_radiance(m, scattering_.index(), angular, next);
+  if (record != nullptr && dense_.absorbs_by_direction())
+    dense_.add_absorbed(m, scattering_.index(), angular, work.absorbed);
   walls_.receive(m, work.slots, record != nullptr ? TakeUp::all : TakeUp::reflecting, work.irradiance.span(),
                  next.mirrors());
   keep_lagged(m, order, next, work.slots);
@@ -297,6 +295,10 @@ void TransportSweep::run_kernel(OrdinateIndex m, const SweepOrder& order, SweepR
   task.weight = directions_.weight(m);
   task.stride = cells_.stride();
   task.records = records_.data();
+  if (!dense_.empty()) {
+    dense_.set_mass(m, work.records.data());
+    task.records = work.records.data();
+  }
   task.slots = work.radiance.data();
   task.fluence = work.fluence.data();
   task.angular_index = scattering_.index();
@@ -368,6 +370,7 @@ void TransportSweep::merge(std::int32_t first_batch, int batches, TransportState
     if (record == nullptr) continue;
     move_sum(record->exitance.data(), work.exitance.data(), work.exitance.size());
     move_sum(record->meters.data(), work.meters.data(), work.meters.size());
+    move_sum(record->absorbed.data(), work.absorbed.data(), work.absorbed.size());
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "solver/ordinates/angular_input.h"
 #include "solver/ordinates/cell_coefficients.h"
+#include "solver/ordinates/dense_scattering.h"
 #include "solver/ordinates/scattering_moments.h"
 #include "solver/ordinates/sweep_kernel.h"
 #include "solver/ordinates/sweep_orders.h"
@@ -27,6 +28,9 @@ struct SweepRecord {
   std::vector<OrdinateRadiance>
       radiance;                ///< values [cell][node][stride]; ordinates are chosen by the caller
   std::vector<double> meters;  ///< [meter][stride]
+  /// [cell][band] absorbed [power/length^3] where absorption depends on the direction; empty where it nowhere
+  /// does.
+  std::vector<double> absorbed;
 };
 
 /// One sweep through all cells along all directions: the affine map whose fixed point is the discrete
@@ -60,7 +64,12 @@ class TransportSweep {
   AngularSpace space() const { return problem_.space(); }
   const CellCoefficients& cells() const { return cells_; }
   const WallExchange& walls() const { return walls_; }
+  const Problem& problem() const { return problem_; }
+  const DirectionSet& directions() const { return directions_; }
   const ScatteringMoments& scattering() const { return scattering_; }
+  const DenseScattering& dense_scattering() const { return dense_; }
+  const std::vector<ScatteringTreatment>& scattering_plan() const { return plan_; }
+  const std::vector<DenseGroup>& scattering_matrices() const { return dense_groups_; }
   const SweepOrders& orders() const { return orders_; }
   const char* instruction_set() const { return kernels_.instruction_set; }
   int threads() const { return threads_; }
@@ -108,8 +117,11 @@ class TransportSweep {
   std::vector<int> keep_ordinates_;
   const AngularInput* angular_input_;
   int threads_;
+  std::vector<ScatteringTreatment> plan_;
+  std::vector<DenseGroup> dense_groups_;
   CellCoefficients cells_;
   ScatteringMoments scattering_;
+  DenseScattering dense_;
   double order_seconds_ = 0;
   SweepOrders orders_;
   WallExchange walls_;

@@ -10,8 +10,10 @@
 #include "solver/problem/angular_space.h"
 #include "solver/problem/bands.h"
 #include "solver/problem/coefficient.h"
+#include "solver/problem/directional_scattering.h"
 #include "solver/problem/light.h"
 #include "solver/problem/phase_function.h"
+#include "solver/problem/scattering_choice.h"
 
 namespace etendue {
 
@@ -24,6 +26,18 @@ struct Medium {
   std::vector<PhaseFunction> phase;     ///< [band]
   Origin origin;
   Uncollided uncollided = Uncollided::automatic;  ///< of the emission
+  std::vector<ScatteringChoice> choice = {};      ///< [band]; empty: automatic
+  /// [band] in place of a phase function; absorption and scattering are then means over directions. Empty:
+  /// none.
+  std::vector<DirectionalScattering> directional = {};
+
+  bool is_directional(int band) const {
+    return !directional.empty() && directional[static_cast<std::size_t>(band)].index() != 0;
+  }
+
+  ScatteringChoice choice_of(int band) const {
+    return choice.empty() ? ScatteringChoice{} : choice[static_cast<std::size_t>(band)];
+  }
 };
 
 /// What one wall does, per band. Reflectances: diffuse + specular <= 1.

@@ -63,8 +63,6 @@ const Check later[] = {
      "slab.toml:11: light[0].uncollided = false: not in this version (directions alone do not see a lamp); "
      "use "
      "\"auto\" or true"},
-    {"Kernel", "[media.air]\nkernel = \"vx\"\n",
-     "slab.toml:8: media.air.kernel = \"vx\": not in this version; remove it"},
     {"DirectionInFormula", "[media.air]\nabsorption = \"1 + wx\"\n",
      "slab.toml:8: media.air.absorption = \"1 + wx\": the direction of travel (wx, wy, wz) in a formula is "
      "not in this "

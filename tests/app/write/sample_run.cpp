@@ -61,7 +61,7 @@ Solution sample_solution(const TetrahedralMesh& mesh, std::size_t bands) {
   solution.half_range.assign(faces, 3.0);
   solution.convergence.assign(bands, {7, 1e-9, true});
   solution.negative.resize(bands);
-  solution.kernels = {{"low", "red", 0.6, 1e-15, "moments, degree 3"}};
+  solution.kernels = {{"low", "red", 0.6, 1e-15, "moments, degree 3", "isotropic"}};
   solution.notes = {"a choice (its reason)"};
   for (int sweep = 1; sweep <= 2; ++sweep)
     for (std::size_t b = 0; b < bands; ++b)

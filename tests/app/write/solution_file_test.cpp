@@ -24,7 +24,8 @@ SavedState sample_state(const TetrahedralMesh& mesh, std::size_t bands) {
   const auto cells = static_cast<std::size_t>(mesh.cell_count());
   const auto faces = static_cast<std::size_t>(mesh.boundary_face_count());
   return {static_cast<int>(bands),       thirds(cells * 4 * bands, 1), thirds(2 * 4 * 4 * bands, 1e-300),
-          thirds(faces * 3 * bands, -7), thirds(2 * 3 * bands, 1e200), {}};
+          thirds(faces * 3 * bands, -7), thirds(2 * 3 * bands, 1e200), {},
+          thirds(2 * 4 * bands, 0.7)};
 }
 
 const std::string sample_toml = R"(title = "Sample"
@@ -89,6 +90,7 @@ TEST_F(SolutionFile, GivesTheStateBackToTheLastBit) {
   EXPECT_EQ(again.irradiance, state.irradiance);
   EXPECT_EQ(again.mirrors, state.mirrors);
   EXPECT_EQ(again.lagged, state.lagged);
+  EXPECT_EQ(again.radiance, state.radiance);
 }
 
 TEST_F(SolutionFile, IsTakenWhereOnlyTheWayToTheSolutionAndItsReportDiffer) {

@@ -59,7 +59,7 @@ TEST(SavedState, IsRestoredToTheLastBit) {
 }
 
 TEST(SavedState, OfAnotherKindIsRefused) {
-  const SavedState values = saved(TransportState({12, 0, 9, 0, 0}), 1);
+  const SavedState values = saved(TransportState({12, 0, 0, 9, 0, 0}), 1);
   TransportState other({12, 6, 9, 0, 0});
   EXPECT_THROW(restore(values, 1, other), InputError);
   EXPECT_THROW(restore(values, 2, other), InputError);

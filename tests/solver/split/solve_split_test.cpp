@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
+#include "mesh/base/errors.h"
 #include "solver/measure/balance.h"
 #include "solver/split/first_collision.h"
 #include "tests/solver/ordinates/sample_problems.h"
@@ -68,6 +70,20 @@ TEST(SolveSplit, KeepsThePowerOfTheFirstCollisions) {
       const double expected = 2 * field.fluence[static_cast<std::size_t>(c) * 4 + i];
       EXPECT_NEAR(sum[i], expected, 1e-12 * std::abs(expected));
     }
+  }
+}
+
+TEST(LightSetup, RefusesALampBesideLeaves) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  Medium leaves = uniform_medium(1, 0.3, 0.2, 0, PhaseIsotropic{});
+  leaves.directional = {LeafCanopy{LeafAngles::horizontal, 0.2, 0.2}};
+  const Problem problem = with_lamp(mesh, leaves, uniform_wall(1, 0, 0, 0));
+  try {
+    const LightSetup lights(problem);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("a light beside leaves, flakes or a kernel"), std::string::npos)
+        << error.what();
   }
 }
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "solver/angle/direction_set.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// The scattering coefficient, in the mean over directions, that goes with a kernel: the same everywhere for
+/// a matrix, in proportion to the kernel for a formula, whose place is set to where it is large. Throws
+/// InputError where the formula is no product of a factor that depends on the place and one that depends on
+/// the directions.
+Coefficient kernel_scattering(DirectionalScattering& kernel, const DirectionSet& directions,
+                              const TetrahedralMesh& mesh, int region);
+
+/// The extinction that is given beside it.
+std::optional<double> kernel_extinction(const DirectionalScattering& kernel);
+
+}  // namespace etendue

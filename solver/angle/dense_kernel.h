@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "solver/angle/direction_set.h"
+#include "solver/problem/phase_function.h"
+
+namespace etendue {
+
+/// Scattering between the ordinates of a set as a matrix. Light that scatters from an ordinate into itself
+/// goes on as it was: it is no collision. So the matrix has no diagonal, and the extinction counts only what
+/// leaves an ordinate for the others (docs/scattering.md):
+///
+///     w_m.grad u_m + (sigma_a + leaving_m) u_m = sum over n != m of rate(m, n) w_n u_n + q.
+struct DenseKernel {
+  /// [into][from] k(w_from -> w_into), 0 on the diagonal. Of a phase function [1/sr]; of a kernel that has a
+  /// scattering coefficient in it [1/(length sr)].
+  Eigen::MatrixXd rate;
+  /// [ordinate] sum over m of w_m rate(m, ordinate): what is scattered into others. Of a phase function the
+  /// part of the scattered light that leaves, 1 - beta; beta < 0 where ordinates stand closely.
+  std::vector<double> leaving;
+  /// [ordinate] all that is scattered, straight ahead too: 1 of a phase function.
+  std::vector<double> total;
+};
+
+/// The matrix of a phase function, scaled so that energy and mean cosine are exact:
+///
+///     K_mn = b_m p(w_m.w_n) b_n,   b_m sum over n of w_n p_mn (1 - w_m.w_n) b_n = 1 - g.
+///
+/// Light in the forward cell, where p is not resolved, has (1 - cos) = 0: it does not enter the condition,
+/// and follows from energy as beta_m = 1 - sum over n != m of w_n K_mn. K is symmetric, and not negative
+/// where p is not.
+DenseKernel dense_kernel(const PhaseFunction& phase, const DirectionSet& set);
+
+/// Galerkin quadrature (Morel 1989; Sanchez and Ragusa 2011): as many harmonics as ordinates, orthonormal on
+/// the set, each with the Legendre moment of its degree. Scattering straight ahead is exact; the matrix of a
+/// peaked phase function has negative entries.
+DenseKernel galerkin_kernel(const PhaseFunction& phase, const DirectionSet& set);
+
+/// Scales a matrix [into][from], whose diagonal does not count, so that from every ordinate n the momentum
+/// transfer sum over m of w_m rate(m, n) (1 - w_m.w_n) is transfer[n]: symmetrically where the matrix is
+/// symmetric, else column by column. Columns that nothing leaves stay. Throws InputError where scaling does
+/// not come to an end.
+void scale_to_momentum_transfer(Eigen::MatrixXd& rate, const std::vector<double>& transfer,
+                                const DirectionSet& set);
+
+/// Scales a symmetric matrix, diagonal included, by b_m rate(m, n) b_n so that sum over m of w_m rate(m, n)
+/// is total[n].
+void scale_to_row_sums(Eigen::MatrixXd& rate, const std::vector<double>& total, const DirectionSet& set);
+
+/// Takes the diagonal out and sums up what leaves, of a total by ordinate.
+DenseKernel without_diagonal(Eigen::MatrixXd rate, std::vector<double> total, const DirectionSet& set);
+
+/// What a matrix does to energy, to the mean cosine and to signs.
+struct DenseAccuracy {
+  double asymmetry = 0;  ///< mean cosine, forward part included, averaged over the ordinates
+  /// Largest |row sum - 1| of what arrives at an ordinate where all radiances are equal, forward part
+  /// included, relative to the total; of a matrix that is not symmetric that of what leaves.
+  double energy_error = 0;
+  double smallest_forward = 0;  ///< beta, the part that goes on straight ahead
+  double largest_forward = 0;
+  double smallest = 0;        ///< entry, relative to the mean of all
+  double negative_share = 0;  ///< sum of |negative entries| over that of all
+};
+DenseAccuracy dense_accuracy(const DenseKernel& kernel, const DirectionSet& set);
+
+}  // namespace etendue

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/ordinates/dense_scattering.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "solver/ordinates/processor_timer.h"
+
+namespace etendue {
+namespace {
+
+std::size_t at(const Problem& problem, int region, int band) {
+  return static_cast<std::size_t>(region * problem.band_count() + band);
+}
+
+double mean_extinction(const DenseGroup& group) {
+  double sum = 0;
+  for (std::size_t m = 0; m < group.kernel().leaving.size(); ++m) sum += group.extinction(m);
+  return sum / static_cast<double>(group.kernel().leaving.size());
+}
+
+/// Of the extinction in a cell, what the matrix says in its own way.
+double replaced(const Problem& problem, const DenseGroup& group, CellIndex cell, int band) {
+  return problem.scattering(cell, band) +
+         (group.matter.absorbing.empty() ? 0 : problem.absorption(cell, band));
+}
+
+DirectionalKernel matter_of(const Medium& medium, int band, ScatteringBackend backend,
+                            const DirectionSet& directions) {
+  const PhaseFunction& phase = medium.phase[static_cast<std::size_t>(band)];
+  try {
+    if (medium.is_directional(band))
+      return directional_kernel(medium.directional[static_cast<std::size_t>(band)], directions);
+    return {backend == ScatteringBackend::galerkin ? galerkin_kernel(phase, directions)
+                                                   : dense_kernel(phase, directions),
+            {},
+            1};
+  } catch (const InputError& error) {
+    Origin origin = medium.origin;
+    if (origin.key.empty()) origin.key = "media." + medium.name;
+    throw InputError(fault_at(origin, "", error.faults().front().text));
+  }
+}
+
+}  // namespace
+
+std::vector<DenseGroup> dense_groups(const Problem& problem, const DirectionSet& directions,
+                                     const std::vector<ScatteringTreatment>& plan) {
+  std::vector<DenseGroup> groups;
+  for (int region = 0; region < static_cast<int>(problem.media().size()); ++region) {
+    const Medium& medium = problem.medium(region);
+    const std::vector<PhaseFunction>& phases = medium.phase;
+    const std::size_t first = groups.size();
+    for (int band = 0; band < problem.band_count(); ++band) {
+      const ScatteringBackend backend = plan[at(problem, region, band)].backend;
+      if (!plan[at(problem, region, band)].is_dense()) continue;
+      const auto alike = [&](const DenseGroup& group) {
+        const auto other = static_cast<std::size_t>(group.bands.front());
+        return plan[at(problem, region, group.bands.front())].backend == backend &&
+               phases[other] == phases[static_cast<std::size_t>(band)] &&
+               (medium.directional.empty() ||
+                medium.directional[other] == medium.directional[static_cast<std::size_t>(band)]);
+      };
+      const auto found =
+          std::find_if(groups.begin() + static_cast<std::ptrdiff_t>(first), groups.end(), alike);
+      if (found != groups.end()) {
+        found->bands.push_back(band);
+        continue;
+      }
+      groups.push_back({region, {band}, matter_of(medium, band, backend, directions)});
+    }
+  }
+  return groups;
+}
+
+std::vector<double> effective_extinction(const Problem& problem, std::span<const double> extinction,
+                                         const std::vector<ScatteringTreatment>& plan,
+                                         const std::vector<DenseGroup>& groups) {
+  std::vector<const DenseGroup*> group_of(plan.size(), nullptr);
+  for (const DenseGroup& group : groups)
+    for (const int band : group.bands) group_of[at(problem, group.region, band)] = &group;
+  std::vector<double> result(extinction.begin(), extinction.end());
+  for (std::int32_t c = 0; c < problem.mesh().cell_count(); ++c)
+    for (int band = 0; band < problem.band_count(); ++band) {
+      const CellIndex cell(c);
+      const std::size_t of_plan = at(problem, problem.mesh().region(cell), band);
+      double& value = result[static_cast<std::size_t>(c * problem.band_count() + band)];
+      if (const DenseGroup* group = group_of[of_plan])
+        value += group->amplitude(problem, cell, band) * mean_extinction(*group) -
+                 replaced(problem, *group, cell, band);
+      else
+        value -= plan[of_plan].forward * problem.scattering(cell, band);
+    }
+  return result;
+}
+
+double DenseGroup::amplitude(const Problem& problem, CellIndex cell, int band) const {
+  return replaced(problem, *this, cell, band) / matter.reference;
+}
+
+DenseScattering::DenseScattering(const Problem& problem, const DirectionSet& directions,
+                                 const CellCoefficients& cells, std::span<const double> extinction,
+                                 const std::vector<ScatteringTreatment>& plan,
+                                 const std::vector<DenseGroup>& groups)
+    : problem_(problem),
+      directions_(directions),
+      cells_(cells),
+      groups_(groups),
+      row_of_(static_cast<std::size_t>(problem.mesh().cell_count()), -1),
+      row_length_(cells.cell_length()) {
+  for (const CellIndex cell : dense_cells(problem, plan)) {
+    row_of_[cell.at()] = static_cast<std::int32_t>(rows_.size());
+    rows_.push_back(cell.value());
+    for (int band = 0; band < problem.band_count(); ++band)
+      removed_.push_back(extinction[cell.at() * static_cast<std::size_t>(problem.band_count()) +
+                                    static_cast<std::size_t>(band)]);
+  }
+  for (const DenseGroup& group : groups_) add_group(group);
+  source_ = AlignedArray(radiance_size());
+}
+
+void DenseScattering::add_group(const DenseGroup& group) {
+  Lanes lanes;
+  for (const std::int32_t c : rows_) {
+    if (problem_.mesh().region(CellIndex(c)) != group.region) continue;
+    for (const int band : group.bands) {
+      lanes.rows.push_back(row_of_[static_cast<std::size_t>(c)]);
+      lanes.bands.push_back(band);
+      lanes.amplitude.push_back(group.amplitude(problem_, CellIndex(c), band));
+      removed_[static_cast<std::size_t>(lanes.rows.back() * problem_.band_count() + band)] -=
+          replaced(problem_, group, CellIndex(c), band);
+    }
+  }
+  const Eigen::Index count = group.kernel().rate.rows();
+  lanes.matrix = AlignedArray(static_cast<std::size_t>(count * count));
+  for (Eigen::Index m = 0; m < count; ++m)
+    for (Eigen::Index n = 0; n < count; ++n)
+      lanes.matrix.data()[m * count + n] =
+          group.kernel().rate(m, n) * directions_.weights()[static_cast<std::size_t>(n)];
+  lanes_.push_back(std::move(lanes));
+}
+
+void DenseScattering::form_source(const TransportState& last, const SweepKernels& kernels, int threads,
+                                  double& seconds) {
+  const std::size_t pairs = product_lanes / static_cast<std::size_t>(cells_.nodes());
+  const std::size_t panel = static_cast<std::size_t>(directions_.count()) * product_lanes;
+  for (const Lanes& lanes : lanes_) {
+    const auto blocks = static_cast<std::int64_t>((lanes.rows.size() + pairs - 1) / pairs);
+#pragma omp parallel num_threads(threads)
+    {
+      const ProcessorTimer timer(seconds);
+      AlignedArray factor(panel), result(panel);
+#pragma omp for schedule(static)
+      for (std::int64_t block = 0; block < blocks; ++block)
+        product(lanes, static_cast<std::size_t>(block) * pairs, last, kernels, factor.data(), result.data());
+    }
+  }
+}
+
+void DenseScattering::product(const Lanes& lanes, std::size_t first, const TransportState& last,
+                              const SweepKernels& kernels, double* factor, double* result) {
+  const auto nodes = static_cast<std::size_t>(cells_.nodes());
+  const auto stride = static_cast<std::size_t>(cells_.stride());
+  const auto count = static_cast<std::size_t>(directions_.count());
+  const std::size_t end = std::min(lanes.rows.size(), first + product_lanes / nodes);
+  const std::size_t of_ordinate = rows_.size() * row_length_;
+  // The mass terms of the right-hand side go in with the radiance: K acts on each node alike.
+  CellCoefficients::SourceFactors mass[product_lanes];
+  std::size_t place[product_lanes];
+  for (std::size_t pair = first; pair < end; ++pair) {
+    const auto row = static_cast<std::size_t>(lanes.rows[pair]);
+    mass[pair - first] = cells_.source_factors(CellIndex(rows_[row]), lanes.bands[pair]);
+    mass[pair - first].sum *= lanes.amplitude[pair];
+    mass[pair - first].own *= lanes.amplitude[pair];
+    place[pair - first] = row * row_length_ + static_cast<std::size_t>(lanes.bands[pair]);
+  }
+  for (std::size_t n = 0; n < count; ++n) {
+    const double* radiance = last.radiance().data() + n * of_ordinate;
+    double* to = factor + n * product_lanes;
+    for (std::size_t pair = 0; pair < end - first; ++pair, to += nodes) {
+      const double* u = radiance + place[pair];
+      double total = 0;
+      for (std::size_t i = 0; i < nodes; ++i) total += u[i * stride];
+      for (std::size_t i = 0; i < nodes; ++i) to[i] = mass[pair].sum * total + mass[pair].own * u[i * stride];
+    }
+  }
+  kernels.matrix_product(
+      {static_cast<int>(count), static_cast<int>(count), lanes.matrix.data(), factor, result});
+  for (std::size_t m = 0; m < count; ++m) {
+    double* source = source_.data() + m * of_ordinate;
+    const double* from = result + m * product_lanes;
+    for (std::size_t pair = 0; pair < end - first; ++pair, from += nodes)
+      for (std::size_t i = 0; i < nodes; ++i) source[place[pair] + i * stride] = from[i];
+  }
+}
+
+void DenseScattering::add_source(OrdinateIndex m, const std::int32_t* index, double* angular) const {
+  const double* from = source_.data() + m.at() * rows_.size() * row_length_;
+  for (const std::int32_t c : rows_) {
+    double* right = angular + static_cast<std::size_t>(index[c]) * row_length_;
+    for (std::size_t i = 0; i < row_length_; ++i) right[i] += from[i];
+    from += row_length_;
+  }
+}
+
+void DenseScattering::keep_radiance(OrdinateIndex m, const std::int32_t* index, const double* angular,
+                                    TransportState& next) const {
+  double* to = next.radiance().data() + m.at() * rows_.size() * row_length_;
+  for (const std::int32_t c : rows_) {
+    const double* u = angular + static_cast<std::size_t>(index[c]) * row_length_;
+    to = std::copy(u, u + row_length_, to);
+  }
+}
+
+void DenseScattering::set_mass(OrdinateIndex m, double* records) const {
+  const RecordLayout layout = cells_.layout();
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  for (std::size_t g = 0; g < lanes_.size(); ++g) {
+    const Lanes& lanes = lanes_[g];
+    const double of_unit = groups_[g].extinction(m.at());
+    for (std::size_t pair = 0; pair < lanes.rows.size(); ++pair) {
+      const auto row = static_cast<std::size_t>(lanes.rows[pair]);
+      const double extinction = removed_[row * bands + static_cast<std::size_t>(lanes.bands[pair])] +
+                                lanes.amplitude[pair] * of_unit;
+      const CellIndex cell(rows_[row]);
+      records[cell.at() * layout.length + layout.mass + static_cast<std::size_t>(lanes.bands[pair])] =
+          cells_.mass(cell, lanes.bands[pair], extinction);
+    }
+  }
+}
+
+bool DenseScattering::absorbs_by_direction() const {
+  return std::any_of(groups_.begin(), groups_.end(),
+                     [](const DenseGroup& group) { return !group.matter.absorbing.empty(); });
+}
+
+bool DenseScattering::absorbs_by_direction(CellIndex cell, int band) const {
+  return std::any_of(groups_.begin(), groups_.end(), [&](const DenseGroup& group) {
+    return !group.matter.absorbing.empty() && group.region == problem_.mesh().region(cell) &&
+           std::count(group.bands.begin(), group.bands.end(), band) > 0;
+  });
+}
+
+void DenseScattering::add_absorbed(OrdinateIndex m, const std::int32_t* index, const double* angular,
+                                   std::span<double> absorbed) const {
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  const auto stride = static_cast<std::size_t>(cells_.stride());
+  const auto nodes = static_cast<std::size_t>(cells_.nodes());
+  for (std::size_t g = 0; g < lanes_.size(); ++g) {
+    if (groups_[g].matter.absorbing.empty()) continue;
+    const Lanes& lanes = lanes_[g];
+    const double factor =
+        directions_.weight(m) * groups_[g].matter.absorbing[m.at()] / static_cast<double>(nodes);
+    for (std::size_t pair = 0; pair < lanes.rows.size(); ++pair) {
+      const auto cell = static_cast<std::size_t>(rows_[static_cast<std::size_t>(lanes.rows[pair])]);
+      const auto band = static_cast<std::size_t>(lanes.bands[pair]);
+      const double* u = angular + static_cast<std::size_t>(index[cell]) * row_length_ + band;
+      double sum = 0;
+      for (std::size_t i = 0; i < nodes; ++i) sum += u[i * stride];
+      absorbed[cell * bands + band] += factor * lanes.amplitude[pair] * sum;
+    }
+  }
+}
+
+}  // namespace etendue

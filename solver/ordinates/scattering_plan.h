@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/angle/direction_set.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// How scattering in one medium and band is discretised, and why.
+struct ScatteringTreatment {
+  ScatteringBackend backend = ScatteringBackend::moments;  ///< never automatic
+  int degree = 0;                                          ///< of the moments; 0: isotropic
+  double forward = 0;  ///< part f of the scattered light that the moments count as not scattered (delta-M)
+  std::string reason;
+
+  bool is_dense() const { return backend != ScatteringBackend::moments; }
+};
+
+/// Bytes of the angular solution in the cells of one medium up to which the automatic choice takes a matrix:
+/// a few Krylov vectors of it fit beside each other.
+inline constexpr double largest_automatic_dense = 256.0 * 1024 * 1024;
+
+/// [region * bands + band].
+std::vector<ScatteringTreatment> plan_scattering(const Problem& problem, const DirectionSet& directions);
+
+/// Cells that keep their angular solution: some band in their medium scatters by a matrix.
+std::vector<CellIndex> dense_cells(const Problem& problem, const std::vector<ScatteringTreatment>& plan);
+
+}  // namespace etendue

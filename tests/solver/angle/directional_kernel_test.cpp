@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/angle/directional_kernel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "mesh/base/errors.h"
+#include "solver/angle/kernel_formula.h"
+#include "solver/angle/leaf_canopy.h"
+#include "tests/solver/angle/sets_to_test.h"
+
+namespace etendue {
+namespace {
+
+using std::numbers::pi;
+
+std::vector<LeafAngles> all_leaf_angles() {
+  std::vector<LeafAngles> all;
+  for (std::size_t i = 0; i < leaf_angle_names().size(); ++i) all.push_back(static_cast<LeafAngles>(i));
+  return all;
+}
+
+KernelFormula formula(const std::string& text) {
+  KernelFormula kernel;
+  kernel.formula = std::make_shared<Expression>(text, kernel_variables());
+  return kernel;
+}
+
+const char* const henyey_greenstein =
+    "2/(4*pi)*(1-0.7^2)/(1+0.7^2-2*0.7*(wx*vx+wy*vy+wz*vz))^1.5";  // sigma_s = 2, g = 0.7
+
+std::string refusal(const DirectionalScattering& scattering, const DirectionSet& set) {
+  try {
+    directional_kernel(scattering, set);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(LeafProjection, IsOneHalfInTheMeanForEveryInclination) {
+  const DirectionSet set = directions_product(32);
+  for (const LeafAngles angles : all_leaf_angles()) {
+    double mean = 0;
+    for (int m = 0; m < set.count(); ++m)
+      mean +=
+          set.weight(OrdinateIndex(m)) * leaf_projection(angles, set.direction(OrdinateIndex(m))) / (4 * pi);
+    EXPECT_NEAR(mean, 0.5, 1e-3) << leaf_angle_names()[static_cast<std::size_t>(angles)];
+  }
+}
+
+TEST(LeafProjection, IsThatOfItsNormals) {
+  for (const LeafAngles angles : all_leaf_angles()) {
+    const LeafNormals leaves = leaf_normals(angles);
+    double total = 0;
+    for (const double share : leaves.shares) total += share;
+    EXPECT_NEAR(total, 1, 1e-12);
+    for (const Vec3& w : {Vec3(0, 0, 1), Vec3(0.6, 0, 0.8), Vec3(0, 0.8, -0.6), Vec3(1, 0, 0)}) {
+      double sum = 0;
+      for (std::size_t i = 0; i < leaves.normals.size(); ++i)
+        sum += leaves.shares[i] * std::abs(w.dot(leaves.normals[i]));
+      EXPECT_NEAR(leaf_projection(angles, w), sum, 1e-3);
+    }
+  }
+  EXPECT_EQ(leaf_projection(LeafAngles::horizontal, Vec3(0.6, 0, -0.8)), 0.8);
+  EXPECT_NEAR(leaf_projection(LeafAngles::vertical, Vec3(0.6, 0, -0.8)), 2 / pi * 0.6, 1e-15);
+}
+
+TEST(LeafCanopy, ScattersAndAbsorbsWhatItsLeavesTake) {
+  const DirectionSet set = directions_ldfe_sq(1);
+  for (const LeafAngles angles : all_leaf_angles()) {
+    const LeafCanopy leaves{angles, 0.4, 0.1};
+    const DirectionalKernel kernel = directional_kernel(leaves, set);
+    EXPECT_GE(kernel.kernel.rate.minCoeff(), 0);
+    EXPECT_LT((kernel.kernel.rate - kernel.kernel.rate.transpose()).cwiseAbs().maxCoeff(), 1e-14);
+    for (std::size_t m = 0; m < set.directions().size(); ++m) {
+      const double projection = leaf_projection(angles, set.directions()[m]);
+      EXPECT_NEAR(kernel.kernel.total[m], 0.5 * projection, 1e-14);
+      EXPECT_NEAR(kernel.absorbing[m], 0.5 * projection, 1e-14);
+      EXPECT_LE(kernel.kernel.leaving[m], kernel.kernel.total[m] * (1 + 1e-12));
+    }
+  }
+}
+
+TEST(LeafCanopy, OfLevelLeavesSendsWhatItReflectsBackUp) {
+  const DirectionSet set = directions_ldfe_sq(1);
+  const DirectionalKernel kernel = directional_kernel(LeafCanopy{LeafAngles::horizontal, 0.5, 0}, set);
+  for (Eigen::Index n = 0; n < set.count(); ++n)
+    for (Eigen::Index m = 0; m < set.count(); ++m) {
+      const double from = set.directions()[static_cast<std::size_t>(n)].z();
+      const double into = set.directions()[static_cast<std::size_t>(m)].z();
+      if (from * into > 0) {
+        EXPECT_EQ(kernel.kernel.rate(m, n), 0);
+        continue;
+      }
+      // Lambertian: 0.5/pi |mu'||mu|. Half ranges along z are exact on this set.
+      EXPECT_NEAR(kernel.kernel.rate(m, n), -0.5 / pi * from * into, 1e-12);
+    }
+}
+
+TEST(MicroFlakes, OfARoundShapeScatterIsotropically) {
+  const DirectionSet set = directions_ldfe_sq(1);
+  const DirectionalKernel kernel = directional_kernel(MicroFlakes{Vec3::UnitX(), 1, 1, 0.8}, set);
+  EXPECT_NEAR(kernel.reference, 1, 1e-12);
+  for (std::size_t m = 0; m < set.directions().size(); ++m) {
+    EXPECT_NEAR(kernel.kernel.total[m], 0.8, 1e-12);
+    EXPECT_NEAR(kernel.absorbing[m], 0.2, 1e-12);
+  }
+}
+
+TEST(MicroFlakes, ThatLieFlatShowTheirFacesAlongTheAxis) {
+  const MicroFlakes flakes{Vec3(0, 0.6, 0.8), 1, 0.2, 0.9};
+  EXPECT_NEAR(flake_projection(flakes, flakes.axis), 1, 1e-15);
+  EXPECT_NEAR(flake_projection(flakes, Vec3::UnitX()), 0.2, 1e-15);
+  const DirectionalKernel kernel = directional_kernel(flakes, directions_ldfe_sq(1));
+  EXPECT_GE(kernel.kernel.rate.minCoeff(), 0);
+  EXPECT_GT(kernel.reference, 0.2);
+  EXPECT_LT(kernel.reference, 1);
+}
+
+TEST(KernelFormula, ThatIsHenyeyAndGreensteinsEqualsIt) {
+  EXPECT_NEAR(mean_scattering(formula(henyey_greenstein)), 2, 1e-12);
+  for (const DirectionSet& set : {directions_ldfe_sq(1), directions_triangular(8)}) {
+    const DirectionalKernel kernel = directional_kernel(formula(henyey_greenstein), set);
+    const DenseKernel expected = dense_kernel(PhaseHenyeyGreenstein{0.7}, set);
+    EXPECT_LT((kernel.kernel.rate - 2 * expected.rate).cwiseAbs().maxCoeff(), 1e-12) << label(set);
+    for (std::size_t m = 0; m < kernel.kernel.leaving.size(); ++m)
+      EXPECT_NEAR(kernel.kernel.leaving[m], 2 * expected.leaving[m], 1e-12);
+    EXPECT_NEAR(kernel.reference, 2, 1e-12);
+    EXPECT_TRUE(kernel.absorbing.empty());
+  }
+}
+
+TEST(KernelFormula, NamesTheDirectionsThatMakeItNegative) {
+  const std::string text = refusal(formula("1 + 2*vx"), directions_ldfe_sq(1));
+  EXPECT_EQ(text.rfind("the kernel is -", 0), 0u) << text;
+  EXPECT_NE(text.find(" from ("), std::string::npos) << text;
+  EXPECT_NE(text.find(" into ("), std::string::npos) << text;
+}
+
+TEST(KernelFormula, IsRefusedWhereItScattersMoreThanTheExtinction) {
+  KernelFormula kernel = formula("(1 + 0.5*wz)/(4*pi)");
+  kernel.extinction = 1.2;
+  const std::string text = refusal(kernel, directions_ldfe_sq(1));
+  EXPECT_NE(text.find("out of the direction ("), std::string::npos) << text;
+  kernel.extinction = 1.6;
+  EXPECT_EQ(refusal(kernel, directions_ldfe_sq(1)), "");
+}
+
+TEST(KernelFormula, KeepsItsWordThatItIsReciprocal) {
+  KernelFormula kernel = formula("1 + 0.5*wz");
+  EXPECT_EQ(refusal(kernel, directions_ldfe_sq(1)), "");
+  kernel.reciprocal = true;
+  EXPECT_NE(refusal(kernel, directions_ldfe_sq(1)).find("the opposite way"), std::string::npos);
+  kernel = formula("1 + 0.5*(wz - vz)");  // k(-v, -w) is the same
+  kernel.reciprocal = true;
+  EXPECT_EQ(refusal(kernel, directions_ldfe_sq(1)), "");
+}
+
+TEST(KernelMatrix, ThatIsDiagonalDoesNotScatter) {
+  const DirectionSet set = directions_product(2);
+  KernelMatrix matrix;
+  matrix.count = set.count();
+  matrix.values.assign(static_cast<std::size_t>(set.count() * set.count()), 0);
+  for (int m = 0; m < set.count(); ++m)
+    matrix.values[static_cast<std::size_t>(m * set.count() + m)] = 3 / set.weight(OrdinateIndex(m));
+  const DirectionalKernel kernel = directional_kernel(matrix, set);
+  for (const double leaving : kernel.kernel.leaving) EXPECT_EQ(leaving, 0);
+  EXPECT_NEAR(kernel.reference, 3, 1e-14);
+}
+
+TEST(KernelMatrix, ForAnotherSetIsRefused) {
+  KernelMatrix matrix{4, std::vector<double>(16, 1), false, {}};
+  EXPECT_NE(refusal(matrix, directions_product(2)).find("is for 4 directions"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace etendue

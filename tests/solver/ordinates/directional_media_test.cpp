@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// Leaves, flakes and general kernels in whole solutions.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "solver/measure/balance.h"
+#include "solver/ordinates/solve.h"
+#include "tests/solver/ordinates/sample_problems.h"
+
+namespace etendue {
+namespace {
+
+Medium medium_of(DirectionalScattering matter, double absorption, double scattering) {
+  Medium medium = uniform_medium(1, absorption, scattering, 0);
+  medium.directional = {std::move(matter)};
+  return medium;
+}
+
+DirectionalScattering kernel(const std::string& text) {
+  KernelFormula formula;
+  formula.formula = std::make_shared<Expression>(text, kernel_variables());
+  return formula;
+}
+
+/// The lower end shines, the upper is dark, mirrors around.
+std::vector<Wall> column(const TetrahedralMesh& mesh) {
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    const bool end = name == "zmin" || name == "zmax";
+    walls.push_back(uniform_wall(1, name == "zmin" ? 1 : 0, 0, end ? 0 : 1));
+    walls.back().name = name;
+  }
+  return walls;
+}
+
+void expect_balance(const Problem& problem, const Solution& solution) {
+  EXPECT_LT(std::abs(balances(problem, solution).front().residual), 1e-10);
+}
+
+/// Mean radiance of one ordinate at the upper end.
+double mean_at_top(const TetrahedralMesh& mesh, const OrdinateRadiance& kept) {
+  double top = 0, area = 0;
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    if (mesh.wall_names()[static_cast<std::size_t>(mesh.wall(face))] != "zmax") continue;
+    const auto& of_cell = mesh.vertices(mesh.owner(face));
+    for (const std::int32_t v : mesh.vertices(face)) {
+      const auto node =
+          static_cast<std::size_t>(std::find(of_cell.begin(), of_cell.end(), v) - of_cell.begin());
+      top += mesh.area(face) / 3 * kept.values[mesh.owner(face).at() * 4 + node];
+    }
+    area += mesh.area(face);
+  }
+  return top / area;
+}
+
+constexpr double leaf_density = 0.2;
+
+Solution through_level_leaves(const TetrahedralMesh& mesh, const DirectionSet& directions) {
+  const Problem problem(mesh, Bands{},
+                        {medium_of(LeafCanopy{LeafAngles::horizontal, 0, 0}, leaf_density / 2, 0)},
+                        column(mesh));
+  SolveOptions options = tight_options();
+  options.tolerance = 1e-9;
+  for (int m = 0; m < directions.count(); m += 5) options.keep_ordinates.push_back(m);
+  Solution solution = solve(problem, directions, options);
+  EXPECT_TRUE(solution.converged());
+  EXPECT_LT(std::abs(balances(problem, solution).front().residual), 1e-7);
+  return solution;
+}
+
+// Extinction u_L |mu| along a way of H/|mu|: exp(-u_L H) whatever the direction.
+TEST(LeafCanopy, OfBlackLevelLeavesLetsEveryOrdinateThroughAlike) {
+  const DirectionSet directions = directions_ldfe_sq(1);
+  std::vector<double> largest;
+  for (const double volume : {8e-2, 1e-2}) {
+    const TetrahedralMesh mesh = cube_mesh(volume);
+    largest.push_back(0);
+    for (const OrdinateRadiance& kept : through_level_leaves(mesh, directions).radiance) {
+      const bool up = directions.direction(OrdinateIndex(kept.ordinate)).z() > 0;
+      largest.back() =
+          std::max(largest.back(), std::abs(mean_at_top(mesh, kept) - (up ? std::exp(-leaf_density) : 0)));
+    }
+  }
+  // What leaves the domain is of third order in the size of the cells; half the size was asked for.
+  EXPECT_LT(largest[1], 2e-5);
+  EXPECT_LT(largest[1], largest[0] / 4);
+}
+
+TEST(LeafCanopy, OfBlackLevelLeavesIsAnAbsorberForEachOrdinate) {
+  const TetrahedralMesh mesh = cube_mesh(3e-2);
+  const DirectionSet directions = directions_ldfe_sq(1);
+  const Solution leaves = through_level_leaves(mesh, directions);
+  for (std::size_t i = 0; i < leaves.radiance.size(); i += 4) {
+    const OrdinateRadiance& kept = leaves.radiance[i];
+    const double slope = std::abs(directions.direction(OrdinateIndex(kept.ordinate)).z());
+    const Problem absorber(mesh, Bands{}, {uniform_medium(1, leaf_density * slope, 0, 0, PhaseIsotropic{})},
+                           column(mesh));
+    SolveOptions options = tight_options();
+    options.keep_ordinates = {kept.ordinate};
+    const Solution plain = solve(absorber, directions, options);
+    for (std::size_t k = 0; k < kept.values.size(); ++k)
+      EXPECT_NEAR(kept.values[k], plain.radiance.front().values[k], 1e-8) << kept.ordinate;
+  }
+}
+
+TEST(LeafCanopy, ThatDoesNotAbsorbLosesNothing) {
+  const TetrahedralMesh mesh = cube_mesh(3e-2);
+  for (const LeafAngles angles : {LeafAngles::horizontal, LeafAngles::erectophile}) {
+    const Problem problem(mesh, Bands{}, {medium_of(LeafCanopy{angles, 0.6, 0.4}, 0, 1.5)}, column(mesh));
+    const Solution solution = solve(problem, directions_ldfe_sq(1), tight_options());
+    ASSERT_TRUE(solution.converged());
+    EXPECT_LT(std::abs(balances(problem, solution).front().absorbed), 1e-12);
+    expect_balance(problem, solution);
+  }
+}
+
+TEST(DirectionalMedia, CloseTheBalanceWithWhatEveryDirectionAbsorbs) {
+  const TetrahedralMesh mesh = cube_mesh(3e-2);
+  const MicroFlakes flakes{Vec3(0.6, 0, 0.8), 0.3, 1, 0.7};
+  for (const DirectionalScattering& matter :
+       {DirectionalScattering(LeafCanopy{LeafAngles::planophile, 0.3, 0.2}), DirectionalScattering(flakes)}) {
+    const Problem problem(mesh, Bands{}, {medium_of(matter, 0.6, 0.7)}, column(mesh));
+    const Solution solution = solve(problem, directions_ldfe_sq(1), tight_options());
+    ASSERT_TRUE(solution.converged());
+    EXPECT_GT(balances(problem, solution).front().absorbed, 0.1);
+    expect_balance(problem, solution);
+  }
+}
+
+TEST(GeneralKernel, ThatIsHenyeyAndGreensteinsGivesItsAnswer) {
+  const TetrahedralMesh mesh = cube_mesh(3e-2);
+  const Problem general(
+      mesh, Bands{},
+      {medium_of(kernel("1.5/(4*pi)*(1-0.6^2)/(1+0.6^2-2*0.6*(wx*vx+wy*vy+wz*vz))^1.5"), 0.3, 1.5)},
+      column(mesh));
+  Medium known = uniform_medium(1, 0.3, 1.5, 0, PhaseHenyeyGreenstein{0.6});
+  known.choice = {{ScatteringBackend::dense, -1, ForwardPeak::automatic}};
+  const Problem expected(mesh, Bands{}, {known}, column(mesh));
+  SolveOptions options = tight_options();
+  options.tolerance = 1e-14;
+  const Solution a = solve(general, directions_ldfe_sq(1), options);
+  const Solution b = solve(expected, directions_ldfe_sq(1), options);
+  for (std::size_t i = 0; i < a.fluence.size(); ++i)
+    EXPECT_NEAR(a.fluence[i], b.fluence[i], 1e-12 * b.fluence[i]);
+  EXPECT_NEAR(a.kernels[0].asymmetry, 0.6, 1e-10);
+}
+
+TEST(GeneralKernel, ThatIsRefusedNamesItsMedium) {
+  const TetrahedralMesh mesh = cube_mesh(0.1);
+  Medium medium = medium_of(kernel("vz"), 0.3, 1.5);
+  medium.name = "fog";
+  medium.origin = {"room.toml", 7, "media.fog"};
+  const Problem problem(mesh, Bands{}, {medium}, column(mesh));
+  try {
+    solve(problem, directions_ldfe_sq(1), SolveOptions{});
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_EQ(text.rfind("room.toml:7: media.fog: the kernel is -", 0), 0u) << text;
+  }
+}
+
+}  // namespace
+}  // namespace etendue
