@@ -70,23 +70,29 @@ class Run {
         corrected_(options.acceleration != nullptr ? state.layout() : StateLayout{}),
         length_(std::clamp(memory / (state.layout().total() * sizeof(double)), shortest_krylov_basis,
                            longest_krylov_basis)),
+        done_(bands_, 0),
         smallest_(bands_, 1) {
     result_.bands.resize(bands_);
   }
 
   IterationResult run() {
     while (!finished()) {
+      // Of those that the cycle has found done the true residual is still to be seen.
+      for (std::size_t b = 0; b < bands_; ++b) done_[b] = result_.bands[b].converged;
+      const std::vector<char> taking_part = active();
       const std::vector<double> errors = true_errors();
       for (std::size_t b = 0; b < bands_; ++b) {
+        if (done_[b]) continue;
         result_.bands[b].residual = errors[b];
         // Without acceleration the residual after the first sweep says only that something shines.
         result_.bands[b].converged =
             (measured_ || accelerated(b) || errors[b] <= rounding) && errors[b] <= options_.tolerance;
       }
-      if (!report() || all_converged() || finished()) break;
+      if (!report(taking_part) || all_converged() || finished()) break;
       cycle();
       measured_ = true;
     }
+    result_.sweeps = sweeps_;
     return std::move(result_);
   }
 
@@ -104,7 +110,7 @@ class Run {
     sweep_.apply(state_, work_);
     ++sweeps_;
     vectors_.add(work_, BandScalars(bands_, -1), state_);
-    if (accelerated()) precondition(std::vector<char>(bands_, 1));
+    if (accelerated()) precondition(active());
     std::vector<double> errors = relative_change(sweep_.mesh(), sweep_, state_, work_);
     for (std::size_t b = 0; b < bands_; ++b)
       if (!accelerated(b)) errors[b] = sweep_.is_direct() ? 0 : errors[b] / smallest_[b];
@@ -120,14 +126,13 @@ class Run {
   void cycle() {
     basis_.clear();
     problems_.clear();
-    done_.clear();
     const BandScalars start = vectors_.norm(work_);
     size_ = vectors_.norm(state_);
     if (accelerated()) field_ = field_norms(sweep_.mesh(), sweep_, state_, work_);
     for (std::size_t b = 0; b < bands_; ++b) {
       // From nothing the first residual is the size of the answer.
       size_[b] = std::max(size_[b], start[b]);
-      done_.push_back(result_.bands[b].converged || start[b] == 0);
+      done_[b] = result_.bands[b].converged || start[b] == 0;
       problems_.emplace_back(done_[b] ? 0 : start[b]);
     }
     push_normalised(start);
@@ -137,10 +142,11 @@ class Run {
       // work = P (I - T) v
       vectors_.scale(work_, BandScalars(bands_, -1));
       vectors_.add(work_, BandScalars(bands_, 1), basis_[j]);
-      if (accelerated()) precondition(active());
+      const std::vector<char> taking_part = active();
+      if (accelerated()) precondition(taking_part);
       add_columns(orthogonalise());
       estimate();
-      if (!report() || std::count(done_.begin(), done_.end(), 0) == 0) break;
+      if (!report(taking_part) || std::count(done_.begin(), done_.end(), 0) == 0) break;
     }
     add_correction(state_);
     basis_.clear();
@@ -221,12 +227,13 @@ class Run {
     }
   }
 
-  /// False where the observer wants to stop.
-  bool report() {
+  /// Counts a sweep of the bands that took part in it. False where the observer wants to stop.
+  bool report(const std::vector<char>& taking_part) {
     std::vector<double> errors;
     for (std::size_t b = 0; b < bands_; ++b) {
-      result_.bands[b].sweeps = sweeps_;
       errors.push_back(result_.bands[b].residual);
+      if (!taking_part[b]) continue;
+      ++result_.bands[b].sweeps;
       result_.history.push_back({sweeps_, static_cast<int>(b), errors.back()});
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();

@@ -20,7 +20,8 @@ struct IterationOptions {
 /// How an iteration ended.
 struct IterationResult {
   std::vector<BandConvergence> bands;
-  std::vector<HistoryEntry> history;
+  std::vector<HistoryEntry> history;  ///< of the bands that took part in each sweep
+  int sweeps = 0;                     ///< over all bands; those of a band end when it is done
   bool interrupted = false;
 };
 

@@ -49,6 +49,7 @@ class Run {
       const std::vector<double> relative = relative_residual(sweep_.mesh(), sweep_, state_, image_);
       TransportState residual = difference(image_, state_);
       if (count > 1) remember(residual, last_image);
+      result_.sweeps = count;
       for (std::size_t b = 0; b < bands_; ++b) {
         const double error = relative[b] / smallest_[b];
         // One residual says nothing of the rate, unless it is zero.

@@ -12,7 +12,7 @@ namespace etendue {
 
 /// How the iteration of one band ended.
 struct BandConvergence {
-  int sweeps = 0;       ///< transport sweeps that this band took part in
+  int sweeps = 0;       ///< transport sweeps that this band took part in: not those after it is done
   double residual = 0;  ///< estimated relative error of the iteration
   bool converged = false;
 };

@@ -85,15 +85,18 @@ std::unique_ptr<Iteration> make_iteration(Method method) {
   return std::make_unique<Gmres>();
 }
 
-/// Goes on from the solution of the linear problem with values that are kept positive, as many sweeps as are
-/// left.
+/// Goes on from the solution of the linear problem, which took `used` sweeps with the one that measures, with
+/// values that are kept positive, as many sweeps as are left.
 void keep_positive(TransportSweep& sweep, TransportState& state, const SolveOptions& options,
-                   const SolveObserver& observer, Solution& solution) {
+                   const SolveObserver& observer, int used, Solution& solution) {
   sweep.keep_positive(options.positivity == Positivity::rescale ? Fixup::rescale : Fixup::quadratic);
-  // The sweep that measures is counted already and comes last.
-  int used = 0;
-  for (const BandConvergence& band : solution.convergence) used = std::max(used, band.sweeps);
-  if (sweep.is_direct() || solution.interrupted || options.max_sweeps <= used) return;
+  if (sweep.is_direct() || solution.interrupted) return;
+  if (options.max_sweeps <= used) {
+    for (BandConvergence& band : solution.convergence) band.converged = false;
+    solution.notes.push_back(
+        "not converged: no sweeps are left after the linear solution to keep values positive");
+    return;
+  }
   const auto shifted = [&](const SweepProgress& progress) {
     SweepProgress all = progress;
     all.sweep += used - 1;
@@ -109,8 +112,8 @@ void keep_positive(TransportSweep& sweep, TransportState& state, const SolveOpti
     band.converged = band.converged && solution.convergence[b].converged;
     solution.convergence[b] = band;
   }
-  solution.notes.push_back(fmt::format("{} sweeps after the linear solution to keep values positive",
-                                       result.history.empty() ? 0 : result.history.back().sweep));
+  solution.notes.push_back(
+      fmt::format("{} sweeps after the linear solution to keep values positive", result.sweeps));
   for (HistoryEntry entry : result.history) {
     entry.sweep += used - 1;
     solution.history.push_back(entry);
@@ -208,6 +211,7 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
 
   const auto start = std::chrono::steady_clock::now();
   const auto acceleration = make_acceleration(problem, sweep, extinction, options, solution);
+  int used = 1;
   if (sweep.is_direct()) {
     solution.convergence.assign(static_cast<std::size_t>(problem.band_count()), {1, 0, true});
   } else if (options.max_sweeps == 1) {
@@ -215,13 +219,14 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     solution.convergence.assign(static_cast<std::size_t>(problem.band_count()), {1, 1, false});
   } else {
     // The sweep that measures is one of those that are allowed.
-    const int used = 1 + (acceleration ? acceleration->sweeps() : 0);
+    used += acceleration ? acceleration->sweeps() : 0;
     const IterationOptions limits{options.tolerance, options.max_sweeps - used, acceleration.get()};
     IterationResult result = iteration->run(sweep, state, limits, observer);
     solution.convergence = std::move(result.bands);
     solution.history = std::move(result.history);
     solution.interrupted = result.interrupted;
     for (BandConvergence& band : solution.convergence) band.sweeps += used;
+    used += result.sweeps;
     if (acceleration) {
       solution.seconds.low_order_setup = acceleration->setup_seconds();
       solution.seconds.low_order = acceleration->seconds() + acceleration->setup_seconds();
@@ -229,7 +234,7 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     }
   }
   if (options.positivity != Positivity::none && options.order == SpaceOrder::linear)
-    keep_positive(sweep, state, options, observer, solution);
+    keep_positive(sweep, state, options, observer, used, solution);
   measure(sweep, state, solution);
   solution.seconds.sweep = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() -
                            solution.seconds.low_order;

@@ -21,16 +21,16 @@ constexpr double largest_rate = 1 - 1e-12;
 constexpr double rounding = 1e-15;
 
 /// state <- F(state), or state + P (F(state) - state) where it is accelerated; `next` is a place to work in.
-/// Gives the relative size of the change in each band.
+/// Gives the relative size of the change in each band. Only `active` bands are accelerated.
 std::vector<double> advance(TransportSweep& sweep, TransportState& state, TransportState& next,
-                            DiffusionAcceleration* acceleration) {
+                            DiffusionAcceleration* acceleration, const std::vector<char>& active) {
   const BandVectors vectors(sweep.mesh(), sweep);
   const auto bands = static_cast<std::size_t>(sweep.cells().bands());
   sweep.apply(state, next);
   vectors.add(next, BandScalars(bands, -1), state);
   if (acceleration != nullptr) {
     TransportState corrected(state.layout());
-    acceleration->apply(next, corrected, std::vector<char>(bands, 1));
+    acceleration->apply(next, corrected, active);
     std::swap(next, corrected);
   }
   std::vector<double> change = relative_change(sweep.mesh(), sweep, state, next);
@@ -68,11 +68,14 @@ IterationResult SourceIteration::run(TransportSweep& sweep, TransportState& stat
   std::vector<RateEstimate> rates(bands);
   std::vector<double> errors(bands, 0);
   TransportState next(state.layout());
+  std::vector<char> active(bands, 1);
   for (int count = 1; count <= options.max_sweeps; ++count) {
-    const std::vector<double> residual = advance(sweep, state, next, options.acceleration);
+    const std::vector<double> residual = advance(sweep, state, next, options.acceleration, active);
+    result.sweeps = count;
     double left = 0;
     bool done = true;
     for (std::size_t b = 0; b < bands; ++b) {
+      if (!active[b]) continue;
       // Asked in any case, for the sweeps that are left. |P r| is an estimate of the error itself.
       const double from_rate = rates[b].error(residual[b]);
       const bool corrected = options.acceleration != nullptr && options.acceleration->acts_on(b);
@@ -80,6 +83,7 @@ IterationResult SourceIteration::run(TransportSweep& sweep, TransportState& stat
       const bool converged = errors[b] <= options.tolerance;
       result.bands[b] = {count, errors[b], converged};
       result.history.push_back({count, static_cast<int>(b), errors[b]});
+      active[b] = !converged;
       done = done && converged;
       const double band_left = sweep.is_direct() ? 0 : rates[b].sweeps_left(options.tolerance);
       left = left < 0 || band_left < 0 ? -1 : std::max(left, band_left);

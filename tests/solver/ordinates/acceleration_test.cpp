@@ -241,6 +241,27 @@ TEST(DiffusionAcceleration, LocalCoefficientBearsAVoid) {
   EXPECT_LE(sweeps_of(mesh, 0, 20, DiffusionLength::local), 40);
 }
 
+TEST(DiffusionAcceleration, SweepsOfABandEndWhenItIsDone) {
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
+  Medium medium = uniform_medium(2, 0.1, 20, 1);
+  medium.scattering[0] = Coefficient(0.1);
+  const Problem problem = uniform_problem(mesh, medium, uniform_wall(2, 0.2, 0, 0));
+  for (const Method method : {Method::gmres, Method::source_iteration})
+    for (const Acceleration acceleration : {Acceleration::none, Acceleration::diffusion}) {
+      SolveOptions options = options_of(method, acceleration, 1e-7);
+      options.max_sweeps = 5000;
+      const Solution solution = solve(problem, directions_triangular(4), options);
+      ASSERT_TRUE(solution.converged());
+      EXPECT_LE(solution.convergence[0].sweeps, solution.convergence[1].sweeps - 2);
+      for (int band = 0; band < 2; ++band) {
+        const auto entries = std::count_if(solution.history.begin(), solution.history.end(),
+                                           [&](const HistoryEntry& entry) { return entry.band == band; });
+        // The sweep that measures is in no history.
+        EXPECT_EQ(entries + 1, solution.convergence[static_cast<std::size_t>(band)].sweeps);
+      }
+    }
+}
+
 TEST(DiffusionAcceleration, SourceIterationForecastsWhatIsLeft) {
   const TetrahedralMesh mesh = cube_mesh(2e-2);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.1, 5, 1), uniform_wall(1, 0.2, 0.5, 0));

@@ -129,5 +129,22 @@ TEST(Positivity, EstimatedErrorBoundsTheTrueError) {
   }
 }
 
+TEST(Positivity, IsNotConvergedWhereNoSweepsAreLeftForIt) {
+  const TetrahedralMesh mesh = cube_with_ball(2e-2);
+  const Problem problem = ball_in_a_room(mesh, 50, 10, 1, 0.5);
+  const DirectionSet directions = directions_triangular(4);
+  SolveOptions options = options_of(Positivity::none, 1e-6);
+  const Solution linear = solve(problem, directions, options);
+  ASSERT_TRUE(linear.converged());
+  options.max_sweeps = std::max(linear.convergence[0].sweeps, linear.convergence[1].sweeps);
+  ASSERT_TRUE(solve(problem, directions, options).converged());
+  options.positivity = Positivity::rescale;
+  const Solution solution = solve(problem, directions, options);
+  EXPECT_FALSE(solution.converged());
+  EXPECT_TRUE(std::any_of(solution.notes.begin(), solution.notes.end(), [](const std::string& note) {
+    return note.find("no sweeps are left") != std::string::npos;
+  }));
+}
+
 }  // namespace
 }  // namespace etendue
