@@ -169,9 +169,9 @@ void write_solution(const Case& input, const Problem& problem, const SavedState&
   add_names(fields, "band_names", problem.bands().names);
   add_names(fields, "region_names", mesh.region_names());
   grid->GetCellData()->AddArray(vtk_array({"region", {}, {}}, mesh.cell_regions()));
-  grid->GetCellData()->AddArray(vtk_array({"collided_fluence", {}, {}},
-                                          static_cast<int>(state.fluence.size()) / mesh.cell_count(),
-                                          state.fluence));
+  grid->GetCellData()->AddArray(vtk_array(
+      {"collided_fluence", {}, {}},
+      static_cast<int>(state.fluence.size() / static_cast<std::size_t>(mesh.cell_count())), state.fluence));
   for (const Part& part : parts) {
     const std::vector<double>& values = state.*part.values;
     if (!values.empty()) fields.AddArray(vtk_array({part.name, {}, {}}, state.bands, values));
@@ -192,10 +192,11 @@ SavedState read_initial(const InputFile& file, const Case& input, const Tetrahed
                     saved.cells, mesh.cell_count())));
   const std::vector<std::string> different = different_parts(saved.case_parts, case_parts(input));
   if (!different.empty())
-    throw InputError(fault_at(
-        file.origin, shown,
-        "is a solution of another case (" + bracketed(different) +
-            " differ); only the title, [solve], [[probe]] and [output] may, so start without or undo that"));
+    throw InputError(fault_at(file.origin, shown,
+                              "is a solution of another case (" + bracketed(different) +
+                                  " differ); only the title, [mesh] if it gives the same cells, "
+                                  "space.positivity, [solve], [[probe]], "
+                                  "[[camera]], [[sensor]] and [output] may, so start without or undo that"));
   return std::move(saved.state);
 }
 

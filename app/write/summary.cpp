@@ -56,6 +56,7 @@ Json stage_seconds(const RunResult& result, double writing) {
           {"orders", solve.orders},
           {"sweep", solve.sweep},
           {"low_order", solve.low_order},
+          {"low_order_setup", solve.low_order_setup},
           {"lights", solve.lights},
           {"write", writing},
           {"total", result.seconds.total + writing}};

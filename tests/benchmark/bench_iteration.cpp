@@ -171,14 +171,21 @@ double last_rate(const std::vector<HistoryEntry>& history) {
   return std::pow(history[end - 1].residual / history[end - 1 - window].residual, 1.0 / window);
 }
 
-/// Sweeps of plain source iteration, extrapolated where they are too many to do.
+/// A rate that was seen over so many sweeps says nothing of more than this many times as many: the slowest
+/// part of the error does not show yet.
+constexpr double longest_extrapolation = 100;
+
+/// Sweeps of plain source iteration, extrapolated where they are too many to do, and a bound from below where
+/// that means nothing: the rate only rises from sweep to sweep.
 std::string source_iteration_sweeps(const Run& run) {
   const Solution plain =
       run.solved(Method::source_iteration, Acceleration::none, tolerance, longest_source_iteration);
   if (plain.converged()) return std::to_string(plain.convergence[0].sweeps);
   const double rate = last_rate(plain.history);
-  if (rate >= 1) return "unknown";
+  if (rate >= 1) return fmt::format("> {}", longest_source_iteration);
   const double more = std::log(tolerance / plain.history.back().residual) / std::log(rate);
+  const double longest = longest_extrapolation * longest_source_iteration;
+  if (longest_source_iteration + more > longest) return fmt::format("> {:.0f}", longest);
   return fmt::format("~{:.2g}", longest_source_iteration + more);
 }
 

@@ -113,7 +113,8 @@ TEST_F(SolutionFile, OfAnotherCaseIsRefusedWithThePartsThatDiffer) {
   EXPECT_EQ(refusal(),
             "case.toml:8: solve.initial = \"" + file().string() +
                 "\": is a solution of another case ([directions], [media] differ); only the title, "
-                "[solve], [[probe]] and [output] may, so start without or undo that");
+                "[mesh] if it gives the same cells, space.positivity, [solve], [[probe]], [[camera]], "
+                "[[sensor]] and [output] may, so start without or undo that");
 }
 
 TEST_F(SolutionFile, OfAnotherMeshIsRefused) {

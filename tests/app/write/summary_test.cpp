@@ -17,7 +17,7 @@ using Names = std::vector<std::string>;
 
 TEST(Summary, HoldsWhatTheContractNames) {
   test::SampleRun run({"red", "green"});
-  run.solution.seconds = {0.25, 2, 0, 0};
+  run.solution.seconds = {0.25, 2, 0.75, 0.5, 0};
   const json summary = json::parse(summary_json(run.result(), {"fields.vtu", "summary.json"}, 0.75));
   EXPECT_EQ(summary["title"], "Sample");
   EXPECT_EQ(summary["version"], program_version());
@@ -35,7 +35,8 @@ TEST(Summary, HoldsWhatTheContractNames) {
                                       {"mesh", 1.5},
                                       {"orders", 0.25},
                                       {"sweep", 2},
-                                      {"low_order", 0},
+                                      {"low_order", 0.75},
+                                      {"low_order_setup", 0.5},
                                       {"lights", 0},
                                       {"write", 0.75},
                                       {"total", 4.75}}));
