@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/key_table.h"
+
+namespace etendue {
+
+using enum KeyType;
+using namespace key_range;
+
+std::vector<KeyDeclaration> light_keys() {
+  constexpr auto required = Need::required;
+  return {
+      {"walls.NAME",
+       "diffuse",
+       band_numbers,
+       {.default_value = "0.0",
+        .range = fraction,
+        .help = "Lambertian reflectance; diffuse + specular is at most 1."}},
+      {"walls.NAME",
+       "specular",
+       band_numbers,
+       {.default_value = "0.0", .range = fraction, .help = "Mirror reflectance."}},
+      {"walls.NAME",
+       "radiance",
+       band_numbers,
+       {.unit = "power/(length^2 sr)",
+        .default_value = "0.0",
+        .range = not_negative,
+        .later = {"a formula"},
+        .help = "Radiance that the wall sends into the domain, isotropic."}},
+      {"walls.NAME",
+       "uncollided",
+       switch_,
+       {.default_value = "\"auto\"",
+        .help = "Whether the radiance's uncollided part is integrated along rays as that of a light; auto: "
+                "where the wall is below 5 % of the boundary."}},
+
+      {"walls.NAME.beam",
+       "direction",
+       point,
+       {.need = required, .help = "In which the light travels; of any length."}},
+      {"walls.NAME.beam",
+       "irradiance",
+       band_numbers,
+       {.unit = "power/length^2",
+        .range = not_negative,
+        .need = required,
+        .help = "On a plane across the beam."}},
+
+      {"light", "name", text, {.need = required, .help = "What the light is called."}},
+      {"light",
+       "kind",
+       text,
+       {.choices = {"point", "spot", "sun", "disc", "rectangle", "wall", "sky"},
+        .need = required,
+        .help =
+            "What it is: point (position, power; distribution and direction), spot (position, direction, "
+            "angle, power; falloff), sun (direction, irradiance; walls), disc (position, direction, radius, "
+            "radiance), rectangle (position, direction, along, size, radiance), wall (walls, radiance), sky "
+            "(radiance; walls)."}},
+      {"light", "position", point, {.unit = "length", .help = "Where it stands, or its middle."}},
+      {"light",
+       "direction",
+       point,
+       {.help =
+            "The axis of a spot or of a distribution, the way of the sun's light, the side to which a disc "
+            "or a rectangle shines; of any length. Of a distribution -z without it."}},
+      {"light",
+       "power",
+       band_numbers,
+       {.unit = "power", .range = not_negative, .help = "Of a point or a spot, into all directions."}},
+      {"light",
+       "angle",
+       number,
+       {.unit = "degree",
+        .range = {.lowest = 0, .highest = 180, .lowest_excluded = true},
+        .help = "Between a spot's axis and the edge of its cone."}},
+      {"light",
+       "falloff",
+       number,
+       {.unit = "degree",
+        .default_value = "0.0",
+        .range = not_negative,
+        .help = "Inside of the edge, over which the intensity of a spot falls linearly to zero."}},
+      {"light",
+       "distribution",
+       text,
+       {.help =
+            "Of a point: an IES file, or a CSV with an angle from the axis [degree] and an intensity on each "
+            "line, found beside the case; only the shape counts."}},
+      {"light", "radius", number, {.unit = "length", .range = positive, .help = "Of a disc."}},
+      {"light", "along", point, {.help = "Direction of a rectangle's first side; of any length."}},
+      {"light",
+       "size",
+       numbers,
+       {.unit = "length", .range = positive, .help = "Lengths of a rectangle's sides: [along, across]."}},
+      {"light",
+       "radiance",
+       band_numbers,
+       {.unit = "power/(length^2 sr)",
+        .range = not_negative,
+        .help = "Of a disc, a rectangle, a wall or the sky, the same in all directions."}},
+      {"light",
+       "irradiance",
+       band_numbers,
+       {.unit = "power/length^2", .range = not_negative, .help = "Of the sun, on a plane across its light."}},
+      {"light",
+       "walls",
+       texts,
+       {.help =
+            "Walls that shine, or by which the sun or the sky comes in; these two without it by all walls "
+            "that neither shine nor reflect."}},
+      {"light",
+       "uncollided",
+       switch_,
+       {.default_value = "\"auto\"", .help = "auto and true: the uncollided part is integrated along rays."}},
+  };
+}
+
+}  // namespace etendue
