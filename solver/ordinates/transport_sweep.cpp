@@ -318,36 +318,6 @@ void TransportSweep::run_kernel(OrdinateIndex m, const SweepOrder& order, SweepR
                  work.whole.span());
 }
 
-// The cell before a lagged face holds, until its turn comes, what it held in the last sweep.
-void TransportSweep::set_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
-                                const SweepSlots& slots) const {
-  const auto stride = static_cast<std::size_t>(cells_.stride());
-  const auto length = cells_.trace_length();
-  const std::size_t parity = m.at() % 2;
-  for (std::size_t i = 0; i < order.lagged.size(); ++i) {
-    const FaceCode before = parity == 0 ? order.lagged[i].upwind : order.lagged[i].downwind;
-    const double* value =
-        last.lagged().data() + (2 * (orders_.lagged_start(m.value() / 2) + i) + parity) * length;
-    for (std::size_t at = 0; at < length; at += stride)
-      std::copy(value + at, value + at + stride, slots.face_node(before, at / stride));
-  }
-}
-
-void TransportSweep::keep_lagged(OrdinateIndex m, const SweepOrder& order, TransportState& next,
-                                 const SweepSlots& slots) const {
-  const auto stride = static_cast<std::size_t>(cells_.stride());
-  const auto length = cells_.trace_length();
-  const std::size_t parity = m.at() % 2;
-  for (std::size_t i = 0; i < order.lagged.size(); ++i) {
-    const FaceCode before = parity == 0 ? order.lagged[i].upwind : order.lagged[i].downwind;
-    double* value = next.lagged().data() + (2 * (orders_.lagged_start(m.value() / 2) + i) + parity) * length;
-    for (std::size_t at = 0; at < length; at += stride) {
-      const double* node = slots.face_node(before, at / stride);
-      std::copy(node, node + stride, value + at);
-    }
-  }
-}
-
 void TransportSweep::merge(std::int32_t first_batch, int batches, TransportState& next, SweepRecord* record) {
   const std::int32_t cells = problem_.mesh().cell_count();
 #pragma omp parallel for schedule(static) num_threads(threads_)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// What a sweep takes in and gives out ordinate by ordinate: sources and inflow by direction, meters, radiance
-// that is kept.
+// What a sweep takes in and gives out ordinate by ordinate: sources and inflow by direction, lagged faces,
+// meters, radiance that is kept.
 #include <algorithm>
 
 #include "solver/ordinates/sweep_order.h"
@@ -112,6 +112,36 @@ void TransportSweep::sweep_and_keep(SweepTask task, OrdinateRadiance& kept,
     const double* row = whole + static_cast<std::size_t>(cell) * length;
     std::copy(row, row + length,
               angular + static_cast<std::size_t>(scattering_.row(CellIndex(cell))) * length);
+  }
+}
+
+// The cell before a lagged face holds, until its turn comes, what it held in the last sweep.
+void TransportSweep::set_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
+                                const SweepSlots& slots) const {
+  const auto stride = static_cast<std::size_t>(cells_.stride());
+  const auto length = cells_.trace_length();
+  const std::size_t parity = m.at() % 2;
+  for (std::size_t i = 0; i < order.lagged.size(); ++i) {
+    const FaceCode before = parity == 0 ? order.lagged[i].upwind : order.lagged[i].downwind;
+    const double* value =
+        last.lagged().data() + (2 * (orders_.lagged_start(m.value() / 2) + i) + parity) * length;
+    for (std::size_t at = 0; at < length; at += stride)
+      std::copy(value + at, value + at + stride, slots.face_node(before, at / stride));
+  }
+}
+
+void TransportSweep::keep_lagged(OrdinateIndex m, const SweepOrder& order, TransportState& next,
+                                 const SweepSlots& slots) const {
+  const auto stride = static_cast<std::size_t>(cells_.stride());
+  const auto length = cells_.trace_length();
+  const std::size_t parity = m.at() % 2;
+  for (std::size_t i = 0; i < order.lagged.size(); ++i) {
+    const FaceCode before = parity == 0 ? order.lagged[i].upwind : order.lagged[i].downwind;
+    double* value = next.lagged().data() + (2 * (orders_.lagged_start(m.value() / 2) + i) + parity) * length;
+    for (std::size_t at = 0; at < length; at += stride) {
+      const double* node = slots.face_node(before, at / stride);
+      std::copy(node, node + stride, value + at);
+    }
   }
 }
 
