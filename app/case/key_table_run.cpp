@@ -84,7 +84,8 @@ std::vector<KeyDeclaration> run_keys() {
        text,
        {.default_value = "\"auto\"",
         .choices = {"auto", "diffusion", "none"},
-        .help = "Of the iteration. auto: diffusion with gmres and space.order = 1."}},
+        .help = "Of the iteration. auto: diffusion with gmres and space.order = 1 where it pays; the reason "
+                "is printed."}},
       {"solve",
        "tolerance",
        number,

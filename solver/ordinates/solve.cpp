@@ -142,14 +142,69 @@ std::vector<OrdinateFixup> fixups_of(const TransportSweep& sweep, const Directio
   return fixups;
 }
 
+/// Where less comes back, the iteration is quick by itself: with half of it scattered, Kobayashi's first
+/// problem takes 16 sweeps and with acceleration 18.
+constexpr double little_return = 0.5;
+
+/// Scatterings on a mean chord below which diffusion saves less than it costs, unless walls are brighter than
+/// `bright_wall`: the smoke room, with 0.2 of them, takes 13 sweeps and with acceleration 12.
+constexpr double few_scatterings = 1;
+constexpr double bright_wall = 0.8;
+
+/// The largest diffuse reflectance.
+double brightest_wall(const Problem& problem) {
+  double brightest = 0;
+  for (const Wall& wall : problem.walls())
+    for (const double diffuse : wall.diffuse) brightest = std::max(brightest, diffuse);
+  return brightest;
+}
+
+/// The largest part of what it takes out of a beam that a cell scatters.
+double largest_albedo(const Problem& problem) {
+  double largest = 0;
+  for (std::size_t i = 0; i < problem.scattering().size(); ++i)
+    if (problem.scattering()[i] > 0)
+      largest =
+          std::max(largest, problem.scattering()[i] / (problem.scattering()[i] + problem.absorption()[i]));
+  return largest;
+}
+
+/// Scatterings on a mean chord 4 V/S of the domain, in the band where they are most. Mirrors do not end a
+/// chord.
+double scatterings_on_a_chord(const Problem& problem) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  double most = 0;
+  for (std::size_t band = 0; band < bands; ++band) {
+    double scattered = 0, surface = 0;
+    for (std::size_t c = 0; c < mesh.volumes().size(); ++c)
+      scattered += problem.scattering()[c * bands + band] * mesh.volumes()[c];
+    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+      surface += mesh.area(FaceIndex(f)) * (1 - problem.wall(mesh.wall(FaceIndex(f))).specular[band]);
+    if (scattered > 0) most = std::max(most, 4 * scattered / surface);
+  }
+  return most;
+}
+
+/// Why diffusion would not pay; empty where it does.
+std::string reason_to_do_without(const Problem& problem) {
+  const double wall = brightest_wall(problem);
+  if (const double part = std::max(wall, largest_albedo(problem)); part <= little_return)
+    return fmt::format("cells and walls send back at most {:.2g} of the light", part);
+  if (const double scatterings = scatterings_on_a_chord(problem);
+      wall <= bright_wall && scatterings < few_scatterings)
+    return fmt::format("light scatters only {:.2g} times on its way through", scatterings);
+  return "";
+}
+
 /// Why a run is not accelerated; empty where it is.
-std::string reason_against_acceleration(const SolveOptions& options) {
+std::string reason_against_acceleration(const Problem& problem, const SolveOptions& options) {
   if (options.acceleration == Acceleration::diffusion) return "";
   if (options.acceleration == Acceleration::none) return "as asked";
   if (options.order != SpaceOrder::linear) return "diffusion takes linear elements";
   if (options.method == Method::source_iteration)
     return "source iteration is plain unless diffusion is asked for";
-  return "";
+  return reason_to_do_without(problem);
 }
 
 /// Null where nothing accelerates.
@@ -157,7 +212,7 @@ std::unique_ptr<DiffusionAcceleration> make_acceleration(const Problem& problem,
                                                          std::span<const double> extinction,
                                                          const SolveOptions& options, Solution& solution) {
   if (sweep.is_direct() || options.max_sweeps <= 2) return nullptr;
-  const std::string reason = reason_against_acceleration(options);
+  const std::string reason = reason_against_acceleration(problem, options);
   if (reason.empty())
     return std::make_unique<DiffusionAcceleration>(problem, sweep, extinction, options.diffusion_length);
   solution.notes.push_back("not accelerated: " + reason);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "solver/measure/balance.h"
 #include "solver/ordinates/diffusion_acceleration.h"
@@ -51,6 +52,29 @@ TEST(DiffusionAcceleration, EveryPathGivesTheSameAnswer) {
         for (const Balance& balance : balances(problem, solution))
           EXPECT_LT(std::abs(balance.residual), 1e-8);
       }
+}
+
+bool says(const Solution& solution, const std::string& text) {
+  return std::any_of(solution.notes.begin(), solution.notes.end(),
+                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
+TEST(DiffusionAcceleration, IsLeftOutWhereLittleComesBack) {
+  const TetrahedralMesh mesh = cube_mesh(4e-2);
+  const SolveOptions options = options_of(Method::gmres, Acceleration::automatic);
+  // Mirrors only send light on.
+  const Problem dark =
+      uniform_problem(mesh, uniform_medium(1, 1, 0.9, 1, PhaseIsotropic{}), uniform_wall(1, 0, 0.2, 0.7));
+  const Problem bright =
+      uniform_problem(mesh, uniform_medium(1, 1, 1.1, 1, PhaseIsotropic{}), uniform_wall(1, 0, 0.2, 0.7));
+  const Problem grey =
+      uniform_problem(mesh, uniform_medium(1, 0.05, 0.2, 1, PhaseIsotropic{}), uniform_wall(1, 0, 0.6, 0));
+  const Problem white =
+      uniform_problem(mesh, uniform_medium(1, 1, 0, 1, PhaseIsotropic{}), uniform_wall(1, 0, 0.9, 0));
+  EXPECT_TRUE(says(solve(dark, directions_triangular(4), options), "send back at most 0.47 of the light"));
+  EXPECT_TRUE(says(solve(bright, directions_triangular(4), options), "accelerated by diffusion"));
+  EXPECT_TRUE(says(solve(grey, directions_triangular(4), options), "scatters only 0.13 times"));
+  EXPECT_TRUE(says(solve(white, directions_triangular(4), options), "accelerated by diffusion"));
 }
 
 TEST(DiffusionAcceleration, ThicknessDoesNotMatter) {
