@@ -213,7 +213,8 @@ TEST(Study, OfBothShowsTheErrorsOnAGridAndClaimsNoOrder) {
   EXPECT_LT(norms[0]["directions"], norms[1]["directions"]);
   EXPECT_LT(norms[1]["cells"], norms[2]["cells"]);
   EXPECT_EQ(norms[1]["directions"], norms[3]["directions"]);
-  for (const json& row : study_in(folder)["rows"]) EXPECT_TRUE(row["order"].is_null());
+  const json study = study_in(folder);
+  for (const json& row : study["rows"]) EXPECT_TRUE(row["order"].is_null());
   EXPECT_LT(norms[3]["error"], norms[0]["error"]);
   EXPECT_GT(norms[0]["memory"], 1e6);
 }
