@@ -26,11 +26,6 @@ struct SweepOrder {
   std::vector<std::int32_t> levels;  ///< first position of each level of independent cells, and the end
   std::vector<LaggedFace> lagged;
   std::uint32_t slot_count = 0;
-
-  std::size_t bytes() const {
-    return visits.size() * sizeof(SweepVisit) + levels.size() * sizeof(std::int32_t) +
-           lagged.size() * sizeof(LaggedFace);
-  }
 };
 
 /// A face with |w.n| below this is parallel to the direction, on both sides.

@@ -48,7 +48,9 @@ struct SweepSlots {
   double* slot(std::uint32_t s) const { return radiance + s * cell_length; }
   /// [stride] at vertex k (0, 1, 2) of a face; constants have one value.
   double* face_node(FaceCode face, std::size_t k) const {
-    return slot(face.slot) + (cell_length == stride ? 0 : k + (k >= face.opposite ? 1 : 0)) * stride;
+    return slot(face.slot) +
+           (cell_length == stride ? 0 : etendue::face_node(face.opposite, static_cast<std::uint32_t>(k))) *
+               stride;
   }
 };
 

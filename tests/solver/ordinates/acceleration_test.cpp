@@ -21,15 +21,6 @@ SolveOptions options_of(Method method, Acceleration acceleration, double toleran
   return options;
 }
 
-double difference(const Solution& a, const Solution& b, std::size_t bands, std::size_t band) {
-  double error = 0, norm = 0;
-  for (std::size_t i = band; i < a.fluence.size(); i += bands) {
-    error += std::pow(a.fluence[i] - b.fluence[i], 2);
-    norm += std::pow(b.fluence[i], 2);
-  }
-  return std::sqrt(error / norm);
-}
-
 TEST(DiffusionAcceleration, EveryPathGivesTheSameAnswer) {
   const TetrahedralMesh mesh = cube_mesh(4e-2);
   // Different media in three bands, anisotropic scattering, diffuse and mirror reflection.

@@ -19,15 +19,6 @@ Solution solved(const Problem& problem, Method method, double tolerance = 1e-11)
   return solve(problem, directions_triangular(4), options);
 }
 
-double difference(const Solution& a, const Solution& b, std::size_t bands, std::size_t band) {
-  double error = 0, norm = 0;
-  for (std::size_t i = band; i < a.fluence.size(); i += bands) {
-    error += std::pow(a.fluence[i] - b.fluence[i], 2);
-    norm += std::pow(b.fluence[i], 2);
-  }
-  return std::sqrt(error / norm);
-}
-
 TEST(Gmres, AgreesWithSourceIterationInFewerSweeps) {
   const TetrahedralMesh mesh = cube_mesh(2e-2);
   // Anisotropic scattering, mirrors and diffuse walls, and a different medium in each band.

@@ -196,4 +196,13 @@ double largest_deviation(const std::vector<double>& values, double expected) {
   return deviation;
 }
 
+double difference(const Solution& a, const Solution& b, std::size_t bands, std::size_t band) {
+  double error = 0, norm = 0;
+  for (std::size_t i = band; i < a.fluence.size(); i += bands) {
+    error += std::pow(a.fluence[i] - b.fluence[i], 2);
+    norm += std::pow(b.fluence[i], 2);
+  }
+  return std::sqrt(error / norm);
+}
+
 }  // namespace etendue

@@ -64,4 +64,7 @@ std::function<double(const Vec3&)> exact_fluence(const DirectionSet& directions,
 /// Largest |value / expected - 1| over all nodal values.
 double largest_deviation(const std::vector<double>& values, double expected);
 
+/// Root mean square of what two fluences differ by in one of `bands` bands, relative to that of b.
+double difference(const Solution& a, const Solution& b, std::size_t bands, std::size_t band);
+
 }  // namespace etendue
