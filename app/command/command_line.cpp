@@ -130,9 +130,11 @@ class Parser {
     CLI::Option* order = directions_command_->add_option("--order", directions_.order, "Its order");
     set->type_name("NAME")->needs(order);
     order->type_name("N")->needs(set);
+    directions_command_->add_option("case", directions_.file, "The set of a case, in full")
+        ->type_name("CASE.toml")
+        ->excludes(set);
     directions_command_->add_option("-o,--output", directions_.output, "Also write its directions (.vtp)")
-        ->type_name("FILE")
-        ->needs(set);
+        ->type_name("FILE");
   }
 
   void add_later_commands() {

@@ -43,8 +43,9 @@ struct MeshRequest : CaseRequest {
   std::filesystem::path output;
 };
 
-/// Without a set: all of them.
+/// Without a set or a case: all sets.
 struct DirectionsRequest {
+  std::optional<std::filesystem::path> file;  ///< of the case whose set is meant, turned and refined as it is
   std::optional<std::string> set;
   std::optional<int> order;
   std::optional<std::filesystem::path> output;  ///< of the set, as points

@@ -114,6 +114,26 @@ TEST(Command, DirectionsShowsAllSetsOrOneInFull) {
   const Outcome one = etendue_says({"directions", "--set", "product", "--order", "2"});
   EXPECT_TRUE(has(one.out, "ordinate,x,y,z,weight\n0,")) << one.out;
   EXPECT_TRUE(has(one.out, "\n7,"));
+  for (const char* line :
+       {"sum of w              12.566370614359", "sum of w Omega        ", "axis walls, x y z"})
+    EXPECT_TRUE(has(one.out, line)) << one.out;
+}
+
+TEST(Command, DirectionsShowsTheSetOfACaseTurnedAndRefined) {
+  std::string text = test::small_case();
+  const std::string plain = "set = \"product\"\norder = 2\n";
+  text.replace(text.find(plain), plain.size(), "refine = { direction = [0, 0, 1], angle = 5, levels = 1 }\n");
+  const CaseFolder folder(text);
+  const Outcome outcome = etendue_says({"directions", folder.file(), "-o", folder.path() / "set.vtp"});
+  EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "refined")) << outcome.out;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "set.vtp"));
+}
+
+TEST(Command, DirectionsAsksWhichSetToWrite) {
+  const Outcome outcome = etendue_says({"directions", "-o", "set.vtp"});
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "which set is meant")) << outcome.err;
 }
 
 TEST(Command, DirectionsWritesASetAsPoints) {
