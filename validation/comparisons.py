@@ -7,6 +7,8 @@ import json
 import math
 import pathlib
 
+import flatland
+
 REFERENCES = pathlib.Path(__file__).resolve().parent / "reference"
 
 
@@ -139,6 +141,29 @@ def canopy(results):
         for wall, name in (("sky", "R"), ("ground", "T")):
             if exact[wall]:
                 found.append(Comparison(f"{name}, {band}", float(walls[wall, band]["incoming"]) / sent, exact[wall]))
+    return found
+
+
+def flatland_room(results):
+    """Irradiance and fluence that a lamp of radiance 1 brings in the plane, through absorption, past a pillar: integrals
+    over the angles in which the lamp is seen."""
+    found = []
+    for band, absorption in (("clear", 0.0), ("mist", 1.0)):
+        light = flatland.Lamp(absorption)
+        for row in read_table(results / "walls.csv"):
+            if row["band"] == band and row["wall"] in flatland.WALLS:
+                exact = light.mean_irradiance(*flatland.WALLS[row["wall"]])
+                if exact:
+                    found.append(Comparison(f"{row['wall']}, {band}", float(row["irradiance_mean"]), exact))
+        for row in probe_rows(results).values():
+            if row["band"] != band:
+                continue
+            place = point(row)[:2]
+            label = f"{row['probe']} {place[0]:.2f}, {band}"
+            if row["probe"] == "middle":
+                found.append(of_probe(row, label, light.fluence(place)))
+            else:
+                found.append(of_probe(row, label, light.irradiance(place, (0, -1)), "irradiance"))
     return found
 
 
