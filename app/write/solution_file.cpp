@@ -22,6 +22,7 @@
 #include "app/write/summary.h"
 #include "app/write/vtk_arrays.h"
 #include "app/write/vtk_files.h"
+#include "mesh/files/vtk_threads.h"
 #include "mesh/tetrahedra/array_bytes.h"
 #include "mesh/tetrahedra/child_process.h"
 
@@ -96,6 +97,7 @@ std::vector<char> texts_of(vtkFieldData& fields, const char* name) {
 }
 
 int read_to_file(const std::filesystem::path& path, std::FILE* file) {
+  use_vtk_without_threads();
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();

@@ -16,6 +16,7 @@
 #include <system_error>
 
 #include "mesh/base/errors.h"
+#include "mesh/files/vtk_threads.h"
 
 namespace etendue {
 namespace {
@@ -90,6 +91,7 @@ std::array<vtkIdType, 4> positive_order(const TetrahedralMesh& mesh, CellIndex c
 }
 
 void write_vtk(vtkXMLWriter& writer, const std::filesystem::path& path, const std::filesystem::path& shown) {
+  use_vtk_without_threads();
   const QuietVtk quiet;
   writer.SetFileName(path.c_str());
   writer.SetDataModeToAppended();

@@ -7,6 +7,7 @@
 #include "mesh/base/errors.h"
 #include "mesh/files/raw_mesh_bytes.h"
 #include "mesh/files/text_lines.h"
+#include "mesh/files/vtk_threads.h"
 #include "mesh/files/vtu_file.h"
 #include "mesh/files/vtu_grid.h"
 #include "mesh/tetrahedra/child_process.h"
@@ -52,6 +53,7 @@ void check_header(const std::filesystem::path& path) {
 }
 
 int read_to_file(const std::filesystem::path& path, std::FILE* file) try {
+  use_vtk_without_threads();
   write_raw_mesh(file, read_vtu_grid(path));
   return 0;
 } catch (const InputError& error) {

@@ -21,6 +21,7 @@
 
 #include "mesh/base/errors.h"
 #include "mesh/files/vtk_messages.h"
+#include "mesh/files/vtk_threads.h"
 #include "mesh/files/vtu_file.h"
 
 namespace etendue {
@@ -92,6 +93,7 @@ void write_whole(const std::filesystem::path& path, vtkUnstructuredGrid& grid) {
   std::filesystem::path unfinished = path;
   unfinished += ".unfinished-" + std::to_string(getpid());
   const VtkMessages messages;
+  use_vtk_without_threads();
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetFileName(unfinished.c_str());
   writer->SetInputData(&grid);
