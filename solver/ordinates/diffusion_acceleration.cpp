@@ -188,9 +188,10 @@ double DiffusionAcceleration::reflectance_seen(FaceIndex face, std::size_t band)
   return reflectance(problem_.wall(problem_.mesh().wall(face)), band);
 }
 
-// What scatters for the first time, sigma_s r, and what walls send back for the first time: with the partial
-// currents J of diffusion J_in = alpha (J_out + r_E), so -D dn phi = 2 a (1-alpha)/(1+alpha) phi
-// - 2 alpha/(1+alpha) r_E (docs/iteration.md, D4).
+// What scatters for the first time, sigma_s r, and the part beta that walls send back for the first time:
+// with the partial currents J of diffusion J_in = alpha J_out + beta r_E, so -D dn phi = 2 a
+// (1-alpha)/(1+alpha) phi
+// - 2 beta/(1+alpha) r_E (docs/iteration.md, D4).
 NodalVector DiffusionAcceleration::right_side(std::size_t band, const TransportState& residual) const {
   const TetrahedralMesh& mesh = problem_.mesh();
   const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
@@ -211,7 +212,7 @@ NodalVector DiffusionAcceleration::right_side(std::size_t band, const TransportS
     const double alpha = reflectance_seen(face, band);
     if (alpha == 0) continue;
     const CellIndex cell = mesh.owner(face);
-    const double factor = 2 * alpha / (1 + alpha) * mesh.area(face) / 12;
+    const double factor = 2 * sweep_.walls().fed_back(face, band) / (1 + alpha) * mesh.area(face) / 12;
     const double* arriving = residual.irradiance().data() + face.at() * 3 * stride + band;
     const double total = arriving[0] + arriving[stride] + arriving[2 * stride];
     std::size_t corner = 0;
@@ -222,7 +223,7 @@ NodalVector DiffusionAcceleration::right_side(std::size_t band, const TransportS
   return right;
 }
 
-// The partial current that leaves, J_out = (2 a phi - alpha r_E) / (1+alpha).
+// The partial current that leaves, J_out = (2 a phi - beta r_E) / (1+alpha).
 void DiffusionAcceleration::correct_walls(std::size_t band, const NodalVector& correction,
                                           const TransportState& residual, TransportState& corrected) const {
   const TetrahedralMesh& mesh = problem_.mesh();
@@ -233,11 +234,12 @@ void DiffusionAcceleration::correct_walls(std::size_t band, const NodalVector& c
     const double alpha = reflectance_seen(face, band);
     if (alpha == 0) continue;
     const CellIndex cell = mesh.owner(face);
+    const double returned = sweep_.walls().fed_back(face, band);
     std::size_t at = face.at() * 3 * stride + band;
     for (std::size_t i = 0; i < 4; ++i) {
       if (mesh.faces(cell)[i] == f) continue;
       const double current =
-          (twice * correction[4 * cell.at() + i] - alpha * residual.irradiance()[at]) / (1 + alpha);
+          (twice * correction[4 * cell.at() + i] - returned * residual.irradiance()[at]) / (1 + alpha);
       corrected.irradiance()[at] += current;
       at += stride;
     }

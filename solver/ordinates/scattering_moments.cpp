@@ -17,7 +17,7 @@ int highest_degree(const std::vector<ScatteringTreatment>& plan) {
 ScatteringMoments::ScatteringMoments(const Problem& problem, const DirectionSet& directions,
                                      const CellCoefficients& cells,
                                      const std::vector<ScatteringTreatment>& plan,
-                                     std::span<const CellIndex> observed)
+                                     const OrdinateSchedule& schedule, std::span<const CellIndex> observed)
     : problem_(problem),
       directions_(directions),
       cells_(cells),
@@ -25,7 +25,7 @@ ScatteringMoments::ScatteringMoments(const Problem& problem, const DirectionSet&
       harmonics_(directions, highest_degree(plan)),
       row_length_(cells.cell_length()) {
   find_angular_cells(observed);
-  fill_factors();
+  fill_factors(schedule);
 }
 
 void ScatteringMoments::find_angular_cells(std::span<const CellIndex> observed) {
@@ -44,12 +44,13 @@ void ScatteringMoments::find_angular_cells(std::span<const CellIndex> observed) 
   }
 }
 
-void ScatteringMoments::fill_factors() {
-  for (std::int32_t m = 0; m < directions_.count(); ++m)
+void ScatteringMoments::fill_factors(const OrdinateSchedule& schedule) {
+  for (std::int32_t place = 0; place < directions_.count(); ++place)
     for (int k = 0; k < moment_count(); ++k) {
-      const double value = harmonics_.value(k, OrdinateIndex(m));
+      const OrdinateIndex m = schedule.ordinate(place);
+      const double value = harmonics_.value(k, m);
       evaluation_.push_back(value);
-      integration_.push_back(value * directions_.weight(OrdinateIndex(m)));
+      integration_.push_back(value * directions_.weight(m));
     }
   const auto stride = static_cast<std::size_t>(cells_.stride());
   phase_moments_.assign(problem_.media().size() * count() * stride, 0);

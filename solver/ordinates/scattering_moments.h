@@ -8,6 +8,7 @@
 #include "solver/angle/direction_set.h"
 #include "solver/angle/harmonics.h"
 #include "solver/ordinates/cell_coefficients.h"
+#include "solver/ordinates/ordinate_schedule.h"
 #include "solver/ordinates/scattering_plan.h"
 #include "solver/ordinates/transport_state.h"
 #include "solver/problem/problem.h"
@@ -27,7 +28,8 @@ class ScatteringMoments {
   /// `observed` are cells whose radiance is wanted direction by direction. Where the plan says delta-M the
   /// part of the light that goes straight ahead is left out. The arguments must outlive it.
   ScatteringMoments(const Problem& problem, const DirectionSet& directions, const CellCoefficients& cells,
-                    const std::vector<ScatteringTreatment>& plan, std::span<const CellIndex> observed);
+                    const std::vector<ScatteringTreatment>& plan, const OrdinateSchedule& schedule,
+                    std::span<const CellIndex> observed);
 
   std::size_t row_count() const { return angular_cells_.size(); }  ///< without the scratch row
   std::size_t row_length() const { return row_length_; }           ///< doubles
@@ -39,10 +41,14 @@ class ScatteringMoments {
   const std::int32_t* index() const { return angular_cells_.empty() ? nullptr : index_.data(); }
   std::int32_t row(CellIndex cell) const { return index_[cell.at()]; }
   std::span<const std::int32_t> angular_cells() const { return angular_cells_; }
-  /// [ordinate][moment] Y_k(w_m)
-  const double* evaluation(OrdinateIndex m) const { return &evaluation_[m.at() * count()]; }
-  /// [ordinate][moment] w_m Y_k(w_m)
-  const double* integration(OrdinateIndex m) const { return &integration_[m.at() * count()]; }
+  /// [place in the schedule][moment] Y_k(w_m)
+  const double* evaluation(std::int32_t place) const {
+    return &evaluation_[static_cast<std::size_t>(place) * count()];
+  }
+  /// [place in the schedule][moment] w_m Y_k(w_m)
+  const double* integration(std::int32_t place) const {
+    return &integration_[static_cast<std::size_t>(place) * count()];
+  }
 
   /// Right-hand sides of emission and scattering of a state, for cells first … last - 1: the isotropic part
   /// into the source of the cells' records, and moments [row][moment][node][stride] for angular cells.
@@ -58,7 +64,7 @@ class ScatteringMoments {
     return plan_[static_cast<std::size_t>(region * problem_.band_count() + band)];
   }
   void find_angular_cells(std::span<const CellIndex> observed);
-  void fill_factors();
+  void fill_factors(const OrdinateSchedule& schedule);
 
   const Problem& problem_;
   const DirectionSet& directions_;

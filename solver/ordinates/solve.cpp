@@ -143,7 +143,7 @@ std::vector<OrdinateFixup> fixups_of(const TransportSweep& sweep, const Directio
 }
 
 /// Where less comes back, the iteration is quick by itself: with half of it scattered, Kobayashi's first
-/// problem takes 16 sweeps and with acceleration 18.
+/// problem takes 11 sweeps and with acceleration 10, which cost more than one.
 constexpr double little_return = 0.5;
 
 /// Scatterings on a mean chord below which diffusion saves less than it costs, unless walls are brighter than

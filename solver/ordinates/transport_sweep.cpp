@@ -76,13 +76,15 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
       dense_groups_(dense_groups(problem, directions, plan_)),
       cells_(problem.mesh(), effective_extinction(problem, extinction, plan_, dense_groups_),
              problem.band_count(), basis_of(options), options.lumping),
-      scattering_(problem, directions, cells_, plan_, observed_cells()),
+      schedule_(problem, directions, ordinates_per_batch(directions.count())),
+      scattering_(problem, directions, cells_, plan_, schedule_, observed_cells()),
       dense_(problem, directions, cells_, extinction, plan_, dense_groups_),
       orders_(timed_orders(problem.mesh(), directions, options, threads_, order_seconds_)),
-      walls_(problem, directions, orders_.walls(), cells_.stride(), cells_.face_nodes()),
+      walls_(problem, directions, schedule_, orders_.walls(), cells_.stride(), cells_.face_nodes()),
       kernels_(choose_kernels(cells_.basis(), cells_.stride())),
       records_(cells_.make_records()),
       inflow_(walls_.irradiance_size()),
+      passing_(walls_.passing_size()),
       moment_source_(scattering_.moments_size()) {
   threads_ = std::min(threads_, static_cast<int>(batch_count()));
   // Where a batch is done in less time than threads need to meet, one is faster.
@@ -131,7 +133,7 @@ StateLayout TransportSweep::layout() const {
 
 bool TransportSweep::is_direct() const {
   const auto scattering = problem_.scattering();
-  return !walls_.reflects() && orders_.lagged_total() == 0 &&
+  return !walls_.feeds_back() && orders_.lagged_total() == 0 &&
          std::all_of(scattering.begin(), scattering.end(), [](double s) { return s == 0; });
 }
 
@@ -225,43 +227,47 @@ void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last,
   const std::int32_t first = batch * size;
   const std::int32_t end = std::min(directions_.count(), first + size);
   const std::size_t angular_length = (scattering_.row_count() + 1) * scattering_.row_length();
-  const auto angular_of = [&](std::int32_t m) {
+  const auto angular_of = [&](std::int32_t place) {
     return work.angular.size() == 0
                ? nullptr
-               : work.angular.data() + static_cast<std::size_t>(m - first) * angular_length;
+               : work.angular.data() + static_cast<std::size_t>(place - first) * angular_length;
   };
   if (scattering_.row_count() > 0) {
     std::vector<double*> rows;
-    for (std::int32_t m = first; m < end; ++m) rows.push_back(angular_of(m) + scattering_.row_length());
+    for (std::int32_t place = first; place < end; ++place)
+      rows.push_back(angular_of(place) + scattering_.row_length());
     MomentTask task;
     task.row_length = scattering_.row_length();
     task.moments = scattering_.moment_count();
     task.directions = end - first;
-    task.matrix = scattering_.evaluation(OrdinateIndex(first));
+    task.matrix = scattering_.evaluation(first);
     task.moment_rows = moment_source_.data();
     task.direction_rows = rows.data();
     task.last_row = scattering_.row_count();
     kernels_.moments_to_directions(task);
     const bool shines = angular_input_ != nullptr && emission_ == Emission::included;
-    for (std::int32_t m = first; !dense_.empty() && m < end; ++m)
-      dense_.add_source(OrdinateIndex(m), scattering_.index(), angular_of(m));
-    for (std::int32_t m = first; shines && m < end; ++m) add_angular_source(OrdinateIndex(m), angular_of(m));
+    for (std::int32_t place = first; !dense_.empty() && place < end; ++place)
+      dense_.add_source(schedule_.ordinate(place), scattering_.index(), angular_of(place));
+    for (std::int32_t place = first; shines && place < end; ++place)
+      add_angular_source(schedule_.ordinate(place), angular_of(place));
   }
-  for (std::int32_t m = first; m < end; m += 2) {
-    const SweepOrder& order = orders_.of_pair(m / 2, work.scratch_order);
-    sweep_ordinate(OrdinateIndex(m), order, last, next, record, angular_of(m), work);
-    sweep_ordinate(OrdinateIndex(m + 1), order, last, next, record, angular_of(m + 1), work);
+  std::int32_t pair = -1;
+  const SweepOrder* order = nullptr;
+  for (std::int32_t place = first; place < end; ++place) {
+    if (const std::int32_t wanted = schedule_.ordinate(place).value() / 2; wanted != pair)
+      order = &orders_.of_pair(pair = wanted, work.scratch_order);
+    sweep_ordinate(place, *order, last, next, record, angular_of(place), work);
   }
 }
 
-void TransportSweep::sweep_ordinate(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
+void TransportSweep::sweep_ordinate(std::int32_t place, const SweepOrder& order, const TransportState& last,
                                     TransportState& next, SweepRecord* record, double* angular,
                                     Workspace& work) {
+  const OrdinateIndex m = schedule_.ordinate(place);
   // What comes in by direction is added to the slots, which then have to be filled again.
   const bool shines = angular_input_ != nullptr && emission_ == Emission::included;
-  if (shines || m.value() % ordinates_per_batch(directions_.count()) == 0)
-    walls_.fill(inflow_.span(), work.slots);
-  walls_.reflect(m, last, inflow_.span(), work.slots);
+  if (shines || place % schedule_.batch() == 0) walls_.fill(inflow_.span(), work.slots);
+  walls_.reflect(m, last, passing_.span(), inflow_.span(), work.slots);
   if (record != nullptr) walls_.add_exitance(m, work.slots, work.exitance.span());
   if (shines) add_angular_inflow(m, work.slots, work.exitance.span());
   set_lagged(m, order, last, work.slots);
@@ -270,7 +276,7 @@ void TransportSweep::sweep_ordinate(OrdinateIndex m, const SweepOrder& order, co
   if (record != nullptr && dense_.absorbs_by_direction())
     dense_.add_absorbed(m, scattering_.index(), angular, work.absorbed);
   walls_.receive(m, work.slots, record != nullptr ? TakeUp::all : TakeUp::reflecting, work.irradiance.span(),
-                 next.mirrors());
+                 next.mirrors(), passing_.span());
   keep_lagged(m, order, next, work.slots);
   if (record != nullptr && !meters_.empty()) read_meters(m, angular, work.meters);
 }
@@ -359,13 +365,13 @@ void TransportSweep::merge_cells(std::int32_t first, std::int32_t last, int batc
 void TransportSweep::merge_moments(std::size_t first, std::size_t last, std::int32_t batch, Workspace& work,
                                    TransportState& next) const {
   const std::int32_t size = ordinates_per_batch(directions_.count());
-  const std::int32_t ordinate = batch * size;
+  const std::int32_t first_place = batch * size;
   const std::size_t length = scattering_.row_length();
   MomentTask task;
   task.row_length = length;
   task.moments = scattering_.moment_count();
-  task.directions = std::min(directions_.count() - ordinate, size);
-  task.matrix = scattering_.integration(OrdinateIndex(ordinate));
+  task.directions = std::min(directions_.count() - first_place, size);
+  task.matrix = scattering_.integration(first_place);
   task.moment_rows = next.moments().data();
   double* rows[largest_batch];
   for (std::size_t j = 0; j < static_cast<std::size_t>(task.directions); ++j)

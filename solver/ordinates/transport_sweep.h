@@ -8,6 +8,7 @@
 #include "solver/ordinates/angular_input.h"
 #include "solver/ordinates/cell_coefficients.h"
 #include "solver/ordinates/dense_scattering.h"
+#include "solver/ordinates/ordinate_schedule.h"
 #include "solver/ordinates/scattering_moments.h"
 #include "solver/ordinates/sweep_kernel.h"
 #include "solver/ordinates/sweep_orders.h"
@@ -49,15 +50,17 @@ class TransportSweep {
   void apply(const TransportState& last, TransportState& next, SweepRecord* record = nullptr);
   /// next = T last, the linear part of F.
   void apply_linear(const TransportState& last, TransportState& next);
-  /// next = what a unit isotropic source in all cells gives through extinction alone, with black walls. Its
-  /// fluence over 4 pi is the mean distance that light comes from, 1/sigma_t far inside a medium.
+  /// next = what a unit isotropic source in all cells gives through extinction alone, with walls that send
+  /// back nothing but what mirrors reflect within the sweep. Its fluence over 4 pi is the mean distance that
+  /// light comes from, 1/sigma_t far inside a medium.
   void apply_to_unit_source(TransportState& next);
   /// From now on apply() keeps the values of every cell non-negative, so it is no longer affine;
   /// apply_linear() stays as it was. Only for linear elements.
   void keep_positive(Fixup fixup);
   /// [ordinate][stride] What the fixup met in the last apply(); empty before keep_positive().
   const std::vector<FixupCensus>& fixup_census() const { return census_; }
-  /// Whether one sweep gives the solution: nothing scatters, reflects or is lagged.
+  /// Whether one sweep gives the solution: nothing scatters, and nothing that arrives at walls or lagged
+  /// faces is for the next sweep.
   bool is_direct() const;
 
   const TetrahedralMesh& mesh() const { return problem_.mesh(); }
@@ -87,7 +90,7 @@ class TransportSweep {
   void form_source(const TransportState& last);
   void sweep_batch(std::int32_t batch, const TransportState& last, TransportState& next, SweepRecord* record,
                    Workspace& work);
-  void sweep_ordinate(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
+  void sweep_ordinate(std::int32_t place, const SweepOrder& order, const TransportState& last,
                       TransportState& next, SweepRecord* record, double* angular, Workspace& work);
   void run_kernel(OrdinateIndex m, const SweepOrder& order, SweepRecord* record, double* angular,
                   Workspace& work);
@@ -120,6 +123,7 @@ class TransportSweep {
   std::vector<ScatteringTreatment> plan_;
   std::vector<DenseGroup> dense_groups_;
   CellCoefficients cells_;
+  OrdinateSchedule schedule_;
   ScatteringMoments scattering_;
   DenseScattering dense_;
   double order_seconds_ = 0;
@@ -128,6 +132,7 @@ class TransportSweep {
   SweepKernels kernels_;
   AlignedArray records_;        ///< [cell + 1][record length], the source of the last sweep in them
   AlignedArray inflow_;         ///< [boundary face][face node][stride] of the last sweep
+  AlignedArray passing_;        ///< what mirrors hand on within a sweep
   AlignedArray moment_source_;  ///< [row][moment][node][stride]
   std::vector<std::int32_t> all_cells_index_;  ///< [cell + 1] cell + 1, to keep an ordinate's whole radiance
   std::vector<std::unique_ptr<Workspace>> workspaces_;

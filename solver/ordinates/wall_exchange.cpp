@@ -34,7 +34,8 @@ bool any_positive(const std::vector<double>& values) {
 }  // namespace
 
 WallExchange::WallExchange(const Problem& problem, const DirectionSet& directions,
-                           const WallSlots& wall_slots, int stride, int face_nodes)
+                           const OrdinateSchedule& schedule, const WallSlots& wall_slots, int stride,
+                           int face_nodes)
     : mesh_(problem.mesh()),
       problem_(problem),
       directions_(directions),
@@ -50,11 +51,10 @@ WallExchange::WallExchange(const Problem& problem, const DirectionSet& direction
   }
   half_range_.resize(static_cast<std::size_t>(mesh_.boundary_face_count()));
   for (std::int32_t f = 0; f < mesh_.boundary_face_count(); ++f) {
-    const double range = directions.half_range(mesh_.area_normal(FaceIndex(f)).normalized());
-    half_range_[static_cast<std::size_t>(f)] = range;
-    reflects_ = reflects_ || (range > out_of_reach && reflects(FaceIndex(f)));
+    half_range_[static_cast<std::size_t>(f)] =
+        directions.half_range(mesh_.area_normal(FaceIndex(f)).normalized());
   }
-  find_mirrors();
+  find_mirrors(schedule);
   for (std::int32_t f = 0; f < mesh_.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     const double range = half_range_[face.at()];
@@ -62,12 +62,14 @@ WallExchange::WallExchange(const Problem& problem, const DirectionSet& direction
                       static_cast<std::size_t>(mesh_.wall(face))});
     all_.push_back(f);
     if (reflects(face)) reflecting_.push_back(f);
-    if (mirror_row_[face.at()] >= 0) mirrors_.push_back(f);
+    if (mirror(face) != nullptr) mirror_faces_.push_back(f);
+    for (std::size_t band = 0; band < stride_; ++band)
+      feeds_back_ = feeds_back_ || (range > out_of_reach && fed_back(face, band) > 0);
   }
 }
 
-void WallExchange::find_mirrors() {
-  mirror_row_.assign(half_range_.size(), -1);
+void WallExchange::find_mirrors(const OrdinateSchedule& schedule) {
+  mirror_of_.assign(half_range_.size(), -1);
   std::vector<Fault> faults;
   std::vector<char> refused(wall_reflects_.size(), 0);
   for (std::int32_t f = 0; f < mesh_.boundary_face_count(); ++f) {
@@ -79,7 +81,8 @@ void WallExchange::find_mirrors() {
     std::size_t plane = 0;
     while (plane < planes_.size() && (planes_[plane].normal - normal).norm() > same_plane) ++plane;
     if (plane == planes_.size()) {
-      planes_.push_back({normal, partners(face)});
+      planes_.push_back(
+          {normal, schedule.knows_reflections(normal) ? Turn::this_sweep : Turn::next_sweep, partners(face)});
       if (std::count(planes_.back().partner.begin(), planes_.back().partner.end(), -1) > 0) {
         planes_.pop_back();
         refused[wall] = 1;
@@ -97,8 +100,8 @@ void WallExchange::find_mirrors() {
         continue;
       }
     }
-    mirror_row_[face.at()] = static_cast<std::int32_t>(mirror_plane_.size());
-    mirror_plane_.push_back(static_cast<std::int32_t>(plane));
+    mirror_of_[face.at()] = static_cast<std::int32_t>(mirrors_.size());
+    mirrors_.push_back({plane, rows_[static_cast<std::size_t>(planes_[plane].turn)]++});
   }
   if (!faults.empty()) throw InputError(std::move(faults));
 }
@@ -114,14 +117,20 @@ std::vector<std::int32_t> WallExchange::partners(FaceIndex face) const {
 
 std::size_t WallExchange::irradiance_size() const { return half_range_.size() * face_length_; }
 
-std::size_t WallExchange::mirror_size() const {
-  return mirror_plane_.size() * static_cast<std::size_t>(directions_.count() / 2) * face_length_;
+std::size_t WallExchange::row_size() const {
+  return static_cast<std::size_t>(directions_.count() / 2) * face_length_;
+}
+
+double WallExchange::fed_back(FaceIndex face, std::size_t band) const {
+  const std::size_t wall = static_cast<std::size_t>(mesh_.wall(face)) * stride_ + band;
+  const Mirror* of = mirror(face);
+  const bool turns_later = of != nullptr && planes_[of->plane].turn == Turn::next_sweep;
+  return std::min(1.0, diffuse_[wall] + (turns_later ? specular_[wall] : 0));
 }
 
 // Of the two ordinates of a pair one leaves through a face: the pair's number is enough.
 std::size_t WallExchange::mirror_at(std::size_t row, std::int32_t ordinate) const {
-  return (row * static_cast<std::size_t>(directions_.count() / 2) + static_cast<std::size_t>(ordinate / 2)) *
-         face_length_;
+  return row * row_size() + static_cast<std::size_t>(ordinate / 2) * face_length_;
 }
 
 void WallExchange::form_inflow(const TransportState& last, Emission emission,
@@ -144,14 +153,15 @@ void WallExchange::fill(std::span<const double> inflow, const SweepSlots& slots)
   }
 }
 
-void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::span<const double> inflow,
-                           const SweepSlots& slots) const {
-  for (const std::int32_t f : mirrors_) {
+void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::span<const double> passing,
+                           std::span<const double> inflow, const SweepSlots& slots) const {
+  for (const std::int32_t f : mirror_faces_) {
     const Face& face = faces_[static_cast<std::size_t>(f)];
     if (seen_area(face.area_normal, directions_.direction(m)) >= 0) continue;
-    const auto row = static_cast<std::size_t>(mirror_row_[static_cast<std::size_t>(f)]);
-    const std::int32_t partner = planes_[static_cast<std::size_t>(mirror_plane_[row])].partner[m.at()];
-    const double* mirrored = last.mirrors().data() + mirror_at(row, partner);
+    const Mirror& by = *mirror(FaceIndex(f));
+    const MirrorPlane& plane = planes_[by.plane];
+    const std::span<const double> from = plane.turn == Turn::this_sweep ? passing : last.mirrors();
+    const double* mirrored = from.data() + mirror_at(by.row, plane.partner[m.at()]);
     const double* own = inflow.data() + static_cast<std::size_t>(f) * face_length_;
     double* trace = slots.slot(wall_slots_.inflow(f));
     for (std::size_t i = 0; i < face_length_; ++i)
@@ -170,7 +180,8 @@ void WallExchange::add_exitance(OrdinateIndex m, const SweepSlots& slots, std::s
 }
 
 void WallExchange::receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what,
-                           std::span<double> irradiance, std::span<double> mirrors) const {
+                           std::span<double> irradiance, std::span<double> mirrors,
+                           std::span<double> passing) const {
   const std::span<const std::int32_t> faces = what == TakeUp::all ? all_ : reflecting_;
   for (const std::int32_t f : faces) {
     const auto at = static_cast<std::size_t>(f);
@@ -183,8 +194,10 @@ void WallExchange::receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what
       const double* trace = slots.face_node(inside, i / stride_);
       for (std::size_t b = 0; b < stride_; ++b) sum[i + b] += factor * trace[b];
     }
-    if (mirror_row_[at] < 0) continue;
-    double* kept = mirrors.data() + mirror_at(static_cast<std::size_t>(mirror_row_[at]), m.value());
+    const Mirror* by = mirror(FaceIndex(f));
+    if (by == nullptr) continue;
+    const std::span<double> to = planes_[by->plane].turn == Turn::this_sweep ? passing : mirrors;
+    double* kept = to.data() + mirror_at(by->row, m.value());
     for (std::size_t i = 0; i < face_length_; i += stride_) {
       const double* trace = slots.face_node(inside, i / stride_);
       std::copy(trace, trace + stride_, kept + i);
@@ -194,12 +207,13 @@ void WallExchange::receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what
 
 void WallExchange::add_leaving(FaceIndex face, std::size_t band, std::span<const double> before,
                                std::span<const double> after, std::span<double> mirrors) const {
-  if (mirror_row_[face.at()] < 0) return;
+  const Mirror* by = mirror(face);
+  if (by == nullptr || planes_[by->plane].turn == Turn::this_sweep) return;
   // The half ranges of both sides are equal: with every direction its opposite is in the set.
   const double by_half_range = 1 / half_range_[face.at()];
   for (std::int32_t m = 0; m < directions_.count(); ++m) {
     if (seen_area(mesh_.area_normal(face), directions_.direction(OrdinateIndex(m))) <= 0) continue;
-    double* radiance = mirrors.data() + mirror_at(static_cast<std::size_t>(mirror_row_[face.at()]), m);
+    double* radiance = mirrors.data() + mirror_at(by->row, m);
     for (std::size_t i = band; i < face_length_; i += stride_) {
       const std::size_t at = face.at() * face_length_ + i;
       radiance[i] += by_half_range * (after[at] - before[at]);

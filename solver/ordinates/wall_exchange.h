@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "solver/angle/direction_set.h"
+#include "solver/ordinates/ordinate_schedule.h"
 #include "solver/ordinates/sweep_slots.h"
 #include "solver/ordinates/transport_state.h"
 #include "solver/problem/problem.h"
@@ -25,13 +27,17 @@ enum class TakeUp { reflecting, all };
 class WallExchange {
  public:
   /// Throws InputError where a mirror's partner ordinate is not in the set. The arguments must outlive it.
-  WallExchange(const Problem& problem, const DirectionSet& directions, const WallSlots& wall_slots,
-               int stride, int face_nodes);
+  WallExchange(const Problem& problem, const DirectionSet& directions, const OrdinateSchedule& schedule,
+               const WallSlots& wall_slots, int stride, int face_nodes);
 
   std::size_t irradiance_size() const;
-  std::size_t mirror_size() const;
-  /// Whether what arrives at some wall comes back.
-  bool reflects() const { return reflects_; }
+  /// Of what the mirrors reflect in the next sweep, and of what they reflect within the same.
+  std::size_t mirror_size() const { return mirror_rows(Turn::next_sweep) * row_size(); }
+  std::size_t passing_size() const { return mirror_rows(Turn::this_sweep) * row_size(); }
+  /// Whether the next sweep brings back some of what arrives at a wall.
+  bool feeds_back() const { return feeds_back_; }
+  /// Of what arrives at a face, the part that the next sweep brings back.
+  double fed_back(FaceIndex face, std::size_t band) const;
   /// [boundary face] [sr]
   const std::vector<double>& half_range() const { return half_range_; }
   /// Boundary faces whose walls reflect in some band.
@@ -45,19 +51,21 @@ class WallExchange {
   /// Writes all inflow slots. They keep their values until they are written again.
   void fill(std::span<const double> inflow, const SweepSlots& slots) const;
   /// Writes the inflow slots of the mirrors along ordinate m: `inflow` and what they reflect of the last
-  /// state.
-  void reflect(OrdinateIndex m, const TransportState& last, std::span<const double> inflow,
-               const SweepSlots& slots) const;
+  /// state or, where the schedule allows it, of this sweep (`passing`).
+  void reflect(OrdinateIndex m, const TransportState& last, std::span<const double> passing,
+               std::span<const double> inflow, const SweepSlots& slots) const;
   /// Adds what the inflow slots send along ordinate m to `exitance` [boundary face][face node][stride].
   void add_exitance(OrdinateIndex m, const SweepSlots& slots, std::span<double> exitance) const;
 
   /// Takes up what left along ordinate m, from the radiance of the cells at the walls: adds to `irradiance`,
-  /// and writes the mirrors' part of `next`. What black walls receive matters for nothing but the results.
+  /// and writes the mirrors' part of `next`, or `passing`. What black walls receive matters for nothing but
+  /// the results.
   void receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what, std::span<double> irradiance,
-               std::span<double> mirrors) const;
+               std::span<double> mirrors, std::span<double> passing) const;
 
   /// Adds radiance that brings the irradiance `after` - `before` to one face, the same in all directions, to
-  /// what leaves along the ordinates there, in one band. Does nothing where the face is no mirror.
+  /// what leaves along the ordinates there, in one band. Does nothing where the face is no mirror of the next
+  /// sweep.
   void add_leaving(FaceIndex face, std::size_t band, std::span<const double> before,
                    std::span<const double> after, std::span<double> mirrors) const;
 
@@ -69,12 +77,28 @@ class WallExchange {
     std::size_t wall;
   };
 
+  /// When a mirror sends back what arrives.
+  enum class Turn { this_sweep, next_sweep };
+
   struct MirrorPlane {
     Vec3 normal;
+    Turn turn;
     std::vector<std::int32_t> partner;  ///< [ordinate]
   };
 
-  void find_mirrors();
+  /// A face that is a mirror.
+  struct Mirror {
+    std::size_t plane;
+    std::size_t row;  ///< among those of its turn
+  };
+
+  void find_mirrors(const OrdinateSchedule& schedule);
+  const Mirror* mirror(FaceIndex face) const {
+    const std::int32_t at = mirror_of_[face.at()];
+    return at < 0 ? nullptr : &mirrors_[static_cast<std::size_t>(at)];
+  }
+  std::size_t row_size() const;
+  std::size_t mirror_rows(Turn turn) const { return rows_[static_cast<std::size_t>(turn)]; }
   std::vector<std::int32_t> partners(FaceIndex face) const;
   std::size_t mirror_at(std::size_t row, std::int32_t ordinate) const;
 
@@ -83,20 +107,21 @@ class WallExchange {
   const DirectionSet& directions_;
   const WallSlots& wall_slots_;
   std::size_t stride_;
-  std::size_t face_length_;                 ///< face nodes times stride
-  std::vector<double> half_range_;          ///< [boundary face]
-  std::vector<double> radiance_;            ///< [wall][stride]
-  std::vector<double> diffuse_;             ///< [wall][stride]
-  std::vector<double> specular_;            ///< [wall][stride]
-  std::vector<char> wall_reflects_;         ///< [wall]
-  std::vector<std::int32_t> mirror_row_;    ///< [boundary face], -1 where it is no mirror
-  std::vector<std::int32_t> mirror_plane_;  ///< [mirror row]
+  std::size_t face_length_;              ///< face nodes times stride
+  std::vector<double> half_range_;       ///< [boundary face]
+  std::vector<double> radiance_;         ///< [wall][stride]
+  std::vector<double> diffuse_;          ///< [wall][stride]
+  std::vector<double> specular_;         ///< [wall][stride]
+  std::vector<char> wall_reflects_;      ///< [wall]
+  std::vector<std::int32_t> mirror_of_;  ///< [boundary face] its mirror, -1 where it is none
+  std::vector<Mirror> mirrors_;
   std::vector<MirrorPlane> planes_;
+  std::array<std::size_t, 2> rows_{};  ///< [turn]
   std::vector<Face> faces_;
-  std::vector<std::int32_t> all_;         ///< boundary faces
-  std::vector<std::int32_t> reflecting_;  ///< boundary faces
-  std::vector<std::int32_t> mirrors_;     ///< boundary faces
-  bool reflects_ = false;
+  std::vector<std::int32_t> all_;           ///< boundary faces
+  std::vector<std::int32_t> reflecting_;    ///< boundary faces
+  std::vector<std::int32_t> mirror_faces_;  ///< boundary faces
+  bool feeds_back_ = false;
 };
 
 }  // namespace etendue

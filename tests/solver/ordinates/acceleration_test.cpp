@@ -164,6 +164,23 @@ TEST(DiffusionAcceleration, DiffuseEnclosureInVacuumTakesFewSweeps) {
   EXPECT_LT(largest_deviation(solution.fluence, 4 * M_PI / 0.05), 1e-6);
 }
 
+TEST(DiffusionAcceleration, MirrorsOnFiveSidesTakeFewSweepsInThinAndThickMedia) {
+  const TetrahedralMesh mesh = cube_mesh(3.5e-3);
+  const double size = std::cbrt(6 * std::sqrt(2.0) / mesh.cell_count());
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    walls.push_back(uniform_wall(1, 0, 0, name == "zmax" ? 0 : 1));
+    walls.back().name = name;
+  }
+  for (const double thickness : {0.1, 1.0, 10.0}) {
+    const Problem problem(mesh, Bands{}, {uniform_medium(1, 0, thickness / size, 1)}, walls);
+    const Solution solution =
+        solve(problem, directions_ldfe_sq(1), options_of(Method::gmres, Acceleration::diffusion));
+    EXPECT_TRUE(solution.converged());
+    EXPECT_LE(solution.convergence[0].sweeps, 25) << "cells of " << thickness << " free paths";
+  }
+}
+
 TEST(DiffusionAcceleration, SameBitsForAnyNumberOfThreads) {
   const TetrahedralMesh mesh = cube_mesh(1e-2);
   const Problem problem = uniform_problem(mesh, uniform_medium(2, 0.1, 5, 1, PhaseHenyeyGreenstein{0.4}),

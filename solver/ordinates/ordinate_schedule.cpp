@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/ordinates/ordinate_schedule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace etendue {
+namespace {
+
+/// Normals that are axes but for rounding.
+constexpr double on_axis = 1e-10;
+
+/// The axis that a unit vector is, or is opposite to; -1 where it is neither.
+int axis_of(const Vec3& normal) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(std::abs(normal[axis]) - 1) < on_axis) return axis;
+  return -1;
+}
+
+/// What ordinates become at mirrors across some axes, and their opposites, which share their sweep order.
+class Orbits {
+ public:
+  Orbits(const DirectionSet& directions, const std::array<int, 3>& axes)
+      : directions_(directions), axes_(axes), seen_(static_cast<std::size_t>(directions.count()), 0) {
+    for (std::int32_t m = 0; m < directions.count(); ++m)
+      if (!seen_[static_cast<std::size_t>(m)]) orbits_.push_back(orbit_of(m));
+    // The largest first: their sizes are powers of 2, so that none lies in two batches.
+    std::stable_sort(orbits_.begin(), orbits_.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  }
+  const std::vector<std::vector<std::int32_t>>& orbits() const { return orbits_; }
+
+ private:
+  std::vector<std::int32_t> orbit_of(std::int32_t m) {
+    std::vector<std::int32_t> orbit;
+    add(m, orbit);
+    for (std::size_t i = 0; i < orbit.size(); ++i) {
+      const std::int32_t k = orbit[i];
+      add(k ^ 1, orbit);
+      for (int axis = 0; axis < 3; ++axis)
+        if (axes_[static_cast<std::size_t>(axis)] != 0)
+          add(directions_.mirrored(OrdinateIndex(k), Vec3::Unit(axis)), orbit);
+    }
+    return orbit;
+  }
+
+  void add(std::int32_t m, std::vector<std::int32_t>& orbit) {
+    if (m < 0 || seen_[static_cast<std::size_t>(m)]) return;
+    seen_[static_cast<std::size_t>(m)] = 1;
+    orbit.push_back(m);
+  }
+
+  const DirectionSet& directions_;
+  const std::array<int, 3>& axes_;
+  std::vector<char> seen_;
+  std::vector<std::vector<std::int32_t>> orbits_;
+};
+
+}  // namespace
+
+OrdinateSchedule::OrdinateSchedule(const Problem& problem, const DirectionSet& directions, std::int32_t batch)
+    : batch_(batch) {
+  find_axes(problem);
+  ordinates_.resize(static_cast<std::size_t>(directions.count()));
+  std::iota(ordinates_.begin(), ordinates_.end(), 0);
+  if (later_ == std::array<int, 3>{}) return;
+  ordinates_.clear();
+  const Orbits orbits(directions, later_);
+  for (const auto& orbit : orbits.orbits()) ordinates_.insert(ordinates_.end(), orbit.begin(), orbit.end());
+  const auto size = static_cast<std::size_t>(batch);
+  for (std::size_t first = 0; first < ordinates_.size(); first += size) {
+    const std::size_t end = std::min(ordinates_.size(), first + size);
+    std::stable_sort(ordinates_.begin() + static_cast<std::ptrdiff_t>(first),
+                     ordinates_.begin() + static_cast<std::ptrdiff_t>(end),
+                     [&](std::int32_t a, std::int32_t b) {
+                       return turns(directions.direction(OrdinateIndex(a))) <
+                              turns(directions.direction(OrdinateIndex(b)));
+                     });
+  }
+}
+
+// A mirror at the lower end of an axis sends light up, and is served where ordinates that go up come later.
+void OrdinateSchedule::find_axes(const Problem& problem) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const std::vector<double>& specular = problem.wall(mesh.wall(FaceIndex(f))).specular;
+    if (std::none_of(specular.begin(), specular.end(), [](double r) { return r > 0; })) continue;
+    const Vec3 normal = mesh.area_normal(FaceIndex(f)).normalized();
+    const int axis = axis_of(normal);
+    if (axis < 0) continue;
+    int& later = later_[static_cast<std::size_t>(axis)];
+    if (later <= 0) later = normal[axis] < 0 ? 1 : -1;
+  }
+}
+
+bool OrdinateSchedule::knows_reflections(const Vec3& normal) const {
+  const int axis = axis_of(normal);
+  return axis >= 0 && later_[static_cast<std::size_t>(axis)] * normal[axis] < 0;
+}
+
+// Of the axes with mirrors, how many a direction has been turned about.
+int OrdinateSchedule::turns(const Vec3& direction) const {
+  int count = 0;
+  for (int axis = 0; axis < 3; ++axis) count += later_[static_cast<std::size_t>(axis)] * direction[axis] > 0;
+  return count;
+}
+
+}  // namespace etendue

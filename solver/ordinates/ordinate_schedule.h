@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "solver/angle/direction_set.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// The order in which a sweep takes the ordinates, batch by batch. Among mirrors across the axes a batch
+/// holds all that its ordinates become there, and takes first those whose reflections others wait for: so one
+/// mirror, or mirrors at right angles, need nothing from the last sweep, and of two that face each other only
+/// one does (Warsa, Wareing and Morel 2004 lag both). Elsewhere the ordinates come in their own order.
+class OrdinateSchedule {
+ public:
+  OrdinateSchedule(const Problem& problem, const DirectionSet& directions, std::int32_t batch);
+
+  OrdinateIndex ordinate(std::int32_t place) const {
+    return OrdinateIndex(ordinates_[static_cast<std::size_t>(place)]);
+  }
+  std::int32_t batch() const { return batch_; }  ///< ordinates of one batch
+  /// Whether an ordinate comes after those that a mirror with this normal, out of the domain, turns into it.
+  bool knows_reflections(const Vec3& normal) const;
+
+ private:
+  void find_axes(const Problem& problem);
+  int turns(const Vec3& direction) const;
+
+  std::int32_t batch_;
+  std::vector<std::int32_t> ordinates_;  ///< [place]
+  /// [axis] the sign of the component of ordinates that come after their mirror images; 0: there is no
+  /// mirror.
+  std::array<int, 3> later_{};
+};
+
+}  // namespace etendue
