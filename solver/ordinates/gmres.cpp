@@ -76,11 +76,13 @@ class Run {
   }
 
   IterationResult run() {
-    while (!finished()) {
+    while (sweeps_ < options_.max_sweeps && !result_.interrupted) {
       // Of those that the cycle has found done the true residual is still to be seen.
       for (std::size_t b = 0; b < bands_; ++b) done_[b] = result_.bands[b].converged;
       const std::vector<char> taking_part = active();
-      const std::vector<double> errors = true_errors();
+      // After a cycle this sweep is most likely the last.
+      SweepRecord* record = measured_ ? options_.record : nullptr;
+      const std::vector<double> errors = true_errors(record);
       for (std::size_t b = 0; b < bands_; ++b) {
         if (done_[b]) continue;
         result_.bands[b].residual = errors[b];
@@ -88,7 +90,9 @@ class Run {
         result_.bands[b].converged =
             (measured_ || accelerated(b) || errors[b] <= rounding) && errors[b] <= options_.tolerance;
       }
-      if (!report(taking_part) || all_converged() || finished()) break;
+      const bool proceeds = report(taking_part) && !all_converged() && sweeps_ < options_.max_sweeps;
+      if (!proceeds && record != nullptr) take_image();
+      if (!proceeds) break;
       cycle();
       measured_ = true;
     }
@@ -100,14 +104,17 @@ class Run {
   bool accelerated() const { return options_.acceleration != nullptr; }
   /// Whether |P r| is an estimate of the error in this band.
   bool accelerated(std::size_t band) const { return accelerated() && options_.acceleration->acts_on(band); }
-  bool finished() const { return sweeps_ >= options_.max_sweeps || result_.interrupted; }
+  /// Whether a cycle has to end. A recorded sweep is to follow.
+  bool cycle_ends() const {
+    return sweeps_ + (options_.record != nullptr ? 1 : 0) >= options_.max_sweeps || result_.interrupted;
+  }
   bool all_converged() const {
     return std::all_of(result_.bands.begin(), result_.bands.end(), [](const auto& b) { return b.converged; });
   }
 
   /// work_ = F(state) - state, and the relative error that it tells of.
-  std::vector<double> true_errors() {
-    sweep_.apply(state_, work_);
+  std::vector<double> true_errors(SweepRecord* record) {
+    sweep_.apply(state_, work_, record);
     ++sweeps_;
     vectors_.add(work_, BandScalars(bands_, -1), state_);
     if (accelerated()) precondition(active());
@@ -115,6 +122,12 @@ class Run {
     for (std::size_t b = 0; b < bands_; ++b)
       if (!accelerated(b)) errors[b] = sweep_.is_direct() ? 0 : errors[b] / smallest_[b];
     return errors;
+  }
+
+  /// state = F(state), from what true_errors() has left behind.
+  void take_image() {
+    vectors_.add(state_, BandScalars(bands_, 1), accelerated() ? corrected_ : work_);
+    result_.recorded = true;
   }
 
   /// work_ = P work_
@@ -136,7 +149,7 @@ class Run {
       problems_.emplace_back(done_[b] ? 0 : start[b]);
     }
     push_normalised(start);
-    for (std::size_t j = 0; j < length_ && !finished(); ++j) {
+    for (std::size_t j = 0; j < length_ && !cycle_ends(); ++j) {
       sweep_.apply_linear(basis_[j], work_);
       ++sweeps_;
       // work = P (I - T) v

@@ -20,6 +20,8 @@ class Gmres : public Iteration {
   /// `memory` bounds the bytes of the basis and so the length between restarts.
   explicit Gmres(std::size_t memory = krylov_memory) : memory_(memory) {}
   const char* name() const override { return "gmres"; }
+  /// Its last sweep shows the true residual and is recorded.
+  bool records() const override { return true; }
   IterationResult run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
                       const SolveObserver& observer) override;
 

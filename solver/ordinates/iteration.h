@@ -15,6 +15,8 @@ struct IterationOptions {
   double tolerance = 1e-6;  ///< estimated relative error, per band
   int max_sweeps = 500;
   DiffusionAcceleration* acceleration = nullptr;  ///< null: none
+  /// Filled, where it is not null, by a sweep that is expected to be the last (IterationResult::recorded).
+  SweepRecord* record = nullptr;
 };
 
 /// How an iteration ended.
@@ -23,6 +25,7 @@ struct IterationResult {
   std::vector<HistoryEntry> history;  ///< of the bands that took part in each sweep
   int sweeps = 0;                     ///< over all bands; those of a band end when it is done
   bool interrupted = false;
+  bool recorded = false;  ///< the record belongs to the last sweep, which gave the state
 };
 
 /// A way to the fixed point of the sweep.
@@ -30,6 +33,8 @@ class Iteration {
  public:
   virtual ~Iteration() = default;
   virtual const char* name() const = 0;
+  /// Whether it fills IterationOptions::record.
+  virtual bool records() const { return false; }
   /// Improves `state` until the tolerance is met, the sweeps are used up or the observer stops it.
   virtual IterationResult run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
                               const SolveObserver& observer) = 0;

@@ -219,15 +219,13 @@ std::unique_ptr<DiffusionAcceleration> make_acceleration(const Problem& problem,
   return nullptr;
 }
 
-/// The state is F(something) and one more application is the answer, with all that is measured on the way.
-void measure(TransportSweep& sweep, const TransportState& state, Solution& solution) {
+/// The solution is what a sweep gave and wrote down on its way.
+void read_out(TransportSweep& sweep, const TransportState& last_state, SweepRecord& record,
+              Solution& solution) {
   const auto bands = static_cast<std::size_t>(sweep.cells().bands());
   const auto stride = static_cast<std::size_t>(sweep.cells().stride());
   const auto nodes = static_cast<std::size_t>(sweep.cells().nodes());
   const auto face_nodes = static_cast<std::size_t>(sweep.cells().face_nodes());
-  TransportState last_state(sweep.layout());
-  SweepRecord record;
-  sweep.apply(state, last_state, &record);
   solution.fluence = unpadded(last_state.fluence(), nodes, 4, stride, bands);
   solution.net_flux = net_flux_at_vertices(record.net_flux.span(), nodes, stride, bands);
   solution.irradiance = unpadded(last_state.irradiance(), face_nodes, 3, stride, bands);
@@ -266,6 +264,8 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
 
   const auto start = std::chrono::steady_clock::now();
   const auto acceleration = make_acceleration(problem, sweep, extinction, options, solution);
+  SweepRecord record;
+  bool recorded = false;
   int used = 1;
   if (sweep.is_direct()) {
     solution.convergence.assign(static_cast<std::size_t>(problem.band_count()), {1, 0, true});
@@ -273,13 +273,18 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     // The only sweep is the one that measures; nothing is known of its error.
     solution.convergence.assign(static_cast<std::size_t>(problem.band_count()), {1, 1, false});
   } else {
-    // The sweep that measures is one of those that are allowed.
-    used += acceleration ? acceleration->sweeps() : 0;
-    const IterationOptions limits{options.tolerance, options.max_sweeps - used, acceleration.get()};
+    used = acceleration ? acceleration->sweeps() : 0;
+    // A sweep that measures is one of those that are allowed: the last of the iteration or one more.
+    const bool records = iteration->records() && options.positivity == Positivity::none;
+    if (!records) ++used;
+    const IterationOptions limits{options.tolerance, options.max_sweeps - used, acceleration.get(),
+                                  records ? &record : nullptr};
     IterationResult result = iteration->run(sweep, state, limits, observer);
     solution.convergence = std::move(result.bands);
     solution.history = std::move(result.history);
     solution.interrupted = result.interrupted;
+    recorded = result.recorded;
+    if (records && !recorded) ++used;
     for (BandConvergence& band : solution.convergence) band.sweeps += used;
     used += result.sweeps;
     if (acceleration) {
@@ -290,7 +295,12 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   }
   if (options.positivity != Positivity::none && options.order == SpaceOrder::linear)
     keep_positive(sweep, state, options, observer, used, solution);
-  measure(sweep, state, solution);
+  if (!recorded) {
+    TransportState last_state(sweep.layout());
+    sweep.apply(state, last_state, &record);
+    state = std::move(last_state);
+  }
+  read_out(sweep, state, record, solution);
   solution.seconds.sweep = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() -
                            solution.seconds.low_order;
   solution.seconds.orders = sweep.order_seconds();

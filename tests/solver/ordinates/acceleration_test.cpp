@@ -288,8 +288,9 @@ TEST(DiffusionAcceleration, SweepsOfABandEndWhenItIsDone) {
       for (int band = 0; band < 2; ++band) {
         const auto entries = std::count_if(solution.history.begin(), solution.history.end(),
                                            [&](const HistoryEntry& entry) { return entry.band == band; });
-        // The sweep that measures is in no history.
-        EXPECT_EQ(entries + 1, solution.convergence[static_cast<std::size_t>(band)].sweeps);
+        // The sweep that measures is in no history, unless it showed the true residual.
+        EXPECT_EQ(entries + (method == Method::gmres ? 0 : 1),
+                  solution.convergence[static_cast<std::size_t>(band)].sweeps);
       }
     }
 }
