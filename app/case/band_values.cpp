@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "solver/expression/expression.h"
+#include "solver/problem/angular_formula.h"
 
 namespace etendue {
 namespace {
@@ -25,14 +25,21 @@ std::string formula_problem(const std::string& text, std::vector<std::string> va
   }
 }
 
-void check_formula(TomlNode& node, Faults& faults) {
-  const std::string problem = formula_problem(node.text(), {"x", "y", "z"});
+void check_formula(TomlNode& node, FormulaOf variables, Faults& faults) {
+  const bool of_place = variables == FormulaOf::place;
+  const std::string problem =
+      formula_problem(node.text(), of_place ? std::vector<std::string>{"x", "y", "z"} : angular_variables());
   if (problem.empty()) return;
-  if (formula_problem(node.text(), {"x", "y", "z", "wx", "wy", "wz"}).empty())
-    report(node, "the direction of travel (wx, wy, wz) in a formula is not in this version; use x, y, z",
+  if (formula_problem(node.text(), angular_variables()).empty())
+    report(node,
+           "uses the direction of travel wx, wy, wz (absorption, extinction, emission and a wall's radiance "
+           "may, this may not); use x, y, z",
            faults);
   else
-    report(node, fmt::format("is not a formula ({}); use a number or a formula in x, y, z", problem), faults);
+    report(node,
+           fmt::format("is not a formula ({}); use a number or a formula in x, y, z{}", problem,
+                       of_place ? "" : ", wx, wy, wz"),
+           faults);
 }
 
 Value value_in(const TomlNode& node) {
@@ -87,20 +94,29 @@ bool check_band_count(Section& section, std::string_view name, std::size_t count
   return false;
 }
 
-std::optional<BandValues> read_band_values(Section& section, std::string_view name, const Bands& bands) {
+std::optional<BandValues> read_band_values(Section& section, std::string_view name, const Bands& bands,
+                                           FormulaOf formula) {
   TomlNode* node = section.find(name);
   if (node == nullptr) return std::nullopt;
   if (node->is_array() && !check_band_count(section, name, node->array().size(), bands)) return std::nullopt;
-  if (node->is_text()) check_formula(*node, section.faults());
+  if (node->is_text()) check_formula(*node, formula, section.faults());
   if (node->is_array())
     for (auto& item : node->array())
-      if (item->is_text()) check_formula(*item, section.faults());
+      if (item->is_text()) check_formula(*item, formula, section.faults());
   return values_in(*node);
 }
 
-BandValues read_band_values_or_default(Section& section, std::string_view name, const Bands& bands) {
-  if (auto values = read_band_values(section, name, bands)) return *values;
+BandValues read_band_values_or_default(Section& section, std::string_view name, const Bands& bands,
+                                       FormulaOf formula) {
+  if (auto values = read_band_values(section, name, bands, formula)) return *values;
   return values_in(section.value(name));
+}
+
+bool depend_on_direction(const std::optional<BandValues>& values) {
+  return values && std::ranges::any_of(values->values, [](const Value& value) {
+           const auto* text = std::get_if<std::string>(&value);
+           return text != nullptr && depends_on_direction(*text);
+         });
 }
 
 const Value& value_of(const BandValues& values, int band) {

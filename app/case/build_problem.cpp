@@ -6,6 +6,8 @@
 #include "app/case/medium_coefficients.h"
 #include "app/case/mesh_names.h"
 
+#include <fmt/format.h>
+
 namespace etendue {
 namespace {
 
@@ -29,6 +31,27 @@ Entry entry_of(const std::map<std::string, Entry>& entries, const std::string& n
   return {};
 }
 
+std::optional<AngularFormula> by_direction(const Value& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr || !depends_on_direction(*text)) return std::nullopt;
+  return AngularFormula(*text);
+}
+
+// A formula that depends on the direction stands beside its mean.
+void add_absorption(Medium& medium, const Value& value, AngularSpace space) {
+  medium.absorption_by_direction.push_back(by_direction(value));
+  medium.absorption.push_back(
+      medium.absorption_by_direction.back()
+          ? coefficient(mean_over_directions(std::get<std::string>(value), space == AngularSpace::plane))
+          : coefficient(value));
+}
+
+// Emission that depends on the direction stands beside an isotropic one of 0.
+void add_emission(Medium& medium, const Value& value) {
+  medium.emission_by_direction.push_back(by_direction(value));
+  medium.emission.push_back(medium.emission_by_direction.back() ? Coefficient(0.0) : coefficient(value));
+}
+
 Medium medium_of(const MediumCase& entry, const std::string& region, double volume, int bands) {
   Medium medium;
   medium.name = region;
@@ -38,7 +61,7 @@ Medium medium_of(const MediumCase& entry, const std::string& region, double volu
   medium.directional = entry.directional;
   for (int band = 0; band < bands; ++band) {
     const MatterValues matter = matter_values(entry, band);
-    medium.absorption.push_back(coefficient(matter.absorption));
+    add_absorption(medium, matter.absorption, entry.space);
     medium.scattering.push_back(coefficient(matter.scattering));
     // q = P / (4 pi V), in the plane P / (2 pi V), with the volume that is meshed, so that the power comes
     // out whatever the facets.
@@ -46,7 +69,7 @@ Medium medium_of(const MediumCase& entry, const std::string& region, double volu
       medium.emission.emplace_back(std::get<double>(value_of(*entry.power, band)) /
                                    (full_range(entry.space) * volume));
     else
-      medium.emission.push_back(coefficient(emission_value(entry, band)));
+      add_emission(medium, emission_value(entry, band));
     const bool common = entry.phase.size() == 1;
     medium.phase.push_back(entry.phase.empty() ? PhaseFunction{}
                                                : entry.phase[common ? 0 : static_cast<std::size_t>(band)]);
@@ -55,15 +78,25 @@ Medium medium_of(const MediumCase& entry, const std::string& region, double volu
 }
 
 /// A kernel's scattering follows from its formula or matrix, and its absorption from what is given beside it.
-void add_kernel(Medium& medium, const DirectionSet& directions, const TetrahedralMesh& mesh, int region,
-                Origin origin) {
+void add_kernel(Medium& medium, const BandValues& extinctions, const DirectionSet& directions,
+                const TetrahedralMesh& mesh, int region) {
+  medium.extinction_by_direction = !extinctions.values.empty();
   try {
     for (std::size_t band = 0; band < medium.directional.size(); ++band) {
       medium.scattering[band] = kernel_scattering(medium.directional[band], directions, mesh, region);
       if (const auto extinction = kernel_extinction(medium.directional[band]))
         medium.absorption[band] = *extinction - medium.scattering[band].at(Vec3::Zero());
+      if (!medium.extinction_by_direction) continue;
+      const Value& given = value_of(extinctions, static_cast<int>(band));
+      const double* number = std::get_if<double>(&given);
+      const std::string extinction =
+          number != nullptr ? fmt::format("{:.17g}", *number) : std::get<std::string>(given);
+      medium.absorption_by_direction[band].emplace(extinction);
+      medium.absorption[band] = coefficient(
+          fmt::format("{}-({})", mean_over_directions(extinction, false), medium.scattering[band].text()));
     }
   } catch (const InputError& error) {
+    Origin origin = medium.origin;
     origin.key += ".kernel";
     throw InputError(fault_at(origin, "", error.faults().front().text));
   }
@@ -77,12 +110,21 @@ std::vector<double> band_numbers(const BandValues& values, int bands) {
 }
 
 Wall wall_of(const WallCase& entry, const std::string& name, int bands) {
-  return {name,
-          band_numbers(entry.radiance, bands),
-          band_numbers(entry.diffuse, bands),
-          band_numbers(entry.specular, bands),
-          entry.origin,
-          entry.uncollided};
+  Wall wall{name,
+            std::vector<double>(static_cast<std::size_t>(bands), 0),
+            band_numbers(entry.diffuse, bands),
+            band_numbers(entry.specular, bands),
+            entry.origin,
+            entry.uncollided};
+  for (int band = 0; band < bands && !entry.radiance.values.empty(); ++band) {
+    const Value& value = value_of(entry.radiance, band);
+    wall.radiance_by_direction.emplace_back();
+    if (const double* number = std::get_if<double>(&value))
+      wall.radiance[static_cast<std::size_t>(band)] = *number;
+    else
+      wall.radiance_by_direction.back().emplace(std::get<std::string>(value));
+  }
+  return wall;
 }
 
 }  // namespace
@@ -97,7 +139,8 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
     const MediumCase entry = entry_of(input.media, name);
     media.push_back(medium_of(entry, name, volumes[region], bands));
     if (entry.has_kernel)
-      add_kernel(media.back(), build_directions(input), mesh, static_cast<int>(region), entry.origin);
+      add_kernel(media.back(), entry.kernel_extinction, build_directions(input), mesh,
+                 static_cast<int>(region));
   }
   std::vector<Wall> walls;
   for (const std::string& name : mesh.wall_names())

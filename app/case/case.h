@@ -64,6 +64,7 @@ struct MediumCase {
   std::vector<PhaseFunction> phase;                ///< one for all bands or one for each
   std::vector<ScatteringChoice> choice;            ///< [band]; empty: automatic
   std::vector<DirectionalScattering> directional;  ///< [band]; empty: none
+  BandValues kernel_extinction;                    ///< beside a kernel, where it is a formula or a list
   bool has_kernel = false;                         ///< whose scattering follows from it when there is a mesh
   Origin origin;
   AngularSpace space = AngularSpace::sphere;  ///< what power is divided by
@@ -86,7 +87,8 @@ struct LightCase {
 };
 
 struct WallCase {
-  BandValues radiance, diffuse, specular;  ///< numbers only in this version; empty values: 0
+  BandValues radiance;           ///< empty values: 0
+  BandValues diffuse, specular;  ///< numbers; empty values: 0
   Uncollided uncollided = Uncollided::automatic;
   std::optional<LightCase> beam;
   Origin origin;

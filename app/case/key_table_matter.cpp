@@ -26,7 +26,10 @@ std::vector<KeyDeclaration> matter_keys() {
       {"media.NAME",
        "absorption",
        band_values,
-       {.unit = per_length, .default_value = "0.0", .range = not_negative, .help = "sigma_a."}},
+       {.unit = per_length,
+        .default_value = "0.0",
+        .range = not_negative,
+        .help = "sigma_a; a formula may use the direction of travel wx, wy, wz too."}},
       {"media.NAME",
        "scattering",
        band_values,
@@ -39,7 +42,8 @@ std::vector<KeyDeclaration> matter_keys() {
        band_values,
        {.unit = per_length,
         .range = not_negative,
-        .help = "sigma_a + sigma_s, instead of one of them or with `albedo`; alone it absorbs."}},
+        .help = "sigma_a + sigma_s, instead of one of them or with `albedo`; alone it absorbs. A formula may "
+                "use wx, wy, wz, where scattering or a kernel is given beside it or nothing scatters."}},
       {"media.NAME",
        "albedo",
        band_values,
@@ -47,7 +51,10 @@ std::vector<KeyDeclaration> matter_keys() {
       {"media.NAME",
        "emission",
        band_values,
-       {.unit = per_volume, .default_value = "0.0", .range = not_negative, .help = "q, isotropic."}},
+       {.unit = per_volume,
+        .default_value = "0.0",
+        .range = not_negative,
+        .help = "q; isotropic, unless a formula uses the direction of travel wx, wy, wz."}},
       {"media.NAME",
        "power_density",
        band_values,
@@ -95,7 +102,7 @@ std::vector<KeyDeclaration> matter_keys() {
             "the "
             "directions. Or { file = \"k.csv\" }, lines of from, into, k with numbers of directions. Beside "
             "it "
-            "absorption, or one number as extinction."}},
+            "absorption or extinction."}},
       {"media.NAME",
        "reciprocal",
        boolean,

@@ -113,22 +113,24 @@ KernelMatrix read_matrix(Section& section, const TomlNode& file, const std::file
   return matrix;
 }
 
-std::optional<double> constant_extinction(Section& section, const Bands& bands) {
-  const auto values = read_band_values(section, "extinction", bands);
+/// One number for all bands; else the medium keeps what is given.
+std::optional<double> constant_extinction(Section& section, const Bands& bands, MediumCase& medium) {
+  const auto values = read_band_values(section, "extinction", bands, FormulaOf::place_and_direction);
   if (!values) return std::nullopt;
   if (values->values.size() == 1 && std::holds_alternative<double>(values->values.front()))
     return std::get<double>(values->values.front());
-  section.fault("extinction", "beside a kernel it must be one number for all bands; use one, or absorption");
+  medium.kernel_extinction = *values;
   return std::nullopt;
 }
 
 void read_kernel(Section& section, const MatterContext& context, MediumCase& medium) {
   const TomlNode& node = *section.find("kernel");
-  const std::optional<double> extinction = constant_extinction(section, context.bands);
-  if (extinction)
+  const std::optional<double> extinction = constant_extinction(section, context.bands, medium);
+  if (section.has("extinction"))
     section.unused("absorption", "extinction says what the kernel does not scatter");
   else
-    medium.absorption = read_band_values_or_default(section, "absorption", context.bands);
+    medium.absorption =
+        read_band_values_or_default(section, "absorption", context.bands, FormulaOf::place_and_direction);
   DirectionalScattering kernel;
   if (node.is_text()) {
     KernelFormula formula;

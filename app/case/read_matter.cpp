@@ -11,6 +11,7 @@
 #include "app/case/read_directional.h"
 #include "app/case/read_light.h"
 #include "app/case/read_phase.h"
+#include "solver/problem/angular_formula.h"
 
 namespace etendue {
 namespace {
@@ -130,6 +131,38 @@ void check_medium(Section& section, const MediumCase& medium, const Bands& bands
     report_first(section, medium, bands, emission_problem);
 }
 
+bool is_by_direction(const Value& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text != nullptr && depends_on_direction(*text);
+}
+
+// Absorption may depend on the direction of travel; scattering that does is a kernel's.
+void check_directions(Section& section, const MediumCase& medium, const Bands& bands) {
+  if (any_faulty(section, {"extinction", "albedo", "absorption", "scattering"})) return;
+  for (int band = 0; band < bands.count(); ++band) {
+    const MatterValues values = matter_values(medium, band);
+    if (is_by_direction(values.scattering))
+      return section.fault(
+          band_prefix(bands, band) +
+          "scattering would depend on the direction (it follows from the extinction or absorption); give "
+          "scattering, or a kernel");
+    if (is_by_direction(values.absorption) && !medium.choice.empty() &&
+        medium.choice[static_cast<std::size_t>(band)].backend == ScatteringBackend::moments)
+      return section.fault("scattering_method",
+                           "not where absorption depends on the direction (moments do not know it); use "
+                           "\"auto\", \"dense\" or \"galerkin\"");
+  }
+}
+
+// Rays carry numbers, the same in all directions.
+void check_uncollided(Section& section, Uncollided asked, bool by_formula) {
+  if (asked == Uncollided::yes && by_formula)
+    section.fault(
+        "uncollided",
+        "not for emission that depends on the direction, nor for radiance by a formula (not in this "
+        "version); use \"auto\" or false");
+}
+
 // Writes what an absent key means into the resolved case.
 void fill_in(Section& section, const MediumCase& medium) {
   if (!medium.extinction && !medium.albedo)
@@ -146,7 +179,7 @@ MediumCase read_medium(Section section, const MatterContext& context) {
   medium.space = context.space;
   medium.origin = section.origin();
   if (is_directional(section)) {
-    medium.emission = read_band_values(section, "emission", bands);
+    medium.emission = read_band_values(section, "emission", bands, FormulaOf::place_and_direction);
     medium.power_density = read_band_values(section, "power_density", bands);
     medium.power = read_band_values(section, "power", bands);
     read_directional(section, context, medium);
@@ -157,17 +190,19 @@ MediumCase read_medium(Section section, const MatterContext& context) {
     return medium;
   }
   section.unused("reciprocal", "there is no kernel");
-  medium.extinction = read_band_values(section, "extinction", bands);
+  medium.extinction = read_band_values(section, "extinction", bands, FormulaOf::place_and_direction);
   medium.albedo = read_band_values(section, "albedo", bands);
-  medium.absorption = read_band_values(section, "absorption", bands);
+  medium.absorption = read_band_values(section, "absorption", bands, FormulaOf::place_and_direction);
   medium.scattering = read_band_values(section, "scattering", bands);
-  medium.emission = read_band_values(section, "emission", bands);
+  medium.emission = read_band_values(section, "emission", bands, FormulaOf::place_and_direction);
   medium.power_density = read_band_values(section, "power_density", bands);
   medium.power = read_band_values(section, "power", bands);
   medium.phase = read_phases(section, context, medium.phase_notes);
   medium.uncollided = read_uncollided(section);
+  check_uncollided(section, medium.uncollided, depend_on_direction(medium.emission));
   medium.choice = read_choices(section, bands);
   check_medium(section, medium, bands);
+  check_directions(section, medium, bands);
   fill_in(section, medium);
   return medium;
 }
@@ -188,8 +223,12 @@ WallCase read_wall(const std::string& name, Section section, const Bands& bands)
   wall.origin = section.origin();
   wall.diffuse = read_band_values_or_default(section, "diffuse", bands);
   wall.specular = read_band_values_or_default(section, "specular", bands);
-  wall.radiance = read_band_values_or_default(section, "radiance", bands);
+  wall.radiance = read_band_values_or_default(section, "radiance", bands, FormulaOf::place_and_direction);
   wall.uncollided = read_uncollided(section);
+  check_uncollided(section, wall.uncollided,
+                   std::ranges::any_of(wall.radiance.values, [](const Value& value) {
+                     return std::holds_alternative<std::string>(value);
+                   }));
   wall.beam = read_beam(section, name, bands);
   if (!any_faulty(section, {"diffuse", "specular"})) check_reflectances(section, wall, bands);
   return wall;

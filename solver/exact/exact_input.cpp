@@ -36,9 +36,10 @@ ExactInput::ExactInput(const Problem& problem, const DirectionSet& directions, c
       harmonics_(directions, highest_degree(plan_)) {
   for (const Medium& medium : problem.media())
     for (int band = 0; band < problem.band_count(); ++band)
-      if (medium.is_directional(band))
+      if (medium.is_directional(band) || medium.absorbs_by_direction(band))
         throw InputError(
-            "is not for media of leaves, flakes or kernels; use a phase function in the region " +
+            "is not for leaves, flakes, kernels or absorption by direction; use a phase function and "
+            "absorption without wx, wy, wz in the region " +
             medium.name);
   fill_values(radiance);
   fill_moments();

@@ -66,6 +66,8 @@ std::vector<EmitterPart> parts_of(const SurfaceLight& light) {
 bool has_directional_band(const Medium& medium) {
   for (int band = 0; band < static_cast<int>(medium.directional.size()); ++band)
     if (medium.is_directional(band)) return true;
+  for (int band = 0; band < static_cast<int>(medium.absorption_by_direction.size()); ++band)
+    if (medium.absorbs_by_direction(band)) return true;
   return false;
 }
 
@@ -81,7 +83,8 @@ LightSetup::LightSetup(const Problem& problem)
     return;
   }
   if (std::any_of(problem.media().begin(), problem.media().end(), has_directional_band)) {
-    refuse_all("beside leaves, flakes or a kernel, which rays do not see", "uncollided = \"auto\" or false");
+    refuse_all("beside leaves, flakes, a kernel or absorption by direction, which rays do not see",
+               "uncollided = \"auto\" or false");
     return;
   }
   add_lights();

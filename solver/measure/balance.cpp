@@ -65,6 +65,11 @@ std::vector<std::vector<WallPower>> wall_powers(const Problem& problem, const So
       powers[w][band].emitted += solution.lights.from_walls[w][band];
       powers[w][band].emitted_exact += solution.lights.from_walls[w][band];
     }
+  for (std::size_t w = 0; w < solution.by_direction.walls.size(); ++w)
+    for (std::size_t band = 0; band < bands; ++band) {
+      powers[w][band].emitted += solution.by_direction.walls[w][band];
+      powers[w][band].emitted_exact += solution.by_direction.walls[w][band];
+    }
   for (std::vector<WallPower>& wall : powers)
     for (WallPower& power : wall) power.irradiance_mean = ratio(power.incoming, power.area);
   return powers;
@@ -78,6 +83,9 @@ std::vector<std::vector<RegionPower>> region_powers(const Problem& problem, cons
     for (std::size_t band = 0; band < bands; ++band)
       add_cell(powers[static_cast<std::size_t>(mesh.region(CellIndex(c)))][band], problem, solution,
                CellIndex(c), band);
+  for (std::size_t r = 0; r < solution.by_direction.regions.size(); ++r)
+    for (std::size_t band = 0; band < bands; ++band)
+      powers[r][band].emitted += solution.by_direction.regions[r][band];
   for (std::vector<RegionPower>& region : powers)
     for (RegionPower& power : region) power.fluence_mean = ratio(power.fluence_mean, power.volume);
   return powers;

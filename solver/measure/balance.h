@@ -24,7 +24,8 @@ struct WallPower {
   double incoming = 0;         ///< arriving from the domain
   double outgoing = 0;         ///< sent into the domain: emitted + reflected
   double emitted = 0;          ///< by the discrete half range, L pi_h A, or by rays
-  double emitted_exact = 0;    ///< pi L A, and beams; 2 L A in the plane
+  double emitted_exact = 0;    ///< pi L A, and beams; 2 L A in the plane; what depends on the
+                               ///< direction as it is emitted
 };
 
 /// Totals of one region and band.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/ordinates/directional_absorption.h"
 #include "solver/ordinates/processor_timer.h"
 
 namespace etendue {
@@ -137,7 +138,36 @@ void DenseScattering::add_group(const DenseGroup& group) {
     for (Eigen::Index n = 0; n < count; ++n)
       lanes.matrix.data()[m * count + n] =
           group.kernel().rate(m, n) * directions_.weights()[static_cast<std::size_t>(n)];
+  add_absorption(group, lanes);
   lanes_.push_back(std::move(lanes));
+}
+
+void DenseScattering::add_absorption(const DenseGroup& group, Lanes& lanes) {
+  const Medium& medium = problem_.medium(group.region);
+  const std::size_t pairs = lanes.rows.size();
+  if (std::ranges::none_of(group.bands, [&](int band) { return medium.absorbs_by_direction(band); })) return;
+  lanes.absorption.resize(static_cast<std::size_t>(directions_.count()) * pairs);
+  for (const int band : group.bands) {
+    std::vector<std::size_t> places;
+    std::vector<CellIndex> cells;
+    std::vector<double> amplitude;
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+      if (lanes.bands[pair] != band) continue;
+      places.push_back(pair);
+      cells.emplace_back(rows_[static_cast<std::size_t>(lanes.rows[pair])]);
+      amplitude.push_back(lanes.amplitude[pair]);
+      removed_[static_cast<std::size_t>(lanes.rows[pair] * problem_.band_count() + band)] -=
+          problem_.absorption(cells.back(), band);
+    }
+    const bool varies = medium.absorbs_by_direction(band);
+    const std::vector<double> table =
+        varies ? directional_absorption(problem_, directions_, medium, band, group.kernel(), cells, amplitude)
+               : std::vector<double>();
+    for (std::size_t m = 0; m < directions_.directions().size(); ++m)
+      for (std::size_t i = 0; i < places.size(); ++i)
+        lanes.absorption[m * pairs + places[i]] =
+            varies ? table[m * places.size() + i] : problem_.absorption(cells[i], band);
+  }
 }
 
 void DenseScattering::form_source(const TransportState& last, const SweepKernels& kernels, int threads,
@@ -218,10 +248,13 @@ void DenseScattering::set_mass(OrdinateIndex m, double* records) const {
   for (std::size_t g = 0; g < lanes_.size(); ++g) {
     const Lanes& lanes = lanes_[g];
     const double of_unit = groups_[g].extinction(m.at());
+    const double* absorption =
+        lanes.absorption.empty() ? nullptr : &lanes.absorption[m.at() * lanes.rows.size()];
     for (std::size_t pair = 0; pair < lanes.rows.size(); ++pair) {
       const auto row = static_cast<std::size_t>(lanes.rows[pair]);
       const double extinction = removed_[row * bands + static_cast<std::size_t>(lanes.bands[pair])] +
-                                lanes.amplitude[pair] * of_unit;
+                                lanes.amplitude[pair] * of_unit +
+                                (absorption == nullptr ? 0 : absorption[pair]);
       const CellIndex cell(rows_[row]);
       records[cell.at() * layout.length + layout.mass + static_cast<std::size_t>(lanes.bands[pair])] =
           cells_.mass(cell, lanes.bands[pair], extinction);
@@ -231,14 +264,19 @@ void DenseScattering::set_mass(OrdinateIndex m, double* records) const {
 
 bool DenseScattering::absorbs_by_direction() const {
   return std::any_of(groups_.begin(), groups_.end(),
-                     [](const DenseGroup& group) { return !group.matter.absorbing.empty(); });
+                     [](const DenseGroup& group) { return !group.matter.absorbing.empty(); }) ||
+         std::any_of(lanes_.begin(), lanes_.end(),
+                     [](const Lanes& lanes) { return !lanes.absorption.empty(); });
 }
 
 bool DenseScattering::absorbs_by_direction(CellIndex cell, int band) const {
-  return std::any_of(groups_.begin(), groups_.end(), [&](const DenseGroup& group) {
-    return !group.matter.absorbing.empty() && group.region == problem_.mesh().region(cell) &&
-           std::count(group.bands.begin(), group.bands.end(), band) > 0;
-  });
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const DenseGroup& group = groups_[g];
+    if (group.region == problem_.mesh().region(cell) &&
+        std::count(group.bands.begin(), group.bands.end(), band) > 0)
+      return !group.matter.absorbing.empty() || !lanes_[g].absorption.empty();
+  }
+  return false;
 }
 
 void DenseScattering::add_absorbed(OrdinateIndex m, const std::int32_t* index, const double* angular,
@@ -247,17 +285,19 @@ void DenseScattering::add_absorbed(OrdinateIndex m, const std::int32_t* index, c
   const auto stride = static_cast<std::size_t>(cells_.stride());
   const auto nodes = static_cast<std::size_t>(cells_.nodes());
   for (std::size_t g = 0; g < lanes_.size(); ++g) {
-    if (groups_[g].matter.absorbing.empty()) continue;
     const Lanes& lanes = lanes_[g];
-    const double factor =
-        directions_.weight(m) * groups_[g].matter.absorbing[m.at()] / static_cast<double>(nodes);
+    const bool of_matter = !groups_[g].matter.absorbing.empty();
+    if (!of_matter && lanes.absorption.empty()) continue;
+    const double factor = directions_.weight(m) / static_cast<double>(nodes);
     for (std::size_t pair = 0; pair < lanes.rows.size(); ++pair) {
       const auto cell = static_cast<std::size_t>(rows_[static_cast<std::size_t>(lanes.rows[pair])]);
       const auto band = static_cast<std::size_t>(lanes.bands[pair]);
       const double* u = angular + static_cast<std::size_t>(index[cell]) * row_length_ + band;
       double sum = 0;
       for (std::size_t i = 0; i < nodes; ++i) sum += u[i * stride];
-      absorbed[cell * bands + band] += factor * lanes.amplitude[pair] * sum;
+      const double absorption = of_matter ? lanes.amplitude[pair] * groups_[g].matter.absorbing[m.at()]
+                                          : lanes.absorption[m.at() * lanes.rows.size() + pair];
+      absorbed[cell * bands + band] += factor * absorption * sum;
     }
   }
 }

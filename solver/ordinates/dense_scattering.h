@@ -81,8 +81,11 @@ class DenseScattering {
     std::vector<std::int32_t> bands;  ///< [pair]
     std::vector<double> amplitude;    ///< [pair]
     AlignedArray matrix;              ///< [into][from] rate times w_from
+    std::vector<double>
+        absorption;  ///< [ordinate][pair] where a formula depends on the direction; else empty
   };
   void add_group(const DenseGroup& group);
+  void add_absorption(const DenseGroup& group, Lanes& lanes);
   void product(const Lanes& lanes, std::size_t first, const TransportState& last, const SweepKernels& kernels,
                double* factor, double* result);
 

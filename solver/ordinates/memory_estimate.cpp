@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/angle/spherical_harmonics.h"
+#include "solver/ordinates/directional_emission.h"
 #include "solver/ordinates/gmres.h"
 #include "solver/ordinates/positive_iteration.h"
 #include "solver/ordinates/scattering_plan.h"
@@ -25,6 +26,7 @@ struct Sizes {
   double stride = 0;
   double angular_cells = 0;
   double dense_cells = 0;
+  double absorptions = 0;  ///< of cells and bands that depend on the direction
   double matrices = 0;
   double moments = 1;
   double mirrors = 0;  ///< faces
@@ -65,7 +67,10 @@ Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const Sol
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const int degree = degrees[static_cast<std::size_t>(mesh.region(CellIndex(c)))];
     const bool scatters_so = degree > 0 && scatters(problem, CellIndex(c));
-    if (scatters_so || (input != nullptr && input->depends_on_direction(CellIndex(c))))
+    const bool emits_so = DirectionalEmission::emits(problem.medium(mesh.region(CellIndex(c))));
+    for (int band = 0; band < problem.band_count(); ++band)
+      if (problem.medium(mesh.region(CellIndex(c))).absorbs_by_direction(band)) sizes.absorptions += 1;
+    if (scatters_so || emits_so || (input != nullptr && input->depends_on_direction(CellIndex(c))))
       sizes.angular_cells += 1;
     if (scatters_so) highest = std::max(highest, degree);
   }
@@ -102,7 +107,8 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
       (slots + 4 * fields + 2 * s.faces * s.trace_length + batch * s.angular_cells * s.cell_length);
   const double records =
       s.cells * static_cast<double>(s.record_length) * (s.dense_cells > 0 ? 1 + threads : 1) +
-      2 * s.matrices * s.ordinates * s.ordinates;
+      2 * s.matrices * s.ordinates * s.ordinates + DirectionalEmission::table_size(problem, directions) +
+      s.absorptions * s.ordinates;
   // Sources of moments and matrices, the record of the last sweep, and the solution: fluence, three
   // components of flux, the state.
   const double results = moments + radiance + 3 * fields + 16 * s.cells * s.stride + state;

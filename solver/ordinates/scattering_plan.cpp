@@ -72,6 +72,11 @@ std::vector<ScatteringTreatment> plan_scattering(const Problem& problem, const D
         plan.push_back(
             {ScatteringBackend::dense, 0, 0,
              fmt::format("it depends on the directions themselves; {}", memory_text(bytes[region]))});
+      else if (medium.absorbs_by_direction(band))
+        plan.push_back(
+            {medium.choice_of(band).backend == ScatteringBackend::galerkin ? ScatteringBackend::galerkin
+                                                                           : ScatteringBackend::dense,
+             0, 0, fmt::format("absorption depends on the direction; {}", memory_text(bytes[region]))});
       else if (scattering.is_constant() && scattering.at(Vec3::Zero()) == 0)
         plan.push_back({ScatteringBackend::moments, 0, 0, "nothing scatters"});
       else

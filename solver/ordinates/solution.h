@@ -99,6 +99,12 @@ struct UncollidedPart {
   std::vector<double> inside;                   ///< [band] of lights that are neither media nor walls [power]
 };
 
+/// What is emitted by media and walls that emit differently in different directions; empty without any.
+struct DirectionalPowers {
+  std::vector<std::vector<double>> regions;  ///< [region][band] [power]
+  std::vector<std::vector<double>> walls;    ///< [wall][band] [power]
+};
+
 /// A solution of a Problem, whatever method found it. Fields have four values in each cell, at its vertices
 /// in their order, and jump between cells; walls have three in each boundary face.
 struct Solution {
@@ -119,6 +125,7 @@ struct Solution {
   std::vector<BandConvergence> convergence;  ///< [band]
   std::vector<HistoryEntry> history;
   UncollidedPart lights;
+  DirectionalPowers by_direction;
   std::vector<NegativeCensus> negative;  ///< [band]
   std::vector<OrdinateFixup> fixups;     ///< [ordinate][band]; empty where nothing was kept positive
   std::vector<KernelReport> kernels;

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "solver/ordinates/diffusion_acceleration.h"
+#include "solver/ordinates/directional_emission.h"
 #include "solver/ordinates/gmres.h"
 #include "solver/ordinates/positive_iteration.h"
 #include "solver/ordinates/scattering_report.h"
@@ -254,7 +255,10 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   if (problem.space() != directions.space())
     throw std::invalid_argument("a plane problem needs directions in the plane, and only that");
   const std::vector<double> extinction = extinction_of(problem);
-  TransportSweep sweep(problem, directions, extinction, options);
+  const DirectionalEmission emission(problem, directions, options.angular_input);
+  SolveOptions with_emission = options;
+  if (!emission.empty()) with_emission.angular_input = &emission;
+  TransportSweep sweep(problem, directions, extinction, with_emission);
   TransportState state(sweep.layout());
   if (options.initial != nullptr) restore(*options.initial, problem.band_count(), state);
   const std::unique_ptr<Iteration> iteration = make_iteration(options.method);
@@ -305,6 +309,7 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
                            solution.seconds.low_order;
   solution.seconds.orders = sweep.order_seconds();
   solution.half_range = sweep.walls().half_range();
+  solution.by_direction = emission.powers();
   solution.kernels =
       report_kernels(problem, directions, sweep.scattering_plan(), sweep.scattering_matrices());
   const std::vector<std::string> notes = notes_of(sweep, options);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/problem/coefficient.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <span>
 
@@ -11,6 +13,8 @@ namespace etendue {
 double Coefficient::at(const Vec3& point) const {
   return formula_ ? (*formula_)(std::span<const double>(point.data(), 3)) : value_;
 }
+
+std::string Coefficient::text() const { return formula_ ? formula_->text() : fmt::format("{:.17g}", value_); }
 
 CellSample Coefficient::sample(const std::array<Vec3, 4>& vertices) const {
   if (is_constant()) return {value_, value_, point_at({0.25, 0.25, 0.25, 0.25}, vertices)};

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "mesh/base/vec3.h"
@@ -26,6 +27,8 @@ class Coefficient {
 
   bool is_constant() const { return !formula_; }
   double at(const Vec3& point) const;
+  /// The number or formula.
+  std::string text() const;
   /// Mean over a tetrahedron and smallest value by a 14-point rule of degree 5 (Walkington 2000) with
   /// positive weights and points inside: the mean of a coefficient that is nowhere negative is not negative
   /// either.

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "mesh/base/errors.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
+#include "solver/problem/angular_formula.h"
 #include "solver/problem/angular_space.h"
 #include "solver/problem/bands.h"
 #include "solver/problem/coefficient.h"
@@ -30,9 +32,20 @@ struct Medium {
   /// [band] in place of a phase function; absorption and scattering are then means over directions. Empty:
   /// none.
   std::vector<DirectionalScattering> directional = {};
+  /// [band] sigma_a(x, w), of which `absorption` is the mean over directions; empty: none
+  std::vector<std::optional<AngularFormula>> absorption_by_direction = {};
+  /// Whether it is the extinction, of which a kernel's scattering is a part.
+  bool extinction_by_direction = false;
+  /// [band] q(x, w), beside `emission`; empty: none
+  std::vector<std::optional<AngularFormula>> emission_by_direction = {};
 
   bool is_directional(int band) const {
     return !directional.empty() && directional[static_cast<std::size_t>(band)].index() != 0;
+  }
+
+  bool absorbs_by_direction(int band) const {
+    return static_cast<std::size_t>(band) < absorption_by_direction.size() &&
+           absorption_by_direction[static_cast<std::size_t>(band)].has_value();
   }
 
   ScatteringChoice choice_of(int band) const {
@@ -48,6 +61,8 @@ struct Wall {
   std::vector<double> specular;  ///< [band] mirror reflectance
   Origin origin;
   Uncollided uncollided = Uncollided::automatic;  ///< of the radiance
+  /// [band] L(x, w), beside `radiance`; empty: none
+  std::vector<std::optional<AngularFormula>> radiance_by_direction = {};
 };
 
 /// What is asked: the coefficients of the transport equation on every cell and wall. Valid by construction.

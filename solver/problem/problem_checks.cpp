@@ -44,8 +44,11 @@ std::optional<Origin> emitter(const Problem& problem, std::size_t band) {
       emits[static_cast<std::size_t>(mesh.region(CellIndex(c)))] = true;
   for (std::size_t region = 0; region < emits.size(); ++region)
     if (emits[region]) return origin_of(problem.media()[region], "emission");
+  const auto is_given = [band](const auto& formulas) { return band < formulas.size() && formulas[band]; };
+  for (const Medium& medium : problem.media())
+    if (is_given(medium.emission_by_direction)) return origin_of(medium, "emission");
   for (const Wall& wall : problem.walls())
-    if (wall.radiance[band] > 0) return origin_of(wall, "radiance");
+    if (wall.radiance[band] > 0 || is_given(wall.radiance_by_direction)) return origin_of(wall, "radiance");
   if (!problem.lights().empty()) return problem.lights().front().origin;
   return {};
 }

@@ -156,5 +156,32 @@ TEST(BuildProblem, GivesEachWallItsEntryOrThatOfTheRest) {
   EXPECT_EQ(problem.wall(index_of(mesh.wall_names(), "ymin")).specular, (std::vector<double>{1, 1}));
 }
 
+TEST(BuildProblem, KeepsEmissionAndRadianceThatDependOnTheDirection) {
+  const Case input = case_of(cube + R"([media.air]
+absorption = 1
+emission = "2 + wz*x"
+[walls.zmin]
+radiance = "max(0, wz)*y"
+[walls.zmax]
+radiance = "x"
+)");
+  const TetrahedralMesh mesh = build_mesh(input);
+  const Problem problem = build_problem(input, mesh);
+  const Medium& air = problem.media()[0];
+  EXPECT_EQ(problem.emission(CellIndex(0), 0), 0);
+  EXPECT_DOUBLE_EQ(air.emission_by_direction[0]->at(Vec3(0.5, 0, 0), Vec3(0, 0, -1)), 1.5);
+  for (const Wall& wall : problem.walls()) {
+    EXPECT_EQ(wall.radiance[0], 0);
+    const auto& formula = wall.radiance_by_direction;
+    if (wall.name == "zmin") {
+      EXPECT_DOUBLE_EQ(formula[0]->at(Vec3(0, 0.5, 0), Vec3(0, 0.6, 0.8)), 0.4);
+    } else if (wall.name == "zmax") {
+      EXPECT_DOUBLE_EQ(formula[0]->at(Vec3(0.25, 0, 0), Vec3(0, 0, 1)), 0.25);
+    } else {
+      EXPECT_FALSE(formula[0].has_value());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace etendue

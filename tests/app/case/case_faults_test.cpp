@@ -63,14 +63,12 @@ const Check later[] = {
      "slab.toml:11: light[0].uncollided = false: not in this version (directions alone do not see a lamp); "
      "use "
      "\"auto\" or true"},
-    {"DirectionInFormula", "[media.air]\nabsorption = \"1 + wx\"\n",
-     "slab.toml:8: media.air.absorption = \"1 + wx\": the direction of travel (wx, wy, wz) in a formula is "
-     "not in this "
-     "version; use x, y, z"},
-    {"RadianceFormula", "[walls.xmin]\nradiance = \"x\"\n",
-     "slab.toml:8: walls.xmin.radiance = \"x\": a formula is not in this version; use a number, or a list "
-     "with one for "
-     "each band, each at least 0"},
+    {"DirectionInFormula", "[media.air]\nscattering = \"1 + wx\"\n",
+     "slab.toml:8: media.air.scattering = \"1 + wx\": uses the direction of travel wx, wy, wz (absorption, "
+     "extinction, emission and a wall's radiance may, this may not); use x, y, z"},
+    {"UncollidedRadianceFormula", "[walls.xmin]\nradiance = \"x\"\nuncollided = true\n",
+     "slab.toml:9: walls.xmin.uncollided = true: not for emission that depends on the direction, nor for "
+     "radiance by a formula (not in this version); use \"auto\" or false"},
     {"SpaceOrder", "[space]\norder = 2\n", "slab.toml:8: space.order = 2: not in this version; use 0 or 1"},
     {"Field", "[output]\nfields = [\"direction_error\"]\n",
      "slab.toml:8: output.fields[0] = \"direction_error\": not in this version; use \"fluence\", "
@@ -171,9 +169,8 @@ const Check values[] = {
      "use at most "
      "1"},
     {"NegativeRadiance", "[walls.xmin]\nradiance = -1\n",
-     "slab.toml:8: walls.xmin.radiance = -1: out of range; use a number, or a list with one for each band, "
-     "each at least "
-     "0"},
+     "slab.toml:8: walls.xmin.radiance = -1: out of range; use a number or a formula in x, y, z, or a list "
+     "with one for each band, each at least 0"},
     {"ReflectanceIsText", "[walls.xmin]\nspecular = \"much\"\n",
      "slab.toml:8: walls.xmin.specular = \"much\": must not be text; use a number, or a list with one for "
      "each band, each "
@@ -299,11 +296,12 @@ max = [0, 1, 1]
 }
 
 TEST(CaseFaults, OfAnotherKeyHideNoContradiction) {
-  EXPECT_EQ(faults_of(cube + "[walls.xmin]\ndiffuse = 0.7\nspecular = 0.7\nradiance = -1\n"),
-            "slab.toml:7: walls.xmin: diffuse + specular = 1.4 (more light would leave than arrives); use at "
-            "most 1\n"
-            "slab.toml:10: walls.xmin.radiance = -1: out of range; use a number, or a list with one for each "
-            "band, each at least 0");
+  EXPECT_EQ(
+      faults_of(cube + "[walls.xmin]\ndiffuse = 0.7\nspecular = 0.7\nradiance = -1\n"),
+      "slab.toml:7: walls.xmin: diffuse + specular = 1.4 (more light would leave than arrives); use at "
+      "most 1\n"
+      "slab.toml:10: walls.xmin.radiance = -1: out of range; use a number or a formula in x, y, z, or a "
+      "list with one for each band, each at least 0");
   EXPECT_EQ(faults_of(cube + "[media.air]\nalbedo = 0.5\nemission = -1\n"),
             "slab.toml:7: media.air: albedo without extinction (it does not say how far light goes); add "
             "extinction\n"
@@ -347,7 +345,7 @@ TEST(CaseFaults, OfAFormulaQuoteTheParser) {
   const std::string fault = faults_of(cube + "[media.air]\nabsorption = \"0.1 + sin(\"\n");
   EXPECT_TRUE(fault.starts_with("slab.toml:8: media.air.absorption = \"0.1 + sin(\": is not a formula ("))
       << fault;
-  EXPECT_TRUE(fault.ends_with("); use a number or a formula in x, y, z")) << fault;
+  EXPECT_TRUE(fault.ends_with("); use a number or a formula in x, y, z, wx, wy, wz")) << fault;
 }
 
 TEST(CaseFaults, OfAFormulaWithAUnitSayThatItIsNone) {

@@ -82,7 +82,7 @@ TEST(LightSetup, RefusesALampBesideLeaves) {
     const LightSetup lights(problem);
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("a light beside leaves, flakes or a kernel"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("a light beside leaves, flakes, a kernel"), std::string::npos)
         << error.what();
   }
 }
