@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,6 +16,8 @@
 #include "solver/angle/refinement.h"
 #include "solver/angle/rotation.h"
 #include "solver/ordinates/solve.h"
+#include "solver/picture/camera.h"
+#include "solver/picture/tone.h"
 #include "solver/problem/angular_space.h"
 #include "solver/problem/directional_scattering.h"
 #include "solver/problem/light.h"
@@ -101,6 +104,15 @@ struct Probe {
   Origin origin;
 };
 
+/// A picture that is taken of the solution.
+struct CameraCase {
+  std::string name;
+  Camera camera;
+  std::optional<double> exposure;  ///< empty: automatic
+  Tone tone = Tone::linear;
+  Origin origin;
+};
+
 /// A radiance that is meant to be the answer: source and inflow follow from it.
 struct ExactCase {
   std::string radiance;  ///< a formula in x, y, z, wx, wy, wz; the same in all bands
@@ -140,6 +152,7 @@ struct Case {
   std::optional<InputFile> initial;  ///< a solution to start from
   std::optional<ExactCase> exact;
   std::vector<Probe> probes;
+  std::vector<CameraCase> cameras;
   OutputCase output;
   std::string resolved_toml;  ///< with overrides applied and defaults filled in; reads back the same
 };
@@ -150,5 +163,9 @@ using Overrides = std::vector<std::string>;
 /// Reads and checks a case file. Throws FileError where it cannot be read, else one InputError with all
 /// faults.
 Case read_case(const std::filesystem::path& file, const Overrides& overrides = {});
+
+/// The same of a text, as a result holds it; `file` is the case's, for messages and relative paths.
+Case read_case_text(std::string_view text, const std::filesystem::path& file,
+                    const Overrides& overrides = {});
 
 }  // namespace etendue

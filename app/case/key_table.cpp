@@ -54,7 +54,9 @@ std::vector<TableDeclaration> make_tables() {
                "and walls are black."},
       {.path = "probe", .form = list, .help = "Points whose values go into `probes.csv`."},
       {.path = "probe.line", .help = "Points at equal distances instead of `points`."},
-      {.path = "camera", .form = list, .support = later, .help = "A picture."},
+      {.path = "camera",
+       .form = list,
+       .help = "A picture: NAME.exr, linear, and NAME.png (docs/pictures.md)."},
       {.path = "sensor", .form = list, .support = later, .help = "A measured quantity."},
       {.path = "output", .help = "What is written, and where."},
   };
@@ -62,7 +64,7 @@ std::vector<TableDeclaration> make_tables() {
 
 std::vector<KeyDeclaration> make_keys() {
   std::vector<KeyDeclaration> keys;
-  for (const auto part : {scene_keys, matter_keys, light_keys, run_keys}) {
+  for (const auto part : {scene_keys, matter_keys, light_keys, run_keys, picture_keys}) {
     std::vector<KeyDeclaration> some = part();
     keys.insert(keys.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
   }

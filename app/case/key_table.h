@@ -9,10 +9,11 @@
 namespace etendue {
 
 // The keys of the case file, in the order of the reference page, by the part of the case that they describe.
-std::vector<KeyDeclaration> scene_keys();   ///< units, geometry, bands
-std::vector<KeyDeclaration> matter_keys();  ///< media and phase functions
-std::vector<KeyDeclaration> light_keys();   ///< walls and lights
-std::vector<KeyDeclaration> run_keys();     ///< directions, solution, what to report
+std::vector<KeyDeclaration> scene_keys();    ///< units, geometry, bands
+std::vector<KeyDeclaration> matter_keys();   ///< media and phase functions
+std::vector<KeyDeclaration> light_keys();    ///< walls and lights
+std::vector<KeyDeclaration> run_keys();      ///< directions, solution, what to report
+std::vector<KeyDeclaration> picture_keys();  ///< cameras
 
 namespace key_range {
 

@@ -4,6 +4,7 @@
 #include "app/case/key_check.h"
 #include "app/case/mesh_names.h"
 #include "app/case/override.h"
+#include "app/case/read_camera.h"
 #include "app/case/read_exact.h"
 #include "app/case/read_light.h"
 #include "app/case/read_matter.h"
@@ -36,15 +37,13 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   read_solve(top.section("solve"), file.parent_path(), result);
   if (top.has("exact")) read_exact(top.section("exact"), result);
   result.probes = read_probes(top);
+  result.cameras = read_cameras(top);
   result.output = read_output(top.section("output"), file);
   result.solve.keep_ordinates = result.output.radiance_ordinates;
   return result;
 }
 
-}  // namespace
-
-Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
-  TomlNode root = read_toml(file);
+Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides& overrides) {
   Faults faults;
   for (const std::string& assignment : overrides) apply_override(root, assignment, faults);
   check_keys(root, faults);
@@ -59,6 +58,16 @@ Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
   if (!faults.empty()) throw InputError(std::move(faults));
   result.resolved_toml = render_toml(root);
   return result;
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_root(read_toml(file), file, overrides);
+}
+
+Case read_case_text(std::string_view text, const std::filesystem::path& file, const Overrides& overrides) {
+  return read_root(parse_toml(text, file.string()), file, overrides);
 }
 
 }  // namespace etendue

@@ -15,6 +15,7 @@ namespace {
 const char* const examples = R"(Examples:
   etendue run cases/smoke-room/case.toml
   etendue run case.toml --set solve.tolerance=1e-8 --set directions.order=2 --output fine
+  etendue render smoke-room --camera front
   etendue study case.toml --refine mesh --levels 3
   etendue check case.toml --mesh
   etendue mesh case.toml -o mesh.vtu
@@ -42,6 +43,7 @@ class Parser {
     app_.footer(examples);
     app_.require_subcommand(1);
     add_run();
+    add_render();
     add_study();
     add_check();
     add_mesh();
@@ -71,12 +73,29 @@ class Parser {
     if (!app_.get_subcommands(named).empty()) return;
     throw InputError(
         "command line: " + arguments.front() +
-        ": no such command; use run, study, check, mesh, directions or keys (see etendue --help)");
+        ": no such command; use run, render, study, check, mesh, directions or keys (see etendue --help)");
   }
 
   void add_run() {
     run_command_ = app_.add_subcommand("run", "Solve a case and write its results");
     add_run_options(*run_command_);
+  }
+
+  void add_render() {
+    render_command_ = app_.add_subcommand("render", "Take pictures of a saved result");
+    CLI::App& command = *render_command_;
+    command.add_option("results", render_.results, "The directory of a run")
+        ->required()
+        ->type_name("RESULTS");
+    command.add_option("--camera", render_.cameras, "One camera of the case; repeat for more; default: all")
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    command.add_option("--case", render_.file, "A case file with other cameras, else as that of the run")
+        ->type_name("CASE.toml");
+    add_set(command, render_);
+    command.add_option("--output", output_, "Directory of the pictures, in place of RESULTS")
+        ->type_name("DIR");
+    add_threads_and_progress(command);
   }
 
   void add_study() {
@@ -101,6 +120,10 @@ class Parser {
     add_case(command, run_);
     command.add_option("--output", output_, "Directory of the results, in place of output.directory")
         ->type_name("DIR");
+    add_threads_and_progress(command);
+  }
+
+  void add_threads_and_progress(CLI::App& command) {
     command.add_option("--threads", threads_, "Number of threads; 0: all cores")
         ->check(whole_number)
         ->type_name("N");
@@ -138,7 +161,7 @@ class Parser {
   }
 
   void add_later_commands() {
-    for (const char* name : {"render", "compare"}) {
+    for (const char* name : {"compare"}) {
       CLI::App* command = app_.add_subcommand(name, "Not in this version");
       command->group("")->prefix_command();
       later_.push_back(command);
@@ -147,6 +170,10 @@ class Parser {
 
   static void add_case(CLI::App& command, CaseRequest& request) {
     command.add_option("case", request.file, "The case file")->required()->type_name("CASE.toml");
+    add_set(command, request);
+  }
+
+  static void add_set(CLI::App& command, CaseRequest& request) {
     command.add_option("--set", request.overrides, "Change a key of the case, e.g. solve.tolerance=1e-8")
         ->allow_extra_args(false)
         ->type_name("KEY=VALUE");
@@ -166,8 +193,9 @@ class Parser {
     for (const CLI::App* command : later_)
       if (command->parsed())
         throw InputError("command line: " + command->get_name() +
-                         ": not in this version; use run, study, check, mesh, directions or keys");
+                         ": not in this version; use run, render, study, check, mesh, directions or keys");
     if (run_command_->parsed()) return finished_run();
+    if (render_command_->parsed()) return finished_render();
     if (study_command_->parsed()) return finished_study();
     if (check_command_->parsed()) return check_;
     if (mesh_command_->parsed()) return mesh_;
@@ -187,6 +215,13 @@ class Parser {
     return run_;
   }
 
+  RenderRequest finished_render() {
+    if (output_) render_.output = *output_;
+    if (threads_) render_.threads = *threads_;
+    if (progress_) render_.progress = progress_styles.at(*progress_);
+    return render_;
+  }
+
   StudyRequest finished_study() {
     study_.refinement = *refine_ == "mesh"         ? Refinement::mesh
                         : *refine_ == "directions" ? Refinement::directions
@@ -197,12 +232,14 @@ class Parser {
 
   CLI::App app_;
   CLI::App* run_command_ = nullptr;
+  CLI::App* render_command_ = nullptr;
   CLI::App* study_command_ = nullptr;
   CLI::App* check_command_ = nullptr;
   CLI::App* mesh_command_ = nullptr;
   CLI::App* directions_command_ = nullptr;
   std::vector<CLI::App*> later_;
   RunRequest run_;
+  RenderRequest render_;
   StudyRequest study_;
   CheckRequest check_;
   MeshRequest mesh_;

@@ -25,6 +25,15 @@ struct RunRequest : CaseRequest {
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
+/// Pictures from a saved result. `file` is empty where the case of the result is meant.
+struct RenderRequest : CaseRequest {
+  std::filesystem::path results;     ///< the directory of a run
+  std::vector<std::string> cameras;  ///< empty: all
+  std::optional<std::filesystem::path> output;
+  std::optional<int> threads;
+  ProgressStyle progress = ProgressStyle::automatic;
+};
+
 /// What a study refines from level to level; both: on a grid of meshes and direction sets.
 enum class Refinement { mesh, directions, both };
 
@@ -58,8 +67,8 @@ struct ShowText {
   std::string text;
 };
 
-using Request = std::variant<RunRequest, StudyRequest, CheckRequest, MeshRequest, DirectionsRequest,
-                             KeysRequest, ShowText>;
+using Request = std::variant<RunRequest, RenderRequest, StudyRequest, CheckRequest, MeshRequest,
+                             DirectionsRequest, KeysRequest, ShowText>;
 
 /// What the arguments (without the program's name) ask for. Throws InputError.
 Request parse_command_line(const std::vector<std::string>& arguments);

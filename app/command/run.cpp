@@ -10,6 +10,7 @@
 #include "app/command/interruption.h"
 #include "app/command/memory.h"
 #include "app/command/phase_text.h"
+#include "app/command/pictures.h"
 #include "app/command/probes.h"
 #include "app/command/progress.h"
 #include "app/command/run_report.h"
@@ -153,6 +154,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   seconds.mesh = watch.lap();
   out << mesh_line(mesh) << std::flush;
   const Problem problem = build_problem(input, mesh);
+  check_cameras(input.cameras, problem);
   const DirectionSet directions = build_directions(input);
   const LightSetup lights(problem);
   const CellLocator locator(mesh);
@@ -190,6 +192,10 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   const WrittenResults written = write_results(result);
   out << convergence_text(result) << uncollided_text(result) << balance_text(result) << powers_text(result)
       << probes_text(result) << exact_text(result) << cautions_text(result) << closing_text(result, written);
+  if (!input.cameras.empty() && !interruption.noted())
+    write_pictures(input, input.cameras, {lights, directions, options, solution.state},
+                   input.output.directory, resolved_style(request.progress, out), out,
+                   [&] { return interruption.noted(); });
   if (reader) reader(result);
   return conclude(result, interruption.noted(), err);
 }

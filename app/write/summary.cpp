@@ -3,6 +3,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -67,6 +68,19 @@ bool is_plain_name(const std::string& name) {
   return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
 }
 
+/// The summary.json of an earlier run; an empty object where there is none, or where it is not ours.
+Json summary_in(const std::filesystem::path& directory) {
+  std::ifstream stream(directory / "summary.json");
+  Json summary = Json::parse(stream, nullptr, false);
+  if (!summary.is_object() || summary.value("program", Json()) != program_name) return Json::object();
+  return summary;
+}
+
+// Names from foreign mesh files need not be UTF-8.
+std::string text_of(const Json& summary) {
+  return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
 
 long peak_memory() {
@@ -117,19 +131,34 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["peak_memory"] = peak_memory();
   summary["notes"] = solution.notes;
   summary["files"] = files;
+  summary["case_file"] = std::filesystem::absolute(result.input.file).string();
   summary["case"] = result.input.resolved_toml;
-  // Names from foreign mesh files need not be UTF-8.
-  return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return text_of(summary);
 }
 
 std::vector<std::string> files_of_earlier_run(const std::filesystem::path& directory) {
-  std::ifstream stream(directory / "summary.json");
-  const Json summary = Json::parse(stream, nullptr, false);
-  if (!summary.is_object() || summary.value("program", Json()) != program_name) return {};
+  const Json summary = summary_in(directory);
   std::vector<std::string> names;
   for (const Json& name : summary.value("files", Json::array()))
     if (name.is_string() && is_plain_name(name.get<std::string>())) names.push_back(name);
   return names;
+}
+
+std::string summary_with_files(const std::filesystem::path& directory, const std::vector<std::string>& more) {
+  Json summary = summary_in(directory);
+  if (summary.empty()) return "";
+  std::vector<std::string> names = files_of_earlier_run(directory);
+  for (const std::string& name : more)
+    if (std::count(names.begin(), names.end(), name) == 0) names.push_back(name);
+  summary["files"] = names;
+  return text_of(summary);
+}
+
+std::optional<SavedCase> case_of_earlier_run(const std::filesystem::path& directory) {
+  const Json summary = summary_in(directory);
+  const Json text = summary.value("case", Json()), file = summary.value("case_file", Json());
+  if (!text.is_string() || !file.is_string()) return std::nullopt;
+  return SavedCase{text.get<std::string>(), file.get<std::string>()};
 }
 
 }  // namespace etendue

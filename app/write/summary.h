@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,17 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
 /// The names that the summary.json of an earlier run in this directory lists; empty where there is none, or
 /// where it is not ours.
 std::vector<std::string> files_of_earlier_run(const std::filesystem::path& directory);
+
+/// The text of the summary.json in this directory with more names among its files; empty where there is none.
+std::string summary_with_files(const std::filesystem::path& directory, const std::vector<std::string>& more);
+
+/// The case that a summary.json holds, resolved, and the file that it was read from; empty where there is
+/// none.
+struct SavedCase {
+  std::string toml;
+  std::filesystem::path file;
+};
+std::optional<SavedCase> case_of_earlier_run(const std::filesystem::path& directory);
 
 /// The most memory that this process had at a time [bytes].
 long peak_memory();

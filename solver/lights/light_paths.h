@@ -32,6 +32,7 @@ class LightPaths {
 
   const Problem& problem() const { return problem_; }
   const MirrorPlanes& mirrors() const { return mirrors_; }
+  const RayMesh& rays() const { return rays_; }
   std::size_t bands() const { return bands_; }
   double extinction(CellIndex cell, std::size_t band) const { return extinction_[cell.at() * bands_ + band]; }
   double largest_extinction(CellIndex cell) const;

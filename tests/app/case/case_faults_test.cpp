@@ -50,7 +50,6 @@ const Check keys[] = {
 };
 
 const Check later[] = {
-    {"Camera", "[[camera]]\nname = \"front\"\n", "slab.toml:7: camera: not in this version; remove it"},
     {"Sensor", "[[sensor]]\nname = \"front\"\n", "slab.toml:7: sensor: not in this version; remove it"},
     {"Method", "[solve]\nmethod = \"photons\"\n",
      "slab.toml:8: solve.method = \"photons\": not in this version; use \"auto\", \"gmres\" or "

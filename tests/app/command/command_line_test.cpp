@@ -77,9 +77,23 @@ TEST(CommandLine, SaysInOneLineWhatIsWrong) {
 }
 
 TEST(CommandLine, RefusesCommandsOfLaterVersions) {
-  for (const char* command : {"render", "compare"})
-    EXPECT_NE(fault_of({command, "case.toml", "--levels", "3"}).find("not in this version"),
-              std::string::npos);
+  EXPECT_NE(fault_of({"compare", "case.toml", "--levels", "3"}).find("not in this version"),
+            std::string::npos);
+}
+
+TEST(CommandLine, ReadsWhatToRender) {
+  const auto plain = parsed<RenderRequest>({"render", "results"});
+  EXPECT_EQ(plain.results, "results");
+  EXPECT_TRUE(plain.cameras.empty() && plain.file.empty() && !plain.output && !plain.threads);
+  const auto full =
+      parsed<RenderRequest>({"render", "results", "--camera", "a", "--camera", "b", "--case", "c.toml",
+                             "--output", "out", "--threads", "2", "--set", "x=1", "--progress", "plain"});
+  EXPECT_EQ(full.cameras, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(full.file, "c.toml");
+  EXPECT_EQ(full.output, "out");
+  EXPECT_EQ(full.threads, 2);
+  EXPECT_EQ(full.overrides, Overrides{"x=1"});
+  EXPECT_EQ(full.progress, ProgressStyle::plain);
 }
 
 }  // namespace

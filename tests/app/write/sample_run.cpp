@@ -71,6 +71,7 @@ Solution sample_solution(const TetrahedralMesh& mesh, std::size_t bands) {
 
 Case sample_case(std::vector<std::string> bands) {
   Case input;
+  input.file = "sample.toml";
   input.title = "Sample";
   input.bands.names = std::move(bands);
   input.resolved_toml = "title = \"Sample\"\n";

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/key_table.h"
+
+namespace etendue {
+
+using enum KeyType;
+using namespace key_range;
+
+std::vector<KeyDeclaration> picture_keys() {
+  constexpr auto required = Need::required;
+  return {
+      {"camera", "name", text, {.need = required, .help = "Of the files NAME.exr and NAME.png."}},
+      {"camera",
+       "position",
+       point,
+       {.unit = "length",
+        .need = required,
+        .help = "Where it stands; outside of the domain it looks in through walls that turn their backs to "
+                "it."}},
+      {"camera",
+       "look_at",
+       point,
+       {.unit = "length", .need = required, .help = "What is in the middle of the picture."}},
+      {"camera", "up", point, {.default_value = "[0, 0, 1]", .help = "What points up in the picture."}},
+      {"camera",
+       "field_of_view",
+       number,
+       {.unit = "degrees",
+        .default_value = "50",
+        .range = {.lowest = 0, .highest = 180, .lowest_excluded = true, .highest_excluded = true},
+        .help = "Vertical angle that the picture shows."}},
+      {"camera",
+       "orthographic",
+       number,
+       {.unit = "length",
+        .range = positive,
+        .help = "Height that the picture shows, by parallel rays; in place of `field_of_view`."}},
+      {"camera",
+       "pixels",
+       numbers,
+       {.default_value = "[800, 600]", .range = {.lowest = 1, .highest = 32768}, .help = "Across and down."}},
+      {"camera",
+       "samples",
+       integer,
+       {.default_value = "1",
+        .choices = {"1", "4", "9", "16", "25", "36", "49", "64"},
+        .help = "Rays in a pixel, on a square grid."}},
+      {"camera",
+       "shafts",
+       integer,
+       {.default_value = "0",
+        .range = {.lowest = 0, .highest = 64},
+        .help = "Points in each cell on a ray that are lit by rays to the lights: crisp shafts, at the cost "
+                "of as many rays. 0: light that scatters once is taken linear in a cell."}},
+      {"camera",
+       "exposure",
+       number,
+       {.default_note = "95 % of the picture are below white",
+        .range = positive,
+        .help = "What radiance is multiplied by before the tone curve; for NAME.png only."}},
+      {"camera",
+       "tone",
+       text,
+       {.default_value = "\"linear\"",
+        .choices = {"linear", "reinhard", "aces"},
+        .help = "Curve that brings brightness into the range of a display: clipped, Reinhard's by luminance, "
+                "or a fit to that of ACES; for NAME.png only."}},
+  };
+}
+
+}  // namespace etendue

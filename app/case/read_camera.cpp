@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace etendue {
+namespace {
+
+// Of a view and `up` that are all but parallel rounding would decide what points up.
+constexpr double smallest_sine = 1e-6;
+
+const std::map<std::string, Tone> tones = {
+    {"linear", Tone::linear}, {"reinhard", Tone::reinhard}, {"aces", Tone::aces}};
+
+void read_view(Section& section, Camera& camera) {
+  const auto position = section.point_if("position"), look_at = section.point_if("look_at");
+  camera.up = to_vec3(section.value("up"));
+  if (!position || !look_at) return;
+  camera.position = *position;
+  camera.look_at = *look_at;
+  const Vec3 ahead = *look_at - *position;
+  if (ahead.norm() == 0) return section.fault("look_at", "is where the camera stands; use another point");
+  if (camera.up.norm() == 0) return section.fault("up", "has no direction; use a vector that is not zero");
+  if (ahead.cross(camera.up).norm() < smallest_sine * ahead.norm() * camera.up.norm())
+    section.fault("up",
+                  "points along the view (nothing says what is up in the picture); use a vector across it");
+}
+
+void read_lens(Section& section, Camera& camera) {
+  if (section.has("orthographic")) {
+    if (section.has("field_of_view")) section.fault("orthographic", "beside field_of_view; use one of them");
+    section.find("field_of_view");
+    camera.orthographic = section.number_if("orthographic");
+    return;
+  }
+  camera.field_of_view = section.number("field_of_view");
+}
+
+void read_pixels(Section& section, Camera& camera) {
+  const TomlArray& pixels = section.value("pixels").array();
+  const bool whole = std::ranges::all_of(
+      pixels, [](const auto& item) { return std::holds_alternative<std::int64_t>(item->value); });
+  if (pixels.size() != 2 || !whole)
+    return section.fault("pixels", "must be two whole numbers; use [across, down]");
+  camera.pixels = {static_cast<int>(pixels[0]->number()), static_cast<int>(pixels[1]->number())};
+}
+
+CameraCase read_camera(Section& section) {
+  CameraCase result;
+  result.origin = section.origin();
+  result.name = section.text_if("name").value_or("");
+  if (result.name.find('/') != std::string::npos || result.name.starts_with('.'))
+    section.fault("name", "cannot name a file; use letters, digits, - and _");
+  read_view(section, result.camera);
+  read_lens(section, result.camera);
+  read_pixels(section, result.camera);
+  result.camera.samples = section.integer("samples");
+  result.camera.shafts = section.integer("shafts");
+  result.exposure = section.number_if("exposure");
+  if (const auto tone = tones.find(section.text("tone")); tone != tones.end()) result.tone = tone->second;
+  return result;
+}
+
+}  // namespace
+
+std::vector<CameraCase> read_cameras(Section& top) {
+  std::vector<CameraCase> cameras;
+  for (Section& section : top.list("camera")) {
+    CameraCase camera = read_camera(section);
+    if (!camera.name.empty() && std::ranges::count(cameras, camera.name, &CameraCase::name) > 0)
+      section.fault("name", "another camera has this name; give each its own");
+    cameras.push_back(std::move(camera));
+  }
+  return cameras;
+}
+
+}  // namespace etendue

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/picture_progress.h"
+
+#include <fmt/format.h>
+
+namespace etendue {
+namespace {
+
+// Often enough to see that it lives, seldom enough for a log and for a terminal.
+constexpr double seconds_between_lines = 5;
+constexpr double seconds_between_drawings = 0.2;
+
+}  // namespace
+
+void PictureProgress::show(double share, double seconds) {
+  if (style_ == ProgressStyle::none) return;
+  const bool draws = style_ == ProgressStyle::bar;
+  if (seconds < shown_at_ + (draws ? seconds_between_drawings : seconds_between_lines)) return;
+  shown_at_ = seconds;
+  const std::string text = fmt::format("  picture {}: {:.0f} %, about {:.0f} s left", name_, 100 * share,
+                                       seconds * (1 - share) / share);
+  if (draws)
+    out_ << "\r" << text << "\x1b[K" << std::flush;
+  else
+    out_ << text << std::endl;
+  drawn_ = draws;
+}
+
+void PictureProgress::finish() {
+  if (drawn_) out_ << "\r\x1b[K" << std::flush;
+  drawn_ = false;
+}
+
+}  // namespace etendue

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/command/picture_progress.h"
+
+namespace etendue {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+bool has_directional_band(const Medium& medium) {
+  for (int band = 0; band < static_cast<int>(medium.directional.size()); ++band)
+    if (medium.is_directional(band)) return true;
+  return false;
+}
+
+bool is_black(const Picture& picture) {
+  return std::all_of(picture.radiance.begin(), picture.radiance.end(),
+                     [](double value) { return value == 0; });
+}
+
+}  // namespace
+
+void check_cameras(const std::vector<CameraCase>& cameras, const Problem& problem) {
+  std::string where;
+  if (problem.space() == AngularSpace::plane) where = "in flatland (not in this version); remove it";
+  if (std::any_of(problem.media().begin(), problem.media().end(), has_directional_band))
+    where = "beside leaves, flakes or a kernel, which rays do not see (not in this version); remove it";
+  if (where.empty()) return;
+  std::vector<Fault> faults;
+  for (const CameraCase& camera : cameras) faults.push_back(fault_at(camera.origin, "", "a camera " + where));
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const SavedScene& scene,
+                    const std::filesystem::path& directory, ProgressStyle progress, std::ostream& out,
+                    const std::function<bool()>& interrupted) {
+  const Clock::time_point start = Clock::now();
+  const int threads = scene.options.threads;
+  const RayRadiance radiance(scene.lights, scene.directions, scene.options, scene.state, threads);
+  out << fmt::format("pictures: {}; prepared in {:.2g} s\n", BandColor(input.bands).rule(),
+                     seconds_since(start));
+  std::vector<NamedPicture> pictures;
+  for (const CameraCase& camera : cameras) {
+    const Clock::time_point begun = Clock::now();
+    PictureProgress display(progress, camera.name, out);
+    Picture picture = take_picture(radiance, camera.camera, threads, [&](double share) {
+      display.show(share, seconds_since(begun));
+      return !interrupted();
+    });
+    display.finish();
+    if (!picture.whole) return false;
+    out << fmt::format("picture {}: {} x {} pixels, {} {} each, {:.3g} s\n", camera.name, picture.pixels[0],
+                       picture.pixels[1], camera.camera.samples, camera.camera.samples == 1 ? "ray" : "rays",
+                       seconds_since(begun));
+    if (is_black(picture))
+      out << fmt::format("  the picture {} is black: nothing that the camera looks at shines\n", camera.name);
+    pictures.push_back({camera, std::move(picture)});
+  }
+  const std::vector<std::string> names = add_pictures(directory, input, pictures);
+  out << "written to " << directory.string() << ":";
+  for (const std::string& name : names) out << " " << name;
+  out << std::endl;
+  return true;
+}
+
+}  // namespace etendue

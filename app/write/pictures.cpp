@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/write/pictures.h"
+
+#include <fmt/format.h>
+
+#include "app/write/color.h"
+#include "app/write/image_files.h"
+#include "app/write/output_folder.h"
+#include "app/write/summary.h"
+
+namespace etendue {
+namespace {
+
+std::vector<LinearColor> colors_of(const Picture& picture, const BandColor& rule) {
+  std::vector<LinearColor> colors;
+  for (std::size_t at = 0; at < picture.radiance.size(); at += picture.bands)
+    colors.push_back(rule.of(std::span(picture.radiance).subspan(at, picture.bands)));
+  return colors;
+}
+
+std::string exr_of(const Case& input, const Picture& picture, const BandColor& rule,
+                   const std::vector<LinearColor>& colors) {
+  std::vector<ImageChannel> channels;
+  const std::array<std::string, 3> primaries = {"R", "G", "B"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    ImageChannel& channel = channels.emplace_back(ImageChannel{primaries[i], {}});
+    for (const LinearColor& color : colors) channel.values.push_back(static_cast<float>(color[i]));
+  }
+  for (std::size_t b = 0; b < picture.bands; ++b) {
+    ImageChannel& channel = channels.emplace_back(ImageChannel{"radiance." + input.bands.names[b], {}});
+    for (std::size_t at = b; at < picture.radiance.size(); at += picture.bands)
+      channel.values.push_back(static_cast<float>(picture.radiance[at]));
+  }
+  return exr_bytes(picture.pixels, channels,
+                   fmt::format("radiance [{}/({}^2 sr)]; R, G, B: {}", input.units.power, input.units.length,
+                               rule.rule()));
+}
+
+std::string png_of(const CameraCase& camera, const Picture& picture, const std::vector<LinearColor>& colors) {
+  const double exposure = camera.exposure.value_or(automatic_exposure(colors));
+  std::vector<std::uint8_t> rgb;
+  for (LinearColor color : colors) {
+    for (double& value : color) value *= exposure;
+    for (const double value : toned(color, camera.tone)) rgb.push_back(display_value(value, Exposure{1}));
+  }
+  return png_bytes(picture.pixels, rgb);
+}
+
+}  // namespace
+
+std::vector<std::string> add_pictures(const std::filesystem::path& directory, const Case& input,
+                                      const std::vector<NamedPicture>& pictures) {
+  const BandColor rule(input.bands);
+  OutputFolder folder(directory);
+  for (const auto& [camera, picture] : pictures) {
+    const std::vector<LinearColor> colors = colors_of(picture, rule);
+    folder.add_text(camera.name + ".exr", exr_of(input, picture, rule, colors));
+    folder.add_text(camera.name + ".png", png_of(camera, picture, colors));
+  }
+  const std::vector<std::string> names = folder.names();
+  const std::string summary = summary_with_files(directory, names);
+  if (!summary.empty()) folder.add_text("summary.json", summary);
+  folder.publish({});
+  return names;
+}
+
+}  // namespace etendue

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/case/case.h"
+#include "solver/picture/picture.h"
+
+namespace etendue {
+
+struct NamedPicture {
+  const CameraCase& camera;
+  Picture picture;
+};
+
+/// Adds NAME.exr and NAME.png of each picture to a directory, all or none, and to the list of files in its
+/// summary.json where there is one. NAME.exr holds linear numbers: R, G, B as BandColor has them, and
+/// `radiance.BAND` of each band. NAME.png went through exposure and tone curve. Returns the names of the
+/// files. Throws FileError.
+std::vector<std::string> add_pictures(const std::filesystem::path& directory, const Case& input,
+                                      const std::vector<NamedPicture>& pictures);
+
+}  // namespace etendue

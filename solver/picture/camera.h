@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "mesh/base/vec3.h"
+
+namespace etendue {
+
+/// A pinhole camera, or one whose rays are parallel.
+struct Camera {
+  Vec3 position = Vec3::Zero();
+  Vec3 look_at = -Vec3::UnitZ();  ///< what is in the middle of the picture
+  Vec3 up = Vec3::UnitZ();        ///< of any length; what points up in the picture
+  double field_of_view = 50;      ///< vertical [degree]
+  /// Height of what the picture shows [length]; then the rays are parallel and start in the plane through the
+  /// position.
+  std::optional<double> orthographic;
+  std::array<int, 2> pixels{800, 600};  ///< across, down
+  int samples = 1;                      ///< rays in a pixel, a square number
+  /// Points in each cell on a ray to which light comes straight from the lights, for crisp shafts; 0: what is
+  /// scattered once is interpolated between the vertices.
+  int shafts = 0;
+};
+
+struct CameraRay {
+  Vec3 origin;
+  Vec3 direction;  ///< unit, away from the camera
+};
+
+/// The rays of a camera.
+class CameraRays {
+ public:
+  /// The camera must look somewhere, and not along `up`.
+  explicit CameraRays(const Camera& camera);
+
+  /// Through a place of the picture, in pixels from its upper left corner.
+  CameraRay through(double across, double down) const;
+
+ private:
+  bool parallel_;
+  Vec3 position_;
+  Vec3 ahead_;
+  Vec3 right_;  ///< of one pixel: a length, or its ratio to the distance
+  Vec3 down_;
+  std::array<int, 2> pixels_;
+};
+
+}  // namespace etendue

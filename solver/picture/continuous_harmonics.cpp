@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/picture/continuous_harmonics.h"
+
+#include <Eigen/QR>
+#include <vector>
+
+#include "solver/angle/spherical_harmonics.h"
+
+namespace etendue {
+
+ContinuousHarmonics::ContinuousHarmonics(const DirectionSet& set, int degree)
+    : degree_(degree), discrete_(set, degree) {
+  Eigen::MatrixXd raw(set.count(), harmonic_count(degree)), wanted(set.count(), discrete_.count());
+  std::vector<double> row(static_cast<std::size_t>(raw.cols()));
+  for (int m = 0; m < set.count(); ++m) {
+    spherical_harmonics(set.direction(OrdinateIndex(m)), degree, row);
+    raw.row(m) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), raw.cols());
+    for (int k = 0; k < discrete_.count(); ++k) wanted(m, k) = discrete_.value(k, OrdinateIndex(m));
+  }
+  combination_ = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(raw).solve(wanted).transpose();
+}
+
+void ContinuousHarmonics::at(const Vec3& direction, std::span<double> values) const {
+  std::vector<double> raw(static_cast<std::size_t>(combination_.cols()));
+  spherical_harmonics(direction, degree_, raw);
+  Eigen::Map<Eigen::VectorXd>(values.data(), combination_.rows()).noalias() =
+      combination_ * Eigen::Map<const Eigen::VectorXd>(raw.data(), combination_.cols());
+}
+
+}  // namespace etendue

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+#include "solver/angle/direction_set.h"
+#include "solver/angle/harmonics.h"
+
+namespace etendue {
+
+/// The harmonics of a direction set (DiscreteHarmonics) between its ordinates: those combinations of
+/// spherical harmonics up to the same degree that have their values on the ordinates; of several the
+/// smallest.
+class ContinuousHarmonics {
+ public:
+  ContinuousHarmonics(const DirectionSet& set, int degree);
+
+  const DiscreteHarmonics& discrete() const { return discrete_; }
+  int count() const { return discrete_.count(); }
+  /// Their values [k] at any unit direction.
+  void at(const Vec3& direction, std::span<double> values) const;
+
+ private:
+  int degree_;
+  DiscreteHarmonics discrete_;
+  Eigen::MatrixXd combination_;  ///< [k, raw harmonic]
+};
+
+}  // namespace etendue

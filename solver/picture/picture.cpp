@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/picture/picture.h"
+
+#include <atomic>
+#include <cmath>
+#include <exception>
+
+namespace etendue {
+namespace {
+
+/// One pixel: rays through the middles of equal squares.
+void add_rays(const RayRadiance& scene, const Camera& camera, const CameraRays& rays, int column, int row,
+              RayRadiance::Workspace& work, std::span<double> pixel) {
+  const int side = static_cast<int>(std::lround(std::sqrt(camera.samples)));
+  std::vector<double> radiance(pixel.size());
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) {
+      const CameraRay ray = rays.through(column + (i + 0.5) / side, row + (j + 0.5) / side);
+      const auto start = scene.enter(ray.origin, ray.direction);
+      if (!start) continue;
+      scene.along(*start, ray.direction, camera.shafts, work, radiance);
+      for (std::size_t b = 0; b < pixel.size(); ++b) pixel[b] += radiance[b] / (side * side);
+    }
+}
+
+}  // namespace
+
+Picture take_picture(const RayRadiance& scene, const Camera& camera, int threads,
+                     const PictureObserver& observer) {
+  const CameraRays rays(camera);
+  const int columns = camera.pixels[0], lines = camera.pixels[1];
+  Picture picture{camera.pixels, scene.bands(), {}};
+  picture.radiance.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(lines) * picture.bands,
+                          0);
+  std::atomic<bool> stopped = false;
+  std::exception_ptr failure;
+  int done = 0;
+#pragma omp parallel num_threads(threads)
+  {
+    RayRadiance::Workspace work(scene);
+#pragma omp for schedule(dynamic, 1)
+    for (int row = 0; row < lines; ++row) {
+      if (stopped) continue;
+      try {
+        for (int column = 0; column < columns; ++column)
+          add_rays(scene, camera, rays, column, row, work,
+                   std::span(picture.radiance)
+                       .subspan((static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                                 static_cast<std::size_t>(column)) *
+                                    picture.bands,
+                                picture.bands));
+#pragma omp critical(etendue_picture)
+        {
+          ++done;
+          if (observer && !observer(static_cast<double>(done) / lines)) stopped = true;
+        }
+      } catch (...) {
+#pragma omp critical(etendue_picture)
+        failure = std::current_exception();
+        stopped = true;
+      }
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+  picture.whole = done == lines;
+  return picture;
+}
+
+}  // namespace etendue

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "solver/picture/camera.h"
+#include "solver/picture/ray_radiance.h"
+
+namespace etendue {
+
+/// The radiance that a camera sees, [row from the top][column][band] [power/(length^2 sr)].
+struct Picture {
+  std::array<int, 2> pixels{};  ///< across, down
+  std::size_t bands = 0;
+  std::vector<double> radiance;
+  bool whole = true;  ///< not so where it was stopped
+
+  std::span<const double> pixel(int column, int row) const {
+    const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(pixels[0]) +
+                    static_cast<std::size_t>(column);
+    return std::span(radiance).subspan(at * bands, bands);
+  }
+};
+
+/// Called now and then with the share of the picture that is done; false stops it.
+using PictureObserver = std::function<bool(double)>;
+
+/// Takes a picture: the mean of the radiance over a grid of rays in each pixel. What no ray meets is dark.
+/// The same bits for any number of threads.
+Picture take_picture(const RayRadiance& radiance, const Camera& camera, int threads,
+                     const PictureObserver& observer = {});
+
+}  // namespace etendue

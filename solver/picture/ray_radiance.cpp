@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/picture/ray_radiance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/angle/gauss_legendre.h"
+#include "solver/lights/attenuation.h"
+
+namespace etendue {
+namespace {
+
+/// A ray is given up where mirrors have left less than this of its light, and after so many of them.
+constexpr double faint = 1e-12;
+constexpr int most_mirrors = 10000;
+
+std::array<double, 4> barycentric(const TetrahedralMesh& mesh, CellIndex cell, const Vec3& point) {
+  const auto& v = mesh.vertices(cell);
+  const Vec3& origin = mesh.point(VertexIndex(v[0]));
+  const Vec3 a = mesh.point(VertexIndex(v[1])) - origin, b = mesh.point(VertexIndex(v[2])) - origin,
+             c = mesh.point(VertexIndex(v[3])) - origin, p = point - origin;
+  const Vec3 bc = b.cross(c);
+  const double det = a.dot(bc);
+  const double x = p.dot(bc) / det, y = p.dot(c.cross(a)) / det, z = p.dot(a.cross(b)) / det;
+  return {1 - x - y - z, x, y, z};
+}
+
+double interpolated(std::span<const double> values, const std::array<double, 4>& at, std::size_t band,
+                    std::size_t bands) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) sum += at[i] * values[i * bands + band];
+  return sum;
+}
+
+}  // namespace
+
+/// A straight part of a ray, between mirrors.
+struct RayRadiance::Stretch {
+  Vec3 from;
+  Vec3 direction;
+  int shafts;
+
+  Vec3 travel() const { return -direction; }
+  Vec3 at(double distance) const { return from + distance * direction; }
+};
+
+RayRadiance::RayRadiance(const LightSetup& lights, const DirectionSet& directions,
+                         const SolveOptions& options, const SavedState& state, int threads)
+    : lights_(lights),
+      problem_(lights.problem()),
+      bands_(lights.paths().bands()),
+      collided_(lights, directions, options, state),
+      once_(lights, threads),
+      walls_(lights, directions, state, options.order == SpaceOrder::linear ? 3 : 1),
+      locator_(problem_.mesh()),
+      boundary_(problem_.mesh()) {
+  find_dark_cells();
+}
+
+RayRadiance::Workspace::Workspace(const RayRadiance& radiance)
+    : beams(radiance.bands_),
+      memory(radiance.once_),
+      values(4 * radiance.bands_),
+      depth(radiance.bands_),
+      depth_rest(radiance.bands_),
+      factor(radiance.bands_),
+      at_point(radiance.bands_) {}
+
+void RayRadiance::find_dark_cells() {
+  for (std::int32_t c = 0; c < problem_.mesh().cell_count(); ++c) {
+    bool dark = true;
+    for (int b = 0; b < problem_.band_count(); ++b)
+      dark = dark && problem_.absorption(CellIndex(c), b) == 0 && problem_.scattering(CellIndex(c), b) == 0 &&
+             problem_.emission(CellIndex(c), b) == 0;
+    is_void_.push_back(dark ? 1 : 0);
+  }
+}
+
+std::optional<PointInCell> RayRadiance::enter(const Vec3& origin, const Vec3& direction) const {
+  const std::vector<CellPoint> cells = locator_.find(origin);
+  if (!cells.empty()) return PointInCell{cells.front().cell, origin};
+  const std::optional<BoundaryEntry> entry = boundary_.first_entry(origin, direction);
+  if (!entry) return std::nullopt;
+  return PointInCell{problem_.mesh().owner(entry->face), entry->point};
+}
+
+RayEnd RayRadiance::walk(const PointInCell& from, const Vec3& direction, Workspace& work) const {
+  work.parts.clear();
+  double reached = 0;
+  return lights_.paths().rays().walk(from.cell, from.position, direction,
+                                     std::numeric_limits<double>::infinity(),
+                                     [&](CellIndex cell, double length) {
+                                       if (length > 0 && is_void_[cell.at()] == 0)
+                                         work.parts.push_back({cell, reached, length});
+                                       reached += length;
+                                     });
+}
+
+void RayRadiance::along(const PointInCell& start, const Vec3& direction, int shafts, Workspace& work,
+                        std::span<double> radiance) const {
+  std::fill(radiance.begin(), radiance.end(), 0.0);
+  std::fill(work.depth.begin(), work.depth.end(), 0.0);
+  std::fill(work.depth_rest.begin(), work.depth_rest.end(), 0.0);
+  std::fill(work.factor.begin(), work.factor.end(), 1.0);
+  PointInCell at = start;
+  Vec3 towards = direction;
+  for (int i = 0; i < most_mirrors; ++i) {
+    const RayEnd end = walk(at, towards, work);
+    const Stretch stretch{at.position, towards, shafts};
+    add_flat_lights(stretch, end.distance, work, radiance);
+    add_cells(stretch, work, radiance);
+    add_wall(*end.wall, end.point, work, radiance);
+    if (!reflect(*end.wall, work)) return;
+    const Vec3 normal = problem_.mesh().area_normal(*end.wall).normalized();
+    towards = (towards - 2 * towards.dot(normal) * normal).normalized();
+    at = {end.cell, end.point};
+  }
+}
+
+void RayRadiance::add_cells(const Stretch& stretch, Workspace& work, std::span<double> radiance) const {
+  work.view.reset();
+  work.memory.forget();
+  for (const Workspace::Part& part : work.parts) {
+    if (stretch.shafts > 0 && !lights_.empty()) add_shafts(stretch, part, work, radiance);
+    add_part(stretch, part, work, radiance);
+  }
+}
+
+// With S(s) = S_a + (S_b - S_a) s/l over the length l of the part, and E_0, E_1 of attenuated_way:
+//   integral of S e^(-sigma s) ds = S_a E_0 + (S_b - S_a) E_1/l.
+void RayRadiance::add_part(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
+                           std::span<double> radiance) const {
+  if (!work.view) work.view = collided_.view(stretch.travel());
+  collided_.at_vertices(part.cell, *work.view, work.values);
+  if (stretch.shafts == 0) once_.add_at_vertices(part.cell, stretch.travel(), work.memory, work.values);
+  const auto here = barycentric(problem_.mesh(), part.cell, stretch.at(part.from));
+  const auto there = barycentric(problem_.mesh(), part.cell, stretch.at(part.from + part.length));
+  const bool is_light = lights_.has_region(problem_.mesh().region(part.cell));
+  for (std::size_t b = 0; b < bands_; ++b) {
+    const double near = interpolated(work.values, here, b, bands_);
+    const double far = interpolated(work.values, there, b, bands_);
+    const double extinction = collided_.extinction(part.cell, b);
+    const AttenuatedWay way = attenuated_way(extinction, part.length);
+    radiance[b] += work.factor[b] * std::exp(-work.depth_rest[b]) *
+                   (near * way.constant + (far - near) * way.linear / part.length);
+    const double whole = lights_.paths().extinction(part.cell, b);
+    if (is_light)
+      radiance[b] += work.factor[b] * std::exp(-work.depth[b]) *
+                     problem_.emission(part.cell, static_cast<int>(b)) *
+                     attenuated_way(whole, part.length).constant;
+    work.depth_rest[b] += extinction * part.length;
+    work.depth[b] += whole * part.length;
+  }
+}
+
+void RayRadiance::add_shafts(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
+                             std::span<double> radiance) const {
+  const GaussRule rule = gauss_legendre(stretch.shafts);
+  bool scatters = false;
+  for (int b = 0; b < problem_.band_count(); ++b)
+    scatters = scatters || problem_.scattering(part.cell, b) > 0;
+  for (std::size_t i = 0; i < rule.nodes.size() && scatters; ++i) {
+    const double along = part.length * (1 + rule.nodes[i]) / 2;
+    std::fill(work.at_point.begin(), work.at_point.end(), 0.0);
+    once_.add_at({part.cell, stretch.at(part.from + along)}, stretch.travel(), work.beams, work.at_point);
+    for (std::size_t b = 0; b < bands_; ++b)
+      radiance[b] += work.factor[b] * part.length * rule.weights[i] / 2 * work.at_point[b] *
+                     std::exp(-work.depth_rest[b] - collided_.extinction(part.cell, b) * along);
+  }
+}
+
+// Lights inside of the domain stand in nobody's way: all that the stretch passes are seen.
+void RayRadiance::add_flat_lights(const Stretch& stretch, double length, Workspace& work,
+                                  std::span<double> radiance) const {
+  for (const Light& light : problem_.lights()) {
+    const auto* surface = std::get_if<SurfaceLight>(&light.kind);
+    if (surface == nullptr) continue;
+    for (std::size_t i = 0; i + 2 < surface->triangles.size(); i += 3) {
+      const Vec3 a = surface->triangles[i] - stretch.from, b = surface->triangles[i + 1] - stretch.from,
+                 c = surface->triangles[i + 2] - stretch.from;
+      const double u = stretch.direction.dot(b.cross(c)), v = stretch.direction.dot(c.cross(a)),
+                   w = stretch.direction.dot(a.cross(b));
+      // Seen from the side that shines the corners stand counterclockwise, so the ray has all edges alike.
+      if (!(u <= 0 && v <= 0 && w <= 0 && u + v + w < 0)) continue;
+      const double distance = a.dot(b.cross(c)) / (u + v + w);
+      if (!(distance > 0 && distance <= length)) continue;
+      for (std::size_t band = 0; band < bands_; ++band) {
+        double depth = work.depth[band];
+        for (const Workspace::Part& part : work.parts)
+          if (part.from < distance)
+            depth +=
+                lights_.paths().extinction(part.cell, band) * std::min(part.length, distance - part.from);
+        radiance[band] += work.factor[band] * std::exp(-depth) * surface->radiance[band];
+      }
+      break;  // a flat light is passed once, on an edge of its triangles too
+    }
+  }
+}
+
+void RayRadiance::add_wall(FaceIndex face, const Vec3& point, Workspace& work,
+                           std::span<double> radiance) const {
+  const int number = problem_.mesh().wall(face);
+  const Wall& wall = problem_.wall(number);
+  std::fill(work.at_point.begin(), work.at_point.end(), 0.0);
+  walls_.add_reflected(face, point, work.beams, work.at_point);
+  for (std::size_t b = 0; b < bands_; ++b) {
+    const double rest = std::exp(-work.depth_rest[b]);
+    const double emitted = lights_.has_wall(number) ? std::exp(-work.depth[b]) : rest;
+    radiance[b] += work.factor[b] * (rest * work.at_point[b] + emitted * wall.radiance[b]);
+  }
+}
+
+/// Whether the ray goes on.
+bool RayRadiance::reflect(FaceIndex face, Workspace& work) const {
+  const Wall& wall = problem_.wall(problem_.mesh().wall(face));
+  double left = 0;
+  for (std::size_t b = 0; b < bands_; ++b) {
+    work.factor[b] *= wall.specular[b];
+    left = std::max(left, work.factor[b] * std::exp(-std::min(work.depth_rest[b], work.depth[b])));
+  }
+  return left > faint;
+}
+
+}  // namespace etendue

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/tetrahedra/boundary_tree.h"
+#include "mesh/tetrahedra/cell_locator.h"
+#include "solver/picture/collided_source.h"
+#include "solver/picture/once_scattered.h"
+#include "solver/picture/wall_light.h"
+
+namespace etendue {
+
+/// The radiance that comes to a point along a ray, from a saved solution:
+///
+///     L = integral of e^(-tau) (q + S) ds + e^(-tau) L_wall                                          (1)
+///
+/// with S of CollidedSource and OnceScattered, linear in each cell, so that (1) is closed there. Walls send
+/// what they emit and what WallLight says; at mirrors the ray goes on. Lights are seen where they have an
+/// extent. What is seen of them, and what they are said to have scattered, goes through the whole extinction;
+/// the rest through that of CollidedSource.
+class RayRadiance {
+ public:
+  /// `options` are those of the solution (elements, meters). The arguments must
+  /// outlive it. Throws InputError where the state is not of this kind.
+  RayRadiance(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
+              const SavedState& state, int threads);
+
+  /// What one thread works with.
+  struct Workspace {
+    explicit Workspace(const RayRadiance& radiance);
+
+    struct Part {
+      CellIndex cell;
+      double from;
+      double length;
+    };
+    LightBeams beams;
+    OnceScattered::Memory memory;
+    std::vector<Part> parts;
+    std::vector<double> values;      ///< [4][band]
+    std::vector<double> depth;       ///< [band] optical, whole
+    std::vector<double> depth_rest;  ///< [band] that the rest sees
+    std::vector<double> factor;      ///< [band] of mirrors
+    std::vector<double> at_point;    ///< [band]
+    std::optional<CollidedSource::View> view;
+  };
+
+  std::size_t bands() const { return bands_; }
+
+  /// A point of a cell where the ray starts, or where it comes in through the back of a wall; empty where it
+  /// meets nothing.
+  std::optional<PointInCell> enter(const Vec3& origin, const Vec3& direction) const;
+
+  /// Writes the radiance [band] that arrives at `start` from where the unit vector `direction` points.
+  /// `shafts` as in Camera.
+  void along(const PointInCell& start, const Vec3& direction, int shafts, Workspace& work,
+             std::span<double> radiance) const;
+
+ private:
+  struct Stretch;
+  RayEnd walk(const PointInCell& from, const Vec3& direction, Workspace& work) const;
+  void add_cells(const Stretch& stretch, Workspace& work, std::span<double> radiance) const;
+  void add_part(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
+                std::span<double> radiance) const;
+  void add_shafts(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
+                  std::span<double> radiance) const;
+  void add_flat_lights(const Stretch& stretch, double length, Workspace& work,
+                       std::span<double> radiance) const;
+  void add_wall(FaceIndex face, const Vec3& point, Workspace& work, std::span<double> radiance) const;
+  bool reflect(FaceIndex face, Workspace& work) const;
+  void find_dark_cells();
+
+  const LightSetup& lights_;
+  const Problem& problem_;
+  std::size_t bands_;
+  CollidedSource collided_;
+  OnceScattered once_;
+  WallLight walls_;
+  CellLocator locator_;
+  BoundaryTree boundary_;
+  std::vector<char> is_void_;  ///< [cell] neither takes nor gives light
+};
+
+}  // namespace etendue

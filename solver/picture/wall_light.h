@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solver/angle/direction_set.h"
+#include "solver/lights/light_setup.h"
+#include "solver/ordinates/saved_state.h"
+
+namespace etendue {
+
+/// How light of the lights is found where a ray of a picture meets a wall: mostly 16 rays to a lamp in a
+/// plane; more where some of them are in the shadow, or where the haze that they pass is not alike, so that
+/// no edges of single shadows are seen.
+inline constexpr LightDetail wall_light_detail{0.4, 0.02, 0.6, 0.9, TriangleRule::three_points};
+inline constexpr LightDetail penumbra_detail{0.12, 0.01, 0.15, 0.3, TriangleRule::three_points};
+
+/// The radiance that walls send back.
+class WallLight {
+ public:
+  /// The arguments must outlive it. `face_nodes` is 3, or 1 with constant elements.
+  WallLight(const LightSetup& lights, const DirectionSet& directions, const SavedState& state,
+            std::size_t face_nodes);
+
+  /// Adds the radiance [band] that a wall reflects diffusely at a point of a face: of the light that
+  /// directions carried, (diffuse/pi_h) E with the values around it joined continuously, and of the lights'
+  /// own, (diffuse/pi) E_0 by rays to them.
+  void add_reflected(FaceIndex face, const Vec3& point, LightBeams& beams, std::span<double> radiance) const;
+
+  /// Adds the irradiance [band] of the lights at a point of a cell, on the side that light with w.n > 0
+  /// meets.
+  void add_light(const PointInCell& point, const Vec3& normal, LightBeams& beams,
+                 std::span<double> irradiance) const;
+
+  /// What directions brought, joined: [boundary face][3][band] [power/length^2].
+  std::span<const double> joined_irradiance() const { return irradiance_; }
+
+ private:
+  void join(const SavedState& state, std::size_t face_nodes);
+  bool is_penumbra(const LightSource& source, const PointInCell& point, const LightBeams& seen) const;
+
+  const LightSetup& lights_;
+  const Problem& problem_;
+  std::size_t bands_;
+  std::vector<double> half_range_;  ///< [boundary face] [sr]
+  std::vector<double> irradiance_;  ///< [boundary face][3][band]
+};
+
+}  // namespace etendue

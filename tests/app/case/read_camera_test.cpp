@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read_camera.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/app/case/case_text.h"
+
+namespace etendue {
+namespace {
+
+const std::string camera = cube + "[[camera]]\nname = \"front\"\nposition = [0.5, -1, 0.5]\n";
+
+TEST(ReadCamera, FillsInDefaults) {
+  const Case input = case_of(camera + "look_at = [0.5, 0.5, 0.5]\n");
+  ASSERT_EQ(input.cameras.size(), 1U);
+  const CameraCase& front = input.cameras[0];
+  EXPECT_EQ(front.name, "front");
+  EXPECT_EQ(front.camera.position, Vec3(0.5, -1, 0.5));
+  EXPECT_EQ(front.camera.up, Vec3(0, 0, 1));
+  EXPECT_EQ(front.camera.field_of_view, 50);
+  EXPECT_FALSE(front.camera.orthographic);
+  EXPECT_EQ(front.camera.pixels, (std::array<int, 2>{800, 600}));
+  EXPECT_EQ(front.camera.samples, 1);
+  EXPECT_EQ(front.camera.shafts, 0);
+  EXPECT_FALSE(front.exposure);
+  EXPECT_EQ(front.tone, Tone::linear);
+}
+
+TEST(ReadCamera, TakesAllThatIsGiven) {
+  const Case input = case_of(camera + R"(look_at = [0, 0, 0]
+up = [0, 1, 1]
+orthographic = 3
+pixels = [20, 10]
+samples = 9
+shafts = 2
+exposure = 0.5
+tone = "reinhard"
+)");
+  const CameraCase& front = input.cameras[0];
+  EXPECT_EQ(front.camera.orthographic, 3);
+  EXPECT_EQ(front.camera.pixels, (std::array<int, 2>{20, 10}));
+  EXPECT_EQ(front.camera.samples, 9);
+  EXPECT_EQ(front.camera.shafts, 2);
+  EXPECT_EQ(front.exposure, 0.5);
+  EXPECT_EQ(front.tone, Tone::reinhard);
+}
+
+TEST(ReadCamera, RefusesAViewWithoutADirection) {
+  EXPECT_EQ(
+      faults_of(camera + "look_at = [0.5, -1, 0.5]\n"),
+      "slab.toml:10: camera[0].look_at = [0.5, -1, 0.5]: is where the camera stands; use another point");
+  EXPECT_EQ(faults_of(camera + "look_at = [0.5, -1, 0]\n"),
+            "slab.toml:7: camera[0].up = [0, 0, 1]: points along the view (nothing says what is up in the "
+            "picture); use a vector across it");
+  EXPECT_EQ(faults_of(camera + "look_at = [0, 0, 0]\nup = [0, 0, 0]\n"),
+            "slab.toml:11: camera[0].up = [0, 0, 0]: has no direction; use a vector that is not zero");
+}
+
+TEST(ReadCamera, RefusesTwoLenses) {
+  EXPECT_EQ(faults_of(camera + "look_at = [0, 0, 0]\nfield_of_view = 30\northographic = 1\n"),
+            "slab.toml:12: camera[0].orthographic = 1: beside field_of_view; use one of them");
+}
+
+TEST(ReadCamera, RefusesPixelsThatAreNotTwoWholeNumbers) {
+  EXPECT_EQ(faults_of(camera + "look_at = [0, 0, 0]\npixels = [800]\n"),
+            "slab.toml:11: camera[0].pixels = [800]: must be two whole numbers; use [across, down]");
+  EXPECT_EQ(faults_of(camera + "look_at = [0, 0, 0]\npixels = [80.5, 60]\n"),
+            "slab.toml:11: camera[0].pixels = [80.5, 60]: must be two whole numbers; use [across, down]");
+}
+
+TEST(ReadCamera, RefusesSamplesThatFillNoSquare) {
+  EXPECT_EQ(faults_of(camera + "look_at = [0, 0, 0]\nsamples = 3\n"),
+            "slab.toml:11: camera[0].samples = 3: is not known (did you mean \"36\"?); use 1, 4, 9, 16, 25, "
+            "36, 49 or 64");
+}
+
+TEST(ReadCamera, RefusesATone) {
+  EXPECT_EQ(faults_of(camera + "look_at = [0, 0, 0]\ntone = \"reinhart\"\n"),
+            "slab.toml:11: camera[0].tone = \"reinhart\": is not known (did you mean \"reinhard\"?); use "
+            "\"linear\", \"reinhard\" or \"aces\"");
+}
+
+TEST(ReadCamera, NeedsNamesThatNameFilesAndDiffer) {
+  EXPECT_EQ(faults_of(cube + "[[camera]]\nname = \"a/b\"\nposition = [0, 0, 0]\nlook_at = [1, 0, 0]\n"),
+            "slab.toml:8: camera[0].name = \"a/b\": cannot name a file; use letters, digits, - and _");
+  const std::string one = "[[camera]]\nname = \"a\"\nposition = [0, 0, 0]\nlook_at = [1, 0, 0]\n";
+  EXPECT_EQ(faults_of(cube + one + one),
+            "slab.toml:12: camera[1].name = \"a\": another camera has this name; give each its own");
+}
+
+TEST(ReadCamera, NeedsAPlaceAndAnAim) {
+  EXPECT_EQ(faults_of(cube + "[[camera]]\nname = \"a\"\n"),
+            "slab.toml:7: camera[0].position: missing; a list of three numbers\n"
+            "slab.toml:7: camera[0].look_at: missing; a list of three numbers");
+}
+
+}  // namespace
+}  // namespace etendue

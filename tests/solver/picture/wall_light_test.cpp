@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/picture/wall_light.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "tests/solver/ordinates/sample_problems.h"
+
+namespace etendue {
+namespace {
+
+TEST(WallLight, KeepsAnIrradianceThatIsLinearOnEachSide) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 1, 0, 0), uniform_wall(1, 0, 0.5, 0));
+  const LightSetup lights(problem);
+  const auto exact = [&](FaceIndex face, const Vec3& p) {
+    return 1 + 2 * p.x() + 3 * p.y() - p.z() + 10 * mesh.wall(face);
+  };
+  SavedState state;
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    for (const std::int32_t v : mesh.vertices(FaceIndex(f)))
+      state.irradiance.push_back(exact(FaceIndex(f), mesh.point(VertexIndex(v))));
+  const WallLight walls(lights, directions_ldfe_sq(1), state, 3);
+  for (std::size_t i = 0; i < state.irradiance.size(); ++i)
+    EXPECT_NEAR(walls.joined_irradiance()[i], state.irradiance[i], 1e-12);
+}
+
+TEST(WallLight, IsContinuousOnASide) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 1, 0, 0), uniform_wall(1, 0, 0.5, 0));
+  const LightSetup lights(problem);
+  SavedState state;
+  state.irradiance.resize(static_cast<std::size_t>(mesh.boundary_face_count()) * 3);
+  for (std::size_t i = 0; i < state.irradiance.size(); ++i)
+    state.irradiance[i] = 1 + static_cast<double>(i * 7919 % 13);
+  const WallLight walls(lights, directions_ldfe_sq(1), state, 3);
+  std::map<std::pair<int, int>, double> seen;
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::pair place(mesh.wall(FaceIndex(f)), mesh.vertices(FaceIndex(f))[i]);
+      const double value = walls.joined_irradiance()[static_cast<std::size_t>(f) * 3 + i];
+      EXPECT_NEAR(seen.try_emplace(place, value).first->second, value, 1e-12);
+    }
+}
+
+// A lamp of point size: E = I cos/r^2.
+TEST(WallLight, SendsBackTheLightOfALampExactly) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  PointLight lamp;
+  lamp.position = {0.4, 0.55, 0.6};
+  lamp.power = {4 * std::numbers::pi};
+  std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0.5, 0));
+  for (std::size_t w = 0; w < walls.size(); ++w) walls[w].name = mesh.wall_names()[w];
+  Medium air = uniform_medium(1, 0.7, 0, 0);
+  const Problem problem(mesh, {}, {air}, walls, AngularSpace::sphere, {{"lamp", lamp, {}}});
+  const LightSetup lights(problem);
+  SavedState state;
+  state.irradiance.resize(static_cast<std::size_t>(mesh.boundary_face_count()) * 3);
+  const WallLight wall_light(lights, directions_ldfe_sq(1), state, 3);
+  LightBeams beams(1);
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const Vec3 point = mesh.centroid(face), way = point - lamp.position;
+    const double expected = mesh.area_normal(face).normalized().dot(way) / std::pow(way.norm(), 3) *
+                            std::exp(-0.7 * way.norm()) * 0.5 / std::numbers::pi;
+    std::vector<double> radiance(1, 0);
+    wall_light.add_reflected(face, point, beams, radiance);
+    EXPECT_NEAR(radiance[0], expected, 1e-9 * expected);
+  }
+}
+
+}  // namespace
+}  // namespace etendue
