@@ -18,6 +18,15 @@ int axis_of(const Vec3& normal) {
   return -1;
 }
 
+unsigned octant(const Vec3& direction) {
+  return (direction.x() < 0 ? 1U : 0U) | (direction.y() < 0 ? 2U : 0U) | (direction.z() < 0 ? 4U : 0U);
+}
+
+/// Batches decide the order of sums, so they must not depend on the number of threads: small enough to share
+/// a small set among a few threads, large enough that adding up batches and reading the moments of angular
+/// cells, once for each batch, cost little.
+std::int32_t ordinates_per_batch(int ordinates) { return ordinates <= 32 ? 8 : ordinates <= 128 ? 16 : 32; }
+
 /// What ordinates become at mirrors across some axes, and their opposites, which share their sweep order.
 class Orbits {
  public:
@@ -59,24 +68,34 @@ class Orbits {
 
 }  // namespace
 
-OrdinateSchedule::OrdinateSchedule(const Problem& problem, const DirectionSet& directions, std::int32_t batch)
-    : batch_(batch) {
+OrdinateSchedule::OrdinateSchedule(const Problem& problem, const DirectionSet& directions)
+    : batch_(ordinates_per_batch(directions.count())) {
   find_axes(problem);
   ordinates_.resize(static_cast<std::size_t>(directions.count()));
   std::iota(ordinates_.begin(), ordinates_.end(), 0);
-  if (later_ == std::array<int, 3>{}) return;
-  ordinates_.clear();
-  const Orbits orbits(directions, later_);
-  for (const auto& orbit : orbits.orbits()) ordinates_.insert(ordinates_.end(), orbit.begin(), orbit.end());
-  const auto size = static_cast<std::size_t>(batch);
-  for (std::size_t first = 0; first < ordinates_.size(); first += size) {
-    const std::size_t end = std::min(ordinates_.size(), first + size);
-    std::stable_sort(ordinates_.begin() + static_cast<std::ptrdiff_t>(first),
-                     ordinates_.begin() + static_cast<std::ptrdiff_t>(end),
+  if (later_ != std::array<int, 3>{}) {
+    ordinates_.clear();
+    const Orbits orbits(directions, later_);
+    for (const auto& orbit : orbits.orbits()) ordinates_.insert(ordinates_.end(), orbit.begin(), orbit.end());
+  }
+  for (std::int32_t batch = 0; batch < batch_count(); ++batch)
+    std::stable_sort(ordinates_.begin() + batch * batch_, ordinates_.begin() + batch_end(batch),
                      [&](std::int32_t a, std::int32_t b) {
-                       return turns(directions.direction(OrdinateIndex(a))) <
-                              turns(directions.direction(OrdinateIndex(b)));
+                       const Vec3& left = directions.direction(OrdinateIndex(a));
+                       const Vec3& right = directions.direction(OrdinateIndex(b));
+                       return std::pair(turns(left), octant(left)) < std::pair(turns(right), octant(right));
                      });
+  find_groups(directions);
+}
+
+void OrdinateSchedule::find_groups(const DirectionSet& directions) {
+  group_end_.resize(ordinates_.size());
+  for (std::int32_t first = 0, end = 0; first < place_count(); first = end) {
+    const std::int32_t most = std::min(batch_end(first / batch_), first + largest_group);
+    while (end < most &&
+           octant(directions.direction(ordinate(end))) == octant(directions.direction(ordinate(first))))
+      ++end;
+    std::fill(group_end_.begin() + first, group_end_.begin() + end, end);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -10,27 +11,39 @@
 
 namespace etendue {
 
+/// The most ordinates of a group.
+inline constexpr std::int32_t largest_group = 8;
+
 /// The order in which a sweep takes the ordinates, batch by batch. Among mirrors across the axes a batch
 /// holds all that its ordinates become there, and takes first those whose reflections others wait for: so one
 /// mirror, or mirrors at right angles, need nothing from the last sweep, and of two that face each other only
-/// one does (Warsa, Wareing and Morel 2004 lag both). Elsewhere the ordinates come in their own order.
+/// one does (Warsa, Wareing and Morel 2004 lag both). Within a batch the ordinates of one octant stand
+/// together, in groups that go through the mesh tile by tile at the same time.
 class OrdinateSchedule {
  public:
-  OrdinateSchedule(const Problem& problem, const DirectionSet& directions, std::int32_t batch);
+  OrdinateSchedule(const Problem& problem, const DirectionSet& directions);
 
   OrdinateIndex ordinate(std::int32_t place) const {
     return OrdinateIndex(ordinates_[static_cast<std::size_t>(place)]);
   }
-  std::int32_t batch() const { return batch_; }  ///< ordinates of one batch
+  std::int32_t batch() const { return batch_; }  ///< ordinates of one batch, but for the last
+  std::int32_t batch_count() const { return (place_count() + batch_ - 1) / batch_; }
+  std::int32_t place_count() const { return static_cast<std::int32_t>(ordinates_.size()); }
+  /// The place behind the last of a batch.
+  std::int32_t batch_end(std::int32_t batch) const { return std::min(place_count(), (batch + 1) * batch_); }
+  /// The place behind the last of the group that begins at `place`.
+  std::int32_t group_end(std::int32_t place) const { return group_end_[static_cast<std::size_t>(place)]; }
   /// Whether an ordinate comes after those that a mirror with this normal, out of the domain, turns into it.
   bool knows_reflections(const Vec3& normal) const;
 
  private:
   void find_axes(const Problem& problem);
+  void find_groups(const DirectionSet& directions);
   int turns(const Vec3& direction) const;
 
   std::int32_t batch_;
   std::vector<std::int32_t> ordinates_;  ///< [place]
+  std::vector<std::int32_t> group_end_;  ///< [place]
   /// [axis] the sign of the component of ordinates that come after their mirror images; 0: there is no
   /// mirror.
   std::array<int, 3> later_{};

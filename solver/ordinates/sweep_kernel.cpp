@@ -22,13 +22,20 @@ enum class Angular { absent, present };
 enum class Flux { skip, add };
 enum class Sign { free, positive };
 
+template <int Write>
+ETENDUE_KERNEL_INLINE void prefetch_lines(const double* from, std::size_t length) {
+  for (std::size_t i = 0; i < length; i += 8) __builtin_prefetch(from + i, Write);
+}
+
+/// `length` is that of a cell's radiance.
 ETENDUE_KERNEL_INLINE void prefetch_cell(const SweepTask& task, const SweepVisit& visit,
                                          std::size_t record_length, std::size_t length) {
   const std::size_t cell = visited_cell(visit);
-  const double* record = task.records + cell * record_length;
-  const double* fluence = task.fluence + cell * length;
-  for (std::size_t i = 0; i < record_length; i += 8) __builtin_prefetch(record + i, 0);
-  for (std::size_t i = 0; i < length; i += 8) __builtin_prefetch(fluence + i, 1);
+  prefetch_lines<0>(task.records + cell * record_length, record_length);
+  prefetch_lines<1>(task.fluence + cell * length, length);
+  prefetch_lines<1>(task.slots + visit.slot * length, length);
+  ETENDUE_UNROLL
+  for (int f = 0; f < 4; ++f) prefetch_lines<0>(task.slots + unpacked(visit.faces[f]).slot * length, length);
 }
 
 /// Gives values that are not all positive a sign, and writes that down.
@@ -292,6 +299,7 @@ ETENDUE_KERNEL_INLINE void sweep_cells(SweepTask task) {
   const std::size_t length = static_cast<std::size_t>(nodes_per_cell(basis) * task.stride);
   SweepVisit idle;
   idle.cell_and_parallel = task.idle_cell;
+  const std::int32_t begin = task.levels[0];
   const std::int32_t end = task.levels[task.level_count];
   for (std::int32_t l = 0; l < task.level_count; ++l) {
     const std::int32_t level = task.backwards ? task.level_count - 1 - l : l;
@@ -301,7 +309,7 @@ ETENDUE_KERNEL_INLINE void sweep_cells(SweepTask task) {
       const std::int32_t count = level_end - level_begin - done < C ? level_end - level_begin - done : C;
       const std::int32_t position = task.backwards ? level_end - done - count : level_begin + done;
       const std::int32_t ahead = position + (task.backwards ? -prefetch_distance : prefetch_distance);
-      if (ahead >= 0 && ahead + C <= end) ETENDUE_UNROLL
+      if (ahead >= begin && ahead + C <= end) ETENDUE_UNROLL
       for (int j = 0; j < C; ++j) prefetch_cell(task, task.visits[ahead + j], layout.length, length);
       const SweepVisit* visits = task.visits + position;
       SweepVisit filled[C];

@@ -25,7 +25,7 @@ struct FixupCensus {
 /// end, for the idle cell that fills up incomplete packets (its record has a mass and nothing else).
 struct SweepTask {
   const SweepVisit* visits = nullptr;    ///< [position]
-  const std::int32_t* levels = nullptr;  ///< [level + 1] first position, and the end
+  const std::int32_t* levels = nullptr;  ///< [level + 1] first position, and the end, of the levels to sweep
   std::int32_t level_count = 0;
   std::uint32_t idle_cell = 0;  ///< the number of cells
   bool backwards = false;       ///< walk the positions from the last to the first

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
 
 #include "solver/ordinates/cycle_breaking.h"
+#include "solver/ordinates/ready_cells.h"
 
 namespace etendue {
 namespace {
@@ -14,6 +16,9 @@ constexpr std::uint32_t all_faces = 0xf;
 
 /// Cells ahead whose surroundings are asked for.
 constexpr std::size_t prefetch_distance = 8;
+
+/// Cells of the largest packet that a kernel works on.
+constexpr std::size_t largest_packet = 8;
 
 /// Which way light passes through a face: from its owner, into its owner, or not at all.
 enum class Passage : signed char { into_owner = -1, none = 0, from_owner = 1 };
@@ -32,37 +37,6 @@ std::vector<Passage> passages(const TetrahedralMesh& mesh, const Vec3& direction
 struct CellPassage {
   std::uint8_t leaving = 0;   ///< light leaves there for a cell that waits for it
   std::uint8_t parallel = 0;  ///< nothing passes
-};
-
-/// Cells that become ready together, given back in the order of their numbers: along the space-filling curve,
-/// so that neighbours in the order are neighbours in memory.
-class ReadyCells {
- public:
-  explicit ReadyCells(std::size_t cells) : bits_(cells / 64 + 2), first_(bits_.size() - 1) {}
-
-  /// Where `is_ready`: no branch, because no branch could be predicted.
-  void add(std::uint32_t cell, bool is_ready) {
-    const std::size_t word = is_ready ? cell / 64 : first_;
-    bits_[word] |= std::uint64_t{is_ready} << (cell % 64);
-    first_ = std::min(first_, word);
-    last_ = std::max(last_, word + (is_ready ? 1 : 0));
-  }
-
-  /// Puts them into `cells` and forgets them.
-  void move_to(std::vector<std::uint32_t>& cells) {
-    cells.clear();
-    for (std::size_t word = first_; word < last_; ++word)
-      for (std::uint64_t& bits = bits_[word]; bits != 0; bits &= bits - 1)
-        cells.push_back(static_cast<std::uint32_t>(64 * word) +
-                        static_cast<std::uint32_t>(std::countr_zero(bits)));
-    first_ = bits_.size() - 1;
-    last_ = 0;
-  }
-
- private:
-  std::vector<std::uint64_t> bits_;
-  std::size_t first_;
-  std::size_t last_ = 0;
 };
 
 /// Walks the cells in levels, each of which needs only those before it, and gives each cell a slot. A slot is
@@ -105,25 +79,28 @@ class OrderedWalk {
   }
 
   /// Fewer visits than cells where cycles are left.
-  void run(SweepOrder& order) {
+  void run(const SweepTiles& tiles, const Vec3& direction, SweepOrder& order) {
     order.visits.clear();
     order.levels.assign(1, 0);
+    order.steps.assign(1, 0);
     order.visits.reserve(waiting_.size());
     free_count_ = waiting_.size();
     free_.resize(free_count_ + 1);
     for (std::size_t i = 0; i < free_count_; ++i)
       free_[i] = first_recycled_ + static_cast<std::uint32_t>(free_count_ - 1 - i);
-    std::vector<std::uint32_t> level;
-    ReadyCells ready(waiting_.size());
+    ReadyCells ready(waiting_.size(), tiles, direction);
     for (std::size_t c = 0; c < waiting_.size(); ++c)
       ready.add(static_cast<std::uint32_t>(c), waiting_[c] == 0);
-    for (ready.move_to(level); !level.empty(); ready.move_to(level)) {
-      for (std::size_t i = 0; i < level.size(); ++i) {
-        if (i + prefetch_distance < level.size())
-          __builtin_prefetch(&graph_.cells()[level[i + prefetch_distance]]);
-        visit(level[i], order.visits.emplace_back(), ready);
+    std::vector<std::uint32_t> level;
+    while (ready.open_next()) {
+      for (ready.move_to(level); !level.empty(); ready.move_to(level)) {
+        // What would not fill the last packet waits for the next level.
+        const std::size_t size =
+            level.size() < largest_packet ? level.size() : level.size() / largest_packet * largest_packet;
+        visit_level(std::span(level).first(size), order, ready);
+        level.erase(level.begin(), level.begin() + static_cast<std::ptrdiff_t>(size));
       }
-      order.levels.push_back(static_cast<std::int32_t>(order.visits.size()));
+      order.steps.push_back(static_cast<std::int32_t>(order.levels.size()) - 1);
     }
     order.slot_count = first_recycled_;
     for (const SweepVisit& visit : order.visits)
@@ -133,6 +110,15 @@ class OrderedWalk {
   bool is_waiting(std::int32_t cell) const { return waiting_[static_cast<std::size_t>(cell)] > 0; }
 
  private:
+  void visit_level(std::span<const std::uint32_t> level, SweepOrder& order, ReadyCells& ready) {
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      if (i + prefetch_distance < level.size())
+        __builtin_prefetch(&graph_.cells()[level[i + prefetch_distance]]);
+      visit(level[i], order.visits.emplace_back(), ready);
+    }
+    order.levels.push_back(static_cast<std::int32_t>(order.visits.size()));
+  }
+
   void visit(std::uint32_t c, SweepVisit& result, ReadyCells& ready) {
     const SweepGraph::Cell& cell = graph_.cells()[c];
     const CellPassage passage = passage_[c];
@@ -209,13 +195,13 @@ LaggedFace lagged_face(const TetrahedralMesh& mesh, FaceIndex face, Passage pass
 
 }  // namespace
 
-SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction) {
+SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction, const SweepTiles& tiles) {
   const TetrahedralMesh& mesh = graph.mesh();
   SweepOrder order;
   const std::vector<Passage> passage = passages(mesh, direction);
   std::vector<char> lagged;
   OrderedWalk walk(graph, passage, lagged);
-  walk.run(order);
+  walk.run(tiles, direction, order);
   if (order.visits.size() == static_cast<std::size_t>(mesh.cell_count())) return order;
   const std::vector<std::int32_t> faces = faces_to_lag(mesh, direction, passage, walk);
   lagged.assign(passage.size(), 0);
@@ -223,7 +209,7 @@ SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction) {
   OrderedWalk again(graph, passage, lagged);
   for (const std::int32_t f : faces)
     order.lagged.push_back(lagged_face(mesh, FaceIndex(f), passage[static_cast<std::size_t>(f)], again));
-  again.run(order);
+  again.run(tiles, direction, order);
   return order;
 }
 

@@ -7,6 +7,7 @@
 
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 #include "solver/ordinates/sweep_graph.h"
+#include "solver/ordinates/sweep_tiles.h"
 
 namespace etendue {
 
@@ -24,6 +25,7 @@ struct LaggedFace {
 struct SweepOrder {
   std::vector<SweepVisit> visits;    ///< [position]
   std::vector<std::int32_t> levels;  ///< first position of each level of independent cells, and the end
+  std::vector<std::int32_t> steps;   ///< first level of each step, in which one tile is opened, and the end
   std::vector<LaggedFace> lagged;
   std::uint32_t slot_count = 0;
 };
@@ -38,8 +40,9 @@ inline double seen_area(const Vec3& area_normal, const Vec3& direction) {
   return a * a < parallel_cosine * parallel_cosine * area_normal.squaredNorm() ? 0 : a;
 }
 
-/// The order for one direction. Every cell stands behind all cells that send light into it, but for lagged
-/// faces (Tarjan's components, then a greedy feedback arc set; none is expected on Delaunay meshes).
-SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction);
+/// The order for one direction. Every cell stands behind all cells that
+/// send light into it, but for lagged faces (Tarjan's components, then a greedy feedback arc set; none is
+/// expected on Delaunay meshes).
+SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction, const SweepTiles& tiles);
 
 }  // namespace etendue

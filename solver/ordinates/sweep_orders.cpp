@@ -5,9 +5,12 @@
 
 namespace etendue {
 
-SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t bytes,
-                         int threads)
-    : graph_(mesh), directions_(directions), orders_(static_cast<std::size_t>(directions.count() / 2)) {
+SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t cell_bytes,
+                         std::size_t bytes, int threads)
+    : graph_(mesh),
+      tiles_(mesh, cells_per_tile(cell_bytes)),
+      directions_(directions),
+      orders_(static_cast<std::size_t>(directions.count() / 2)) {
   const auto pairs = static_cast<std::int32_t>(orders_.size());
   // All orders of a mesh are about as large: which are kept is decided beforehand, by their number.
   const std::size_t one = static_cast<std::size_t>(mesh.cell_count()) * sizeof(SweepVisit);
@@ -17,7 +20,8 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
   for (std::int32_t pair = 0; pair < pairs; ++pair) {
     const auto p = static_cast<std::size_t>(pair);
-    SweepOrder order = make_sweep_order(graph_, directions.direction(OrdinateIndex(std::int64_t{2} * pair)));
+    SweepOrder order =
+        make_sweep_order(graph_, directions.direction(OrdinateIndex(std::int64_t{2} * pair)), tiles_);
     lagged[p] = order.lagged.size();
     slots[p] = order.slot_count;
     if (pair < kept_count_) orders_[p] = std::move(order);
@@ -30,7 +34,7 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
 const SweepOrder& SweepOrders::of_pair(std::int32_t pair, SweepOrder& scratch) const {
   const auto& kept = orders_[static_cast<std::size_t>(pair)];
   if (kept) return *kept;
-  scratch = make_sweep_order(graph_, directions_.direction(OrdinateIndex(std::int64_t{2} * pair)));
+  scratch = make_sweep_order(graph_, directions_.direction(OrdinateIndex(std::int64_t{2} * pair)), tiles_);
   return scratch;
 }
 

@@ -15,8 +15,10 @@ namespace etendue {
 /// the memory that is allowed; the others are made again whenever they are needed.
 class SweepOrders {
  public:
-  /// The arguments must outlive it. `bytes` bounds what is kept.
-  SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t bytes, int threads);
+  /// The arguments must outlive it. `cell_bytes` is what a visit reads and writes of one cell, and `bytes`
+  /// bounds what is kept.
+  SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t cell_bytes,
+              std::size_t bytes, int threads);
 
   /// The order of ordinate 2 `pair`; 2 `pair` + 1 walks it backwards. `scratch` holds it if it was not kept.
   const SweepOrder& of_pair(std::int32_t pair, SweepOrder& scratch) const;
@@ -30,10 +32,13 @@ class SweepOrders {
   std::size_t lagged_start(std::int32_t pair) const { return lagged_start_[static_cast<std::size_t>(pair)]; }
   std::size_t lagged_total() const { return lagged_start_.back(); }
   std::uint32_t largest_slot_count() const { return largest_slot_count_; }
+  /// Steps of every order: tiles.
+  std::int32_t step_count() const { return tiles_.count(); }
   const WallSlots& walls() const { return graph_.walls(); }
 
  private:
   SweepGraph graph_;
+  SweepTiles tiles_;
   const DirectionSet& directions_;
   std::vector<std::optional<SweepOrder>> orders_;
   std::vector<std::size_t> lagged_start_;

@@ -9,12 +9,10 @@
 #include <numeric>
 
 #include "solver/ordinates/processor_timer.h"
+#include "solver/ordinates/sweep_workspace.h"
 
 namespace etendue {
 namespace {
-
-/// The largest of ordinates_per_batch.
-constexpr std::int32_t largest_batch = 32;
 
 /// Visits of cells in a batch from which on threads share the batches.
 constexpr std::int64_t smallest_shared_batch = 4096;
@@ -35,34 +33,16 @@ Basis basis_of(const SolveOptions& options) {
 }
 
 SweepOrders timed_orders(const TetrahedralMesh& mesh, const DirectionSet& directions,
-                         const SolveOptions& options, int threads, double& seconds) {
+                         const CellCoefficients& cells, const SolveOptions& options, int threads,
+                         double& seconds) {
   const auto start = std::chrono::steady_clock::now();
-  SweepOrders orders(mesh, directions, options.order_memory, threads);
+  const std::size_t cell_bytes = (cells.layout().length + cells.cell_length()) * sizeof(double);
+  SweepOrders orders(mesh, directions, cell_bytes, options.order_memory, threads);
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return orders;
 }
 
 }  // namespace
-
-std::int32_t ordinates_per_batch(int ordinates) {
-  return ordinates <= 32 ? 8 : ordinates <= 128 ? 16 : largest_batch;
-}
-
-/// What one thread needs while it sweeps a batch; sums are zero between batches.
-struct TransportSweep::Workspace {
-  AlignedArray radiance;  ///< of `slots`
-  SweepSlots slots;
-  AlignedArray fluence;  ///< [cell + 1][node][stride]
-  AlignedArray irradiance;
-  AlignedArray angular;  ///< [ordinate of the batch][1 + row][node][stride]
-  AlignedArray net_flux;
-  AlignedArray exitance;
-  AlignedArray whole;  ///< [1 + cell][node][stride] of an ordinate that is kept
-  std::vector<double> meters;
-  std::vector<double> absorbed;
-  AlignedArray records;  ///< as those of the sweep, with the mass of one ordinate where it depends on it
-  SweepOrder scratch_order;
-};
 
 TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& directions,
                                std::span<const double> extinction, const SolveOptions& options)
@@ -76,30 +56,33 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
       dense_groups_(dense_groups(problem, directions, plan_)),
       cells_(problem.mesh(), effective_extinction(problem, extinction, plan_, dense_groups_),
              problem.band_count(), basis_of(options), options.lumping),
-      schedule_(problem, directions, ordinates_per_batch(directions.count())),
+      schedule_(problem, directions),
       scattering_(problem, directions, cells_, plan_, schedule_, observed_cells()),
       dense_(problem, directions, cells_, extinction, plan_, dense_groups_),
-      orders_(timed_orders(problem.mesh(), directions, options, threads_, order_seconds_)),
+      orders_(timed_orders(problem.mesh(), directions, cells_, options, threads_, order_seconds_)),
       walls_(problem, directions, schedule_, orders_.walls(), cells_.stride(), cells_.face_nodes()),
       kernels_(choose_kernels(cells_.basis(), cells_.stride())),
       records_(cells_.make_records()),
       inflow_(walls_.irradiance_size()),
       passing_(walls_.passing_size()),
       moment_source_(scattering_.moments_size()) {
-  threads_ = std::min(threads_, static_cast<int>(batch_count()));
+  threads_ = std::min(threads_, schedule_.batch_count());
   // Where a batch is done in less time than threads need to meet, one is faster.
-  if (std::int64_t{problem.mesh().cell_count()} * ordinates_per_batch(directions.count()) <
-      smallest_shared_batch)
-    threads_ = 1;
+  if (std::int64_t{problem.mesh().cell_count()} * schedule_.batch() < smallest_shared_batch) threads_ = 1;
   const std::size_t rows = scattering_.row_count() > 0 ? scattering_.row_count() + 1 : 0;
   for (int t = 0; t < threads_; ++t) {
     auto work = std::make_unique<Workspace>();
-    work->radiance = AlignedArray(orders_.largest_slot_count() * cells_.cell_length());
-    work->slots = {work->radiance.data(), cells_.cell_length(), static_cast<std::size_t>(cells_.stride())};
+    const std::size_t members = static_cast<std::size_t>(largest_group);
+    const std::size_t slots_length = orders_.largest_slot_count() * cells_.cell_length();
+    work->radiance = AlignedArray(members * slots_length);
+    work->members.resize(members);
+    for (std::size_t i = 0; i < members; ++i)
+      work->members[i].slots = {work->radiance.data() + i * slots_length, cells_.cell_length(),
+                                static_cast<std::size_t>(cells_.stride())};
     work->fluence = AlignedArray(fluence_size() + cells_.cell_length());
     work->irradiance = AlignedArray(walls_.irradiance_size());
-    work->angular = AlignedArray(static_cast<std::size_t>(ordinates_per_batch(directions.count())) * rows *
-                                 scattering_.row_length());
+    work->angular =
+        AlignedArray(static_cast<std::size_t>(schedule_.batch()) * rows * scattering_.row_length());
     if (!dense_.empty()) work->records = AlignedArray(records_.size());
     workspaces_.push_back(std::move(work));
   }
@@ -114,11 +97,6 @@ std::vector<CellIndex> TransportSweep::observed_cells() const {
   for (const IrradianceMeter& meter : meters_)
     for (const CellPoint& point : meter.cells) cells.push_back(point.cell);
   return cells;
-}
-
-std::int32_t TransportSweep::batch_count() const {
-  const std::int32_t size = ordinates_per_batch(directions_.count());
-  return (directions_.count() + size - 1) / size;
 }
 
 std::size_t TransportSweep::fluence_size() const {
@@ -207,8 +185,10 @@ void TransportSweep::sweep_source(const TransportState& last, TransportState& ne
       if (!keep_ordinates_.empty()) work->whole = AlignedArray(fluence_size() + scattering_.row_length());
     }
   }
-  for (std::int32_t first = 0; first < batch_count(); first += threads_) {
-    const int batches = std::min(threads_, static_cast<int>(batch_count() - first));
+  for (auto& work : workspaces_)
+    for (Workspace::Member& member : work->members) member.is_filled = false;
+  for (std::int32_t first = 0; first < schedule_.batch_count(); first += threads_) {
+    const int batches = std::min(threads_, schedule_.batch_count() - first);
 #pragma omp parallel for schedule(static, 1) num_threads(batches)
     for (int t = 0; t < batches; ++t) {
       const ProcessorTimer timer(processor_seconds_);
@@ -219,109 +199,6 @@ void TransportSweep::sweep_source(const TransportState& last, TransportState& ne
   if (record != nullptr)
     for (auto& work : workspaces_) work->net_flux = work->exitance = work->whole = AlignedArray();
   ++sweep_count_;
-}
-
-void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last, TransportState& next,
-                                 SweepRecord* record, Workspace& work) {
-  const std::int32_t size = ordinates_per_batch(directions_.count());
-  const std::int32_t first = batch * size;
-  const std::int32_t end = std::min(directions_.count(), first + size);
-  const std::size_t angular_length = (scattering_.row_count() + 1) * scattering_.row_length();
-  const auto angular_of = [&](std::int32_t place) {
-    return work.angular.size() == 0
-               ? nullptr
-               : work.angular.data() + static_cast<std::size_t>(place - first) * angular_length;
-  };
-  if (scattering_.row_count() > 0) {
-    std::vector<double*> rows;
-    for (std::int32_t place = first; place < end; ++place)
-      rows.push_back(angular_of(place) + scattering_.row_length());
-    MomentTask task;
-    task.row_length = scattering_.row_length();
-    task.moments = scattering_.moment_count();
-    task.directions = end - first;
-    task.matrix = scattering_.evaluation(first);
-    task.moment_rows = moment_source_.data();
-    task.direction_rows = rows.data();
-    task.last_row = scattering_.row_count();
-    kernels_.moments_to_directions(task);
-    const bool shines = angular_input_ != nullptr && emission_ == Emission::included;
-    for (std::int32_t place = first; !dense_.empty() && place < end; ++place)
-      dense_.add_source(schedule_.ordinate(place), scattering_.index(), angular_of(place));
-    for (std::int32_t place = first; shines && place < end; ++place)
-      add_angular_source(schedule_.ordinate(place), angular_of(place));
-  }
-  std::int32_t pair = -1;
-  const SweepOrder* order = nullptr;
-  for (std::int32_t place = first; place < end; ++place) {
-    if (const std::int32_t wanted = schedule_.ordinate(place).value() / 2; wanted != pair)
-      order = &orders_.of_pair(pair = wanted, work.scratch_order);
-    sweep_ordinate(place, *order, last, next, record, angular_of(place), work);
-  }
-}
-
-void TransportSweep::sweep_ordinate(std::int32_t place, const SweepOrder& order, const TransportState& last,
-                                    TransportState& next, SweepRecord* record, double* angular,
-                                    Workspace& work) {
-  const OrdinateIndex m = schedule_.ordinate(place);
-  // What comes in by direction is added to the slots, which then have to be filled again.
-  const bool shines = angular_input_ != nullptr && emission_ == Emission::included;
-  if (shines || place % schedule_.batch() == 0) walls_.fill(inflow_.span(), work.slots);
-  walls_.reflect(m, last, passing_.span(), inflow_.span(), work.slots);
-  if (record != nullptr) walls_.add_exitance(m, work.slots, work.exitance.span());
-  if (shines) add_angular_inflow(m, work.slots, work.exitance.span());
-  set_lagged(m, order, last, work.slots);
-  run_kernel(m, order, record, angular, work);
-  if (!dense_.empty()) dense_.keep_radiance(m, scattering_.index(), angular, next);
-  if (record != nullptr && dense_.absorbs_by_direction())
-    dense_.add_absorbed(m, scattering_.index(), angular, work.absorbed);
-  walls_.receive(m, work.slots, record != nullptr ? TakeUp::all : TakeUp::reflecting, work.irradiance.span(),
-                 next.mirrors(), passing_.span());
-  keep_lagged(m, order, next, work.slots);
-  if (record != nullptr && !meters_.empty()) read_meters(m, angular, work.meters);
-}
-
-void TransportSweep::call_kernel(const SweepTask& task) const {
-  if (task.census != nullptr) {
-    kernels_.sweep_positive(task);
-  } else {
-    kernels_.sweep(task);
-  }
-}
-
-void TransportSweep::run_kernel(OrdinateIndex m, const SweepOrder& order, SweepRecord* record,
-                                double* angular, Workspace& work) {
-  SweepTask task;
-  task.visits = order.visits.data();
-  task.levels = order.levels.data();
-  task.level_count = static_cast<std::int32_t>(order.levels.size()) - 1;
-  task.idle_cell = static_cast<std::uint32_t>(problem_.mesh().cell_count());
-  task.backwards = m.value() % 2 == 1;
-  for (int axis = 0; axis < 3; ++axis) task.direction[axis] = directions_.direction(m)[axis];
-  task.weight = directions_.weight(m);
-  task.stride = cells_.stride();
-  task.records = records_.data();
-  if (!dense_.empty()) {
-    dense_.set_mass(m, work.records.data());
-    task.records = work.records.data();
-  }
-  task.slots = work.radiance.data();
-  task.fluence = work.fluence.data();
-  task.angular_index = scattering_.index();
-  task.angular = angular;
-  task.net_flux = record != nullptr ? work.net_flux.data() : nullptr;
-  if (!census_.empty() && emission_ == Emission::included) {
-    task.volumes = problem_.mesh().volumes().data();
-    task.fixup = fixup_;
-    task.census = &census_[m.at() * static_cast<std::size_t>(cells_.stride())];
-  }
-  const auto kept = std::find(keep_ordinates_.begin(), keep_ordinates_.end(), m.value());
-  if (record == nullptr || kept == keep_ordinates_.end()) {
-    call_kernel(task);
-    return;
-  }
-  sweep_and_keep(task, record->radiance[static_cast<std::size_t>(kept - keep_ordinates_.begin())],
-                 work.whole.span());
 }
 
 void TransportSweep::merge(std::int32_t first_batch, int batches, TransportState& next, SweepRecord* record) {
@@ -364,19 +241,14 @@ void TransportSweep::merge_cells(std::int32_t first, std::int32_t last, int batc
 
 void TransportSweep::merge_moments(std::size_t first, std::size_t last, std::int32_t batch, Workspace& work,
                                    TransportState& next) const {
-  const std::int32_t size = ordinates_per_batch(directions_.count());
-  const std::int32_t first_place = batch * size;
-  const std::size_t length = scattering_.row_length();
+  const std::vector<double*> rows = angular_rows(batch, work);
   MomentTask task;
-  task.row_length = length;
+  task.row_length = scattering_.row_length();
   task.moments = scattering_.moment_count();
-  task.directions = std::min(directions_.count() - first_place, size);
-  task.matrix = scattering_.integration(first_place);
+  task.directions = static_cast<int>(rows.size());
+  task.matrix = scattering_.integration(batch * schedule_.batch());
   task.moment_rows = next.moments().data();
-  double* rows[largest_batch];
-  for (std::size_t j = 0; j < static_cast<std::size_t>(task.directions); ++j)
-    rows[j] = work.angular.data() + j * (scattering_.row_count() + 1) * length + length;
-  task.direction_rows = rows;
+  task.direction_rows = rows.data();
   task.first_row = first;
   task.last_row = last;
   kernels_.directions_to_moments(task);

@@ -17,11 +17,6 @@
 
 namespace etendue {
 
-/// Ordinates of one batch. It decides the order of sums, so it must not depend on the number of threads:
-/// small enough to share a small set among a few threads, large enough that adding up batches and reading the
-/// moments of angular cells, once for each batch, cost little.
-std::int32_t ordinates_per_batch(int ordinates);
-
 /// What a sweep writes down beside the next state when it is asked to.
 struct SweepRecord {
   AlignedArray net_flux;  ///< [cell][3][node][stride] [power/length^2]
@@ -84,17 +79,23 @@ class TransportSweep {
 
  private:
   struct Workspace;
+  struct Passage;
 
   void sweep_all(const TransportState& last, TransportState& next, SweepRecord* record);
   void sweep_source(const TransportState& last, TransportState& next, SweepRecord* record);
   void form_source(const TransportState& last);
   void sweep_batch(std::int32_t batch, const TransportState& last, TransportState& next, SweepRecord* record,
                    Workspace& work);
-  void sweep_ordinate(std::int32_t place, const SweepOrder& order, const TransportState& last,
-                      TransportState& next, SweepRecord* record, double* angular, Workspace& work);
-  void run_kernel(OrdinateIndex m, const SweepOrder& order, SweepRecord* record, double* angular,
-                  Workspace& work);
-  void call_kernel(const SweepTask& task) const;
+  void form_angular_source(std::int32_t batch, Workspace& work);
+  void sweep_group(std::span<const Passage> group, const TransportState& last, TransportState& next,
+                   SweepRecord* record, Workspace& work);
+  void begin_passage(const Passage& passage, const TransportState& last, SweepRecord* record,
+                     Workspace& work);
+  SweepTask make_task(const Passage& passage, SweepRecord* record, Workspace& work);
+  void run_kernel(const SweepTask& task) const;
+  void run_alone(const Passage& passage, SweepRecord* record, Workspace& work);
+  void run_together(std::span<const Passage> group, SweepRecord* record, Workspace& work);
+  void end_passage(const Passage& passage, TransportState& next, SweepRecord* record, Workspace& work);
   void sweep_and_keep(SweepTask task, OrdinateRadiance& kept, std::span<double> whole_rows) const;
   void set_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
                   const SweepSlots& slots) const;
@@ -111,7 +112,10 @@ class TransportSweep {
   void merge_moments(std::size_t first, std::size_t last, std::int32_t batch, Workspace& work,
                      TransportState& next) const;
   std::vector<CellIndex> observed_cells() const;
-  std::int32_t batch_count() const;
+  /// Whether ordinates pass one after the other, because they share more than what visits add to.
+  bool pass_alone(const SweepRecord* record) const;
+  double* angular_at(std::int32_t place, Workspace& work) const;
+  std::vector<double*> angular_rows(std::int32_t batch, Workspace& work) const;
   std::size_t fluence_size() const;
 
   const Problem& problem_;

@@ -106,7 +106,7 @@ void TransportSweep::sweep_and_keep(SweepTask task, OrdinateRadiance& kept,
   }
   task.angular_index = all_cells_index_.data();
   task.angular = whole_rows.data();
-  call_kernel(task);
+  run_kernel(task);
   std::copy(whole, whole + fluence_size(), kept.values.begin());
   for (const std::int32_t cell : scattering_.angular_cells()) {
     const double* row = whole + static_cast<std::size_t>(cell) * length;

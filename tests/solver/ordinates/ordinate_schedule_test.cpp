@@ -29,19 +29,51 @@ std::vector<int> places(const OrdinateSchedule& schedule, int count) {
   return place_of;
 }
 
-TEST(OrdinateSchedule, KeepsTheOrderOfTheSetWithoutMirrors) {
+TEST(OrdinateSchedule, KeepsTheBatchesOfTheSetWithoutMirrors) {
   const TetrahedralMesh mesh = cube_mesh(0.1);
-  const OrdinateSchedule schedule(cube_with_mirrors(mesh, {}), directions_ldfe_sq(1), 16);
-  for (int place = 0; place < 96; ++place) EXPECT_EQ(schedule.ordinate(place).value(), place);
+  const OrdinateSchedule schedule(cube_with_mirrors(mesh, {}), directions_ldfe_sq(1));
+  EXPECT_EQ(schedule.batch(), 16);
+  EXPECT_EQ(schedule.batch_count(), 6);
+  for (int place = 0; place < 96; ++place) EXPECT_EQ(schedule.ordinate(place).value() / 16, place / 16);
   EXPECT_FALSE(schedule.knows_reflections(Vec3::UnitX()));
+}
+
+std::array<bool, 3> signs(const Vec3& direction) {
+  return {direction.x() < 0, direction.y() < 0, direction.z() < 0};
+}
+
+TEST(OrdinateSchedule, GroupsHoldOrdinatesOfOneOctantAndEveryOneOnce) {
+  const TetrahedralMesh mesh = cube_mesh(0.1);
+  for (const std::set<std::string>& mirrors : {std::set<std::string>{}, {"xmin", "zmax"}})
+    for (const DirectionSet& set :
+         {directions_product(8), directions_ldfe_sq(1), directions_level_symmetric(8)}) {
+      const OrdinateSchedule schedule(cube_with_mirrors(mesh, mirrors), set);
+      std::set<std::int32_t> seen;
+      for (std::int32_t first = 0; first < schedule.place_count(); first = schedule.group_end(first)) {
+        const std::int32_t end = schedule.group_end(first);
+        ASSERT_LT(first, end);
+        EXPECT_LE(end - first, largest_group);
+        EXPECT_EQ(first / schedule.batch(), (end - 1) / schedule.batch());
+        for (std::int32_t place = first; place < end; ++place) {
+          EXPECT_EQ(signs(set.direction(schedule.ordinate(place))),
+                    signs(set.direction(schedule.ordinate(first))));
+          seen.insert(schedule.ordinate(place).value());
+        }
+      }
+      EXPECT_EQ(seen.size(), static_cast<std::size_t>(set.count()));
+    }
+  // Sixteen pairs of an octant are two batches, each of them one group and its opposite.
+  const OrdinateSchedule schedule(cube_with_mirrors(mesh, {}), directions_product(8));
+  for (std::int32_t place = 0; place < 128; ++place)
+    EXPECT_EQ(schedule.group_end(place), (place / 8 + 1) * 8);
 }
 
 TEST(OrdinateSchedule, OrdinatesFollowInTheirBatchWhatMirrorsTurnIntoThem) {
   const TetrahedralMesh mesh = cube_mesh(0.1);
   const Problem problem = cube_with_mirrors(mesh, {"xmin", "xmax", "ymax", "zmin"});
   for (const DirectionSet& set : {directions_ldfe_sq(1), directions_triangular(4), directions_lebedev(17)}) {
-    const int batch = ordinates_per_batch(set.count());
-    const OrdinateSchedule schedule(problem, set, batch);
+    const OrdinateSchedule schedule(problem, set);
+    const int batch = schedule.batch();
     const std::vector<int> place = places(schedule, set.count());
     EXPECT_EQ(std::count(place.begin(), place.end(), -1), 0);
     EXPECT_NE(schedule.knows_reflections(Vec3::UnitX()), schedule.knows_reflections(-Vec3::UnitX()));

@@ -26,11 +26,16 @@ std::set<std::uint32_t> visited_cells(const SweepOrder& order) {
   return cells;
 }
 
-TEST(SweepOrder, VisitsEveryCellOnceAfterItsUpwindCells) {
-  const TetrahedralMesh mesh = cube_with_ball(2e-3);
+/// With all cells in one tile, or some in each.
+SweepOrder order_along(const TetrahedralMesh& mesh, const Vec3& direction, int cells_per_tile = 1 << 30) {
+  return make_sweep_order(SweepGraph(mesh), direction,
+                          SweepTiles(mesh, static_cast<std::size_t>(cells_per_tile)));
+}
+
+void expect_cells_after_upwind_cells(const TetrahedralMesh& mesh, int cells_per_tile) {
   const DirectionSet directions = directions_triangular(4);
   for (const Vec3& direction : directions.directions()) {
-    const SweepOrder order = make_sweep_order(SweepGraph(mesh), direction);
+    const SweepOrder order = order_along(mesh, direction, cells_per_tile);
     ASSERT_EQ(visited_cells(order).size(), static_cast<std::size_t>(mesh.cell_count()));
     EXPECT_TRUE(order.lagged.empty());
     const std::vector<std::int32_t> position = positions(order);
@@ -45,9 +50,67 @@ TEST(SweepOrder, VisitsEveryCellOnceAfterItsUpwindCells) {
   }
 }
 
+TEST(SweepOrder, VisitsEveryCellOnceAfterItsUpwindCells) {
+  const TetrahedralMesh mesh = cube_with_ball(2e-3);
+  expect_cells_after_upwind_cells(mesh, 1 << 30);
+  expect_cells_after_upwind_cells(mesh, 50);
+}
+
+TEST(SweepOrder, VisitsACellAsSoonAsItsTileIsOpenAndItsUpwindCellsAreVisited) {
+  const TetrahedralMesh mesh = cube_mesh(2e-3);
+  const SweepTiles tiles(mesh, 100);
+  ASSERT_GT(tiles.count(), 4);
+  const Vec3 direction = Vec3(0.3, -0.5, 0.8).normalized();
+  const SweepOrder order = make_sweep_order(SweepGraph(mesh), direction, tiles);
+  ASSERT_EQ(order.steps.size(), static_cast<std::size_t>(tiles.count()) + 1);
+  std::vector<std::int32_t> step(order.visits.size());
+  for (std::size_t s = 0; s + 1 < order.steps.size(); ++s)
+    for (std::int32_t i = order.levels[static_cast<std::size_t>(order.steps[s])];
+         i < order.levels[static_cast<std::size_t>(order.steps[s + 1])]; ++i)
+      step[visited_cell(order.visits[static_cast<std::size_t>(i)])] = static_cast<std::int32_t>(s);
+  std::vector<std::int32_t> earliest(step.size());
+  const std::vector<std::int32_t> sequence = tiles.along(direction);
+  for (std::size_t c = 0; c < step.size(); ++c)
+    earliest[c] = static_cast<std::int32_t>(std::find(sequence.begin(), sequence.end(), tiles.of_cell(c)) -
+                                            sequence.begin());
+  for (std::int32_t f = mesh.boundary_face_count(); f < mesh.face_count(); ++f) {
+    const double a = seen_area(mesh.area_normal(FaceIndex(f)), direction);
+    const CellIndex owner = mesh.owner(FaceIndex(f)), neighbour = mesh.neighbour(FaceIndex(f));
+    const CellIndex upwind = a > 0 ? owner : neighbour, downwind = a > 0 ? neighbour : owner;
+    earliest[downwind.at()] = std::max(earliest[downwind.at()], step[upwind.at()]);
+  }
+  EXPECT_EQ(step, earliest);
+}
+
+TEST(SweepTiles, AreBoxesOfFewCellsInTheOrderOfTheLight) {
+  const TetrahedralMesh mesh = cube_mesh(2e-3);
+  const SweepTiles tiles(mesh, 100);
+  std::vector<int> cells(static_cast<std::size_t>(tiles.count()), 0);
+  std::vector<Vec3> low(cells.size(), Vec3::Constant(2)), high(cells.size(), Vec3::Constant(-2));
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const auto tile = static_cast<std::size_t>(tiles.of_cell(static_cast<std::size_t>(c)));
+    ++cells[tile];
+    low[tile] = low[tile].cwiseMin(mesh.centroid(CellIndex(c)));
+    high[tile] = high[tile].cwiseMax(mesh.centroid(CellIndex(c)));
+  }
+  for (const int count : cells) EXPECT_TRUE(count >= 50 && count <= 100) << count;
+  const Vec3 direction(1, -1, 1);
+  std::vector<std::int32_t> sequence = tiles.along(direction);
+  // No later tile lies wholly upwind of an earlier one.
+  for (std::size_t i = 0; i < sequence.size(); ++i)
+    for (std::size_t j = i + 1; j < sequence.size(); ++j) {
+      const auto first = static_cast<std::size_t>(sequence[i]), later = static_cast<std::size_t>(sequence[j]);
+      EXPECT_FALSE(high[later].x() < low[first].x() && low[later].y() > high[first].y() &&
+                   high[later].z() < low[first].z());
+    }
+  const std::vector<std::int32_t> back = tiles.along(-direction);
+  std::reverse(sequence.begin(), sequence.end());
+  EXPECT_EQ(back, sequence);
+}
+
 TEST(SweepOrder, CellsOfOneLevelDoNotWaitForEachOther) {
   const TetrahedralMesh mesh = cube_mesh(5e-3);
-  const SweepOrder order = make_sweep_order(SweepGraph(mesh), Vec3(0.3, 0.5, 0.8).normalized());
+  const SweepOrder order = order_along(mesh, Vec3(0.3, 0.5, 0.8).normalized());
   const std::vector<std::int32_t> position = positions(order);
   const auto level = [&](CellIndex cell) {
     return std::upper_bound(order.levels.begin(), order.levels.end(), position[cell.at()]) -
@@ -62,7 +125,7 @@ TEST(SweepOrder, CellsOfOneLevelDoNotWaitForEachOther) {
 TEST(SweepOrder, BothSidesAgreeOnParallelFaces) {
   const TetrahedralMesh mesh = cube_mesh(2e-3);
   for (const Vec3& direction : {Vec3(0.3, 0.5, 0.8), Vec3(0, 0, 1), Vec3(1, 1, 0)}) {
-    const SweepOrder order = make_sweep_order(SweepGraph(mesh), direction.normalized());
+    const SweepOrder order = order_along(mesh, direction.normalized());
     for (const SweepVisit& visit : order.visits)
       for (std::size_t k = 0; k < 4; ++k) {
         const FaceIndex face(mesh.faces(CellIndex(visited_cell(visit)))[k]);
@@ -72,13 +135,15 @@ TEST(SweepOrder, BothSidesAgreeOnParallelFaces) {
   }
 }
 
-TEST(SweepOrder, LevelsFollowTheCurveThroughSpace) {
+TEST(SweepOrder, LevelsFillWholePackets) {
   const TetrahedralMesh mesh = cube_mesh(2e-3);
-  const SweepOrder order = make_sweep_order(SweepGraph(mesh), Vec3(0.3, 0.5, 0.8).normalized());
-  for (std::size_t l = 0; l + 1 < order.levels.size(); ++l)
-    for (std::int32_t i = order.levels[l] + 1; i < order.levels[l + 1]; ++i)
-      EXPECT_LT(visited_cell(order.visits[static_cast<std::size_t>(i) - 1]),
-                visited_cell(order.visits[static_cast<std::size_t>(i)]));
+  for (const int cells_per_tile : {1 << 30, 100}) {
+    const SweepOrder order = order_along(mesh, Vec3(0.3, 0.5, 0.8).normalized(), cells_per_tile);
+    for (std::size_t l = 0; l + 1 < order.levels.size(); ++l) {
+      const std::int32_t size = order.levels[l + 1] - order.levels[l];
+      EXPECT_TRUE(size < 8 || size % 8 == 0) << size;
+    }
+  }
 }
 
 /// Walks the order as the kernel does, leaving the cell's number in its slot, and reading back.
@@ -119,16 +184,18 @@ void expect_slots_deliver(const TetrahedralMesh& mesh, const SweepOrder& order, 
 TEST(SweepOrder, SlotsDeliverWhatTheUpwindCellLeft) {
   const TetrahedralMesh mesh = cube_mesh(2e-3);
   for (const Vec3& direction : {Vec3(0.3, 0.5, 0.8), Vec3(-0.9, 0.1, 0.2), Vec3(0, 0, 1)}) {
-    const SweepOrder order = make_sweep_order(SweepGraph(mesh), direction.normalized());
-    expect_slots_deliver(mesh, order, direction.normalized(), false);
-    expect_slots_deliver(mesh, order, -direction.normalized(), true);
+    for (const int cells_per_tile : {1 << 30, 50}) {
+      const SweepOrder order = order_along(mesh, direction.normalized(), cells_per_tile);
+      expect_slots_deliver(mesh, order, direction.normalized(), false);
+      expect_slots_deliver(mesh, order, -direction.normalized(), true);
+    }
   }
 }
 
 TEST(SweepOrder, RecyclesSlots) {
   const TetrahedralMesh mesh = cube_mesh(2.25e-4);
   const WallSlots walls(mesh);
-  const SweepOrder order = make_sweep_order(SweepGraph(mesh), Vec3(0.3, 0.5, 0.8).normalized());
+  const SweepOrder order = order_along(mesh, Vec3(0.3, 0.5, 0.8).normalized());
   EXPECT_LT(order.slot_count - walls.count(), static_cast<std::uint32_t>(mesh.cell_count() / 4));
 }
 
@@ -145,7 +212,7 @@ void expect_lagged_slots(const TetrahedralMesh& mesh, const SweepOrder& order) {
 
 TEST(SweepOrder, BreaksTheCycleOfATwistedRing) {
   const TetrahedralMesh mesh = cyclic_ring();
-  const SweepOrder order = make_sweep_order(SweepGraph(mesh), Vec3::UnitZ());
+  const SweepOrder order = order_along(mesh, Vec3::UnitZ(), 20);
   ASSERT_FALSE(order.lagged.empty());
   EXPECT_EQ(visited_cells(order).size(), static_cast<std::size_t>(mesh.cell_count()));
   // Only what must be is lagged: one face for each blade's cycle at most, of the ring's many.
@@ -154,7 +221,7 @@ TEST(SweepOrder, BreaksTheCycleOfATwistedRing) {
   expect_slots_deliver(mesh, order, Vec3::UnitZ(), false);
   expect_slots_deliver(mesh, order, -Vec3::UnitZ(), true);
   expect_lagged_slots(mesh, order);
-  EXPECT_TRUE(make_sweep_order(SweepGraph(mesh), Vec3::UnitX()).lagged.empty());
+  EXPECT_TRUE(order_along(mesh, Vec3::UnitX()).lagged.empty());
 }
 
 }  // namespace

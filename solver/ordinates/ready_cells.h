@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solver/ordinates/sweep_tiles.h"
+
+namespace etendue {
+
+/// Cells that have all that they wait for. Those of the tiles that are open are given back together in the
+/// order of their numbers: along the space-filling curve, so that neighbours in the order are neighbours in
+/// memory. The others are kept until their tile is opened.
+class ReadyCells {
+ public:
+  ReadyCells(std::size_t cells, const SweepTiles& tiles, const Vec3& direction)
+      : tiles_(tiles),
+        sequence_(tiles.along(direction)),
+        step_of_(sequence_.size()),
+        bits_(cells / 64 + 1),
+        filled_(bits_.size() / 64 + 1),
+        next_(cells),
+        first_(sequence_.size(), none) {
+    for (std::size_t step = 0; step < sequence_.size(); ++step)
+      step_of_[static_cast<std::size_t>(sequence_[step])] = static_cast<std::int32_t>(step);
+  }
+
+  /// Opens the tile of the next step; false where there is none.
+  bool open_next() {
+    if (++step_ == static_cast<std::int32_t>(sequence_.size())) return false;
+    const std::size_t tile = static_cast<std::size_t>(sequence_[static_cast<std::size_t>(step_)]);
+    for (std::uint32_t cell = first_[tile]; cell != none; cell = next_[cell]) set(cell, true);
+    return true;
+  }
+
+  /// Where `is_ready`: no branch that could not be predicted.
+  void add(std::uint32_t cell, bool is_ready) {
+    const auto tile = static_cast<std::size_t>(tiles_.of_cell(cell));
+    if (is_ready & (step_of_[tile] > step_)) [[unlikely]] {
+      next_[cell] = first_[tile];
+      first_[tile] = cell;
+      return;
+    }
+    set(cell, is_ready);
+  }
+
+  /// Puts those of open tiles behind the others in `cells` and forgets them.
+  void move_to(std::vector<std::uint32_t>& cells) {
+    for (std::size_t i = 0; i < filled_.size(); ++i)
+      for (std::uint64_t& words = filled_[i]; words != 0; words &= words - 1) {
+        const std::size_t word = 64 * i + static_cast<std::size_t>(std::countr_zero(words));
+        for (std::uint64_t& bits = bits_[word]; bits != 0; bits &= bits - 1)
+          cells.push_back(static_cast<std::uint32_t>(64 * word) +
+                          static_cast<std::uint32_t>(std::countr_zero(bits)));
+      }
+  }
+
+ private:
+  static constexpr std::uint32_t none = ~0U;
+
+  void set(std::uint32_t cell, bool is_ready) {
+    const std::size_t word = cell / 64;
+    bits_[word] |= std::uint64_t{is_ready} << (cell % 64);
+    filled_[word / 64] |= std::uint64_t{is_ready} << (word % 64);
+  }
+
+  const SweepTiles& tiles_;
+  std::vector<std::int32_t> sequence_;
+  std::vector<std::int32_t> step_of_;  ///< [tile]
+  std::int32_t step_ = -1;
+  std::vector<std::uint64_t> bits_;    ///< of cells in open tiles
+  std::vector<std::uint64_t> filled_;  ///< bit for each word of bits_ that is not zero
+  std::vector<std::uint32_t> next_;    ///< [cell] the next one that waits for the same tile
+  std::vector<std::uint32_t> first_;   ///< [tile] the first one that waits for it
+};
+
+}  // namespace etendue

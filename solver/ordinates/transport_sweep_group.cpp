@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// The way of a batch of ordinates through the mesh, group by group.
+#include <algorithm>
+
+#include "solver/ordinates/sweep_workspace.h"
+#include "solver/ordinates/transport_sweep.h"
+
+namespace etendue {
+
+double* TransportSweep::angular_at(std::int32_t place, Workspace& work) const {
+  if (work.angular.size() == 0) return nullptr;
+  return work.angular.data() + static_cast<std::size_t>(place % schedule_.batch()) *
+                                   (scattering_.row_count() + 1) * scattering_.row_length();
+}
+
+std::vector<double*> TransportSweep::angular_rows(std::int32_t batch, Workspace& work) const {
+  std::vector<double*> rows;
+  for (std::int32_t place = batch * schedule_.batch(); place < schedule_.batch_end(batch); ++place)
+    rows.push_back(angular_at(place, work) + scattering_.row_length());
+  return rows;
+}
+
+void TransportSweep::form_angular_source(std::int32_t batch, Workspace& work) {
+  const std::int32_t first = batch * schedule_.batch();
+  const std::int32_t end = schedule_.batch_end(batch);
+  const std::vector<double*> rows = angular_rows(batch, work);
+  MomentTask task;
+  task.row_length = scattering_.row_length();
+  task.moments = scattering_.moment_count();
+  task.directions = end - first;
+  task.matrix = scattering_.evaluation(first);
+  task.moment_rows = moment_source_.data();
+  task.direction_rows = rows.data();
+  task.last_row = scattering_.row_count();
+  kernels_.moments_to_directions(task);
+  const bool shines = angular_input_ != nullptr && emission_ == Emission::included;
+  for (std::int32_t place = first; !dense_.empty() && place < end; ++place)
+    dense_.add_source(schedule_.ordinate(place), scattering_.index(), angular_at(place, work));
+  for (std::int32_t place = first; shines && place < end; ++place)
+    add_angular_source(schedule_.ordinate(place), angular_at(place, work));
+}
+
+void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last, TransportState& next,
+                                 SweepRecord* record, Workspace& work) {
+  if (scattering_.row_count() > 0) form_angular_source(batch, work);
+  const std::int32_t end = schedule_.batch_end(batch);
+  for (std::int32_t first = batch * schedule_.batch(); first < end; first = schedule_.group_end(first)) {
+    std::vector<Passage> group;
+    for (std::int32_t place = first; place < schedule_.group_end(first); ++place) {
+      const OrdinateIndex m = schedule_.ordinate(place);
+      Workspace::Member& member = work.members[group.size()];
+      group.push_back(
+          {m, &orders_.of_pair(m.value() / 2, member.scratch_order), angular_at(place, work), &member});
+    }
+    sweep_group(group, last, next, record, work);
+  }
+}
+
+bool TransportSweep::pass_alone(const SweepRecord* record) const {
+  return !dense_.empty() || (record != nullptr && !keep_ordinates_.empty());
+}
+
+void TransportSweep::sweep_group(std::span<const Passage> group, const TransportState& last,
+                                 TransportState& next, SweepRecord* record, Workspace& work) {
+  for (const Passage& passage : group) begin_passage(passage, last, record, work);
+  if (pass_alone(record)) {
+    for (const Passage& passage : group) run_alone(passage, record, work);
+  } else {
+    run_together(group, record, work);
+  }
+  for (const Passage& passage : group) end_passage(passage, next, record, work);
+}
+
+void TransportSweep::begin_passage(const Passage& passage, const TransportState& last, SweepRecord* record,
+                                   Workspace& work) {
+  const OrdinateIndex m = passage.ordinate;
+  Workspace::Member& member = *passage.member;
+  // What comes in by direction is added to the slots, which then have to be filled again.
+  const bool shines = angular_input_ != nullptr && emission_ == Emission::included;
+  if (shines || !member.is_filled) walls_.fill(inflow_.span(), member.slots);
+  member.is_filled = true;
+  walls_.reflect(m, last, passing_.span(), inflow_.span(), member.slots);
+  if (record != nullptr) walls_.add_exitance(m, member.slots, work.exitance.span());
+  if (shines) add_angular_inflow(m, member.slots, work.exitance.span());
+  set_lagged(m, *passage.order, last, member.slots);
+}
+
+void TransportSweep::end_passage(const Passage& passage, TransportState& next, SweepRecord* record,
+                                 Workspace& work) {
+  const OrdinateIndex m = passage.ordinate;
+  const SweepSlots& slots = passage.member->slots;
+  if (!dense_.empty()) dense_.keep_radiance(m, scattering_.index(), passage.angular, next);
+  if (record != nullptr && dense_.absorbs_by_direction())
+    dense_.add_absorbed(m, scattering_.index(), passage.angular, work.absorbed);
+  walls_.receive(m, slots, record != nullptr ? TakeUp::all : TakeUp::reflecting, work.irradiance.span(),
+                 next.mirrors(), passing_.span());
+  keep_lagged(m, *passage.order, next, slots);
+  if (record != nullptr && !meters_.empty()) read_meters(m, passage.angular, work.meters);
+}
+
+SweepTask TransportSweep::make_task(const Passage& passage, SweepRecord* record, Workspace& work) {
+  const OrdinateIndex m = passage.ordinate;
+  SweepTask task;
+  task.visits = passage.order->visits.data();
+  task.levels = passage.order->levels.data();
+  task.level_count = static_cast<std::int32_t>(passage.order->levels.size()) - 1;
+  task.idle_cell = static_cast<std::uint32_t>(problem_.mesh().cell_count());
+  task.backwards = m.value() % 2 == 1;
+  for (int axis = 0; axis < 3; ++axis) task.direction[axis] = directions_.direction(m)[axis];
+  task.weight = directions_.weight(m);
+  task.stride = cells_.stride();
+  task.records = records_.data();
+  if (!dense_.empty()) {
+    dense_.set_mass(m, work.records.data());
+    task.records = work.records.data();
+  }
+  task.slots = passage.member->slots.radiance;
+  task.fluence = work.fluence.data();
+  task.angular_index = scattering_.index();
+  task.angular = passage.angular;
+  task.net_flux = record != nullptr ? work.net_flux.data() : nullptr;
+  if (!census_.empty() && emission_ == Emission::included) {
+    task.volumes = problem_.mesh().volumes().data();
+    task.fixup = fixup_;
+    task.census = &census_[m.at() * static_cast<std::size_t>(cells_.stride())];
+  }
+  return task;
+}
+
+void TransportSweep::run_kernel(const SweepTask& task) const {
+  if (task.census != nullptr) {
+    kernels_.sweep_positive(task);
+  } else {
+    kernels_.sweep(task);
+  }
+}
+
+void TransportSweep::run_alone(const Passage& passage, SweepRecord* record, Workspace& work) {
+  const SweepTask task = make_task(passage, record, work);
+  const auto kept = std::find(keep_ordinates_.begin(), keep_ordinates_.end(), passage.ordinate.value());
+  if (record == nullptr || kept == keep_ordinates_.end()) {
+    run_kernel(task);
+    return;
+  }
+  sweep_and_keep(task, record->radiance[static_cast<std::size_t>(kept - keep_ordinates_.begin())],
+                 work.whole.span());
+}
+
+// Tile by tile, so that what one ordinate has brought into the cache serves all of the group.
+void TransportSweep::run_together(std::span<const Passage> group, SweepRecord* record, Workspace& work) {
+  std::vector<SweepTask> tasks;
+  for (const Passage& passage : group) tasks.push_back(make_task(passage, record, work));
+  const std::int32_t steps = orders_.step_count();
+  for (std::int32_t step = 0; step < steps; ++step)
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const SweepOrder& order = *group[i].order;
+      const auto at = static_cast<std::size_t>(tasks[i].backwards ? steps - 1 - step : step);
+      tasks[i].levels = order.levels.data() + order.steps[at];
+      tasks[i].level_count = order.steps[at + 1] - order.steps[at];
+      run_kernel(tasks[i]);
+    }
+}
+
+}  // namespace etendue
