@@ -31,19 +31,18 @@ class ReadyCells {
   bool open_next() {
     if (++step_ == static_cast<std::int32_t>(sequence_.size())) return false;
     const std::size_t tile = static_cast<std::size_t>(sequence_[static_cast<std::size_t>(step_)]);
-    for (std::uint32_t cell = first_[tile]; cell != none; cell = next_[cell]) set(cell, true);
+    for (std::uint32_t cell = first_[tile]; cell != none; cell = next_[cell]) set(cell);
     return true;
   }
 
-  /// Where `is_ready`: no branch that could not be predicted.
-  void add(std::uint32_t cell, bool is_ready) {
+  void add(std::uint32_t cell) {
     const auto tile = static_cast<std::size_t>(tiles_.of_cell(cell));
-    if (is_ready & (step_of_[tile] > step_)) [[unlikely]] {
+    if (step_of_[tile] > step_) {
       next_[cell] = first_[tile];
       first_[tile] = cell;
-      return;
+    } else {
+      set(cell);
     }
-    set(cell, is_ready);
   }
 
   /// Puts those of open tiles behind the others in `cells` and forgets them.
@@ -60,10 +59,10 @@ class ReadyCells {
  private:
   static constexpr std::uint32_t none = ~0U;
 
-  void set(std::uint32_t cell, bool is_ready) {
+  void set(std::uint32_t cell) {
     const std::size_t word = cell / 64;
-    bits_[word] |= std::uint64_t{is_ready} << (cell % 64);
-    filled_[word / 64] |= std::uint64_t{is_ready} << (word % 64);
+    bits_[word] |= std::uint64_t{1} << (cell % 64);
+    filled_[word / 64] |= std::uint64_t{1} << (word % 64);
   }
 
   const SweepTiles& tiles_;

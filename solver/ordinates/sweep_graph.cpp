@@ -8,24 +8,27 @@
 namespace etendue {
 
 SweepGraph::SweepGraph(const TetrahedralMesh& mesh)
-    : mesh_(mesh), walls_(mesh), cells_(static_cast<std::size_t>(mesh.cell_count())) {
+    : mesh_(mesh),
+      walls_(mesh),
+      behind_(static_cast<std::size_t>(mesh.cell_count())),
+      faces_(behind_.size()) {
   if (mesh.cell_count() >= most_cells)
     throw InputError(
         fmt::format("the mesh has {} cells; a sweep can order {}", mesh.cell_count(), most_cells - 1));
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-    Cell& cell = cells_[static_cast<std::size_t>(c)];
-    cell.faces = mesh.faces(CellIndex(c));
+    std::array<std::uint32_t, 4>& behind = behind_[static_cast<std::size_t>(c)].faces;
+    Faces& faces = faces_[static_cast<std::size_t>(c)];
+    faces.numbers = mesh.faces(CellIndex(c));
     for (unsigned k = 0; k < 4; ++k) {
-      const FaceIndex face(cell.faces[k]);
+      const FaceIndex face(faces.numbers[k]);
       const bool owner = mesh.owner(face) == CellIndex(c);
-      if (owner) cell.owned |= 1U << k;
+      if (owner) faces.owned |= 1U << k;
       if (face.value() < mesh.boundary_face_count()) {
-        cell.boundary |= 1U << k;
-        cell.behind[k] = packed({walls_.inflow(face.value()), 3});
+        faces.boundary |= 1U << k;
+        behind[k] = packed({walls_.inflow(face.value()), 3});
       } else {
         const CellIndex other = owner ? mesh.neighbour(face) : mesh.owner(face);
-        cell.behind[k] =
-            packed({static_cast<std::uint32_t>(other.value()), opposite_node(mesh, other, face)});
+        behind[k] = packed({static_cast<std::uint32_t>(other.value()), opposite_node(mesh, other, face)});
       }
     }
   }

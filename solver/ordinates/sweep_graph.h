@@ -14,10 +14,12 @@ namespace etendue {
 /// visits need it. The orders are made again and again, so this is laid out for speed.
 class SweepGraph {
  public:
-  struct Cell {
-    /// Behind interior faces the other cell's number in place of the slot; behind boundary faces the inflow.
-    std::array<std::uint32_t, 4> behind;
-    std::array<std::int32_t, 4> faces;
+  /// Behind interior faces the other cell's number in place of the slot; behind boundary faces the inflow.
+  struct alignas(16) Behind {
+    std::array<std::uint32_t, 4> faces;
+  };
+  struct Faces {
+    std::array<std::int32_t, 4> numbers;
     std::uint32_t owned = 0;     ///< bit k: the normal of face k points out of this cell
     std::uint32_t boundary = 0;  ///< bit k: face k lies on a wall
   };
@@ -27,12 +29,15 @@ class SweepGraph {
 
   const TetrahedralMesh& mesh() const { return mesh_; }
   const WallSlots& walls() const { return walls_; }
-  const std::vector<Cell>& cells() const { return cells_; }
+  std::size_t cell_count() const { return behind_.size(); }
+  const std::vector<Behind>& behind() const { return behind_; }  ///< [cell]
+  const std::vector<Faces>& faces() const { return faces_; }     ///< [cell]
 
  private:
   const TetrahedralMesh& mesh_;
   WallSlots walls_;
-  std::vector<Cell> cells_;
+  std::vector<Behind> behind_;
+  std::vector<Faces> faces_;
 };
 
 }  // namespace etendue

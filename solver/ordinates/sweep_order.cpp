@@ -14,9 +14,6 @@ namespace {
 
 constexpr std::uint32_t all_faces = 0xf;
 
-/// Cells ahead whose surroundings are asked for.
-constexpr std::size_t prefetch_distance = 8;
-
 /// Cells of the largest packet that a kernel works on.
 constexpr std::size_t largest_packet = 8;
 
@@ -37,6 +34,7 @@ std::vector<Passage> passages(const TetrahedralMesh& mesh, const Vec3& direction
 struct CellPassage {
   std::uint8_t leaving = 0;   ///< light leaves there for a cell that waits for it
   std::uint8_t parallel = 0;  ///< nothing passes
+  std::uint8_t passing = 0;   ///< light goes to or comes from another cell
 };
 
 /// Walks the cells in levels, each of which needs only those before it, and gives each cell a slot. A slot is
@@ -44,38 +42,44 @@ struct CellPassage {
 /// them: so the order can be walked backwards as well, and a packet of cells can read all that it needs
 /// before it writes.
 class OrderedWalk {
+  struct State {
+    std::uint32_t slot;        ///< 0 until it is taken
+    std::int16_t waiting;      ///< faces that light still has to come through
+    std::int16_t visits_left;  ///< its own and those of the cells around
+  };
+
  public:
   /// `lagged` is [face], or empty where none is.
   OrderedWalk(const SweepGraph& graph, const std::vector<Passage>& passage, const std::vector<char>& lagged)
       : graph_(graph),
-        passage_(graph.cells().size()),
-        waiting_(graph.cells().size()),
-        visits_left_(graph.cells().size()),
-        slot_(graph.walls().of_cells().begin(), graph.walls().of_cells().end()),
+        passage_(graph.cell_count()),
+        states_(graph.cell_count()),
         first_recycled_(graph.walls().count()) {
     for (std::size_t c = 0; c < passage_.size(); ++c) {
-      const SweepGraph::Cell& cell = graph.cells()[c];
+      const SweepGraph::Faces& faces = graph.faces()[c];
       std::uint32_t out = 0, none = 0, lag = 0;
       for (unsigned k = 0; k < 4; ++k) {
-        const auto face = static_cast<std::size_t>(cell.faces[k]);
+        const auto face = static_cast<std::size_t>(faces.numbers[k]);
         out |= static_cast<std::uint32_t>(passage[face] == Passage::from_owner) << k;
         none |= static_cast<std::uint32_t>(passage[face] == Passage::none) << k;
         if (!lagged.empty()) lag |= static_cast<std::uint32_t>(lagged[face]) << k;
       }
       // What leaves the owner enters the other cell.
-      out = (out ^ ~cell.owned) & ~none & all_faces;
-      const std::uint32_t passing = ~(none | cell.boundary) & all_faces;
-      passage_[c] = {static_cast<std::uint8_t>(out & passing & ~lag), static_cast<std::uint8_t>(none)};
-      waiting_[c] = static_cast<std::int16_t>(std::popcount(passing & ~out & ~lag));
-      visits_left_[c] = static_cast<std::int16_t>(1 + std::popcount(passing));
+      out = (out ^ ~faces.owned) & ~none & all_faces;
+      const std::uint32_t passing = ~(none | faces.boundary) & all_faces;
+      passage_[c] = {static_cast<std::uint8_t>(out & passing & ~lag), static_cast<std::uint8_t>(none),
+                     static_cast<std::uint8_t>(passing)};
+      states_[c] = {graph.walls().of_cells()[c],
+                    static_cast<std::int16_t>(std::popcount(passing & ~out & ~lag)),
+                    static_cast<std::int16_t>(1 + std::popcount(passing))};
     }
   }
 
   /// A slot of its own for a cell at a lagged face: what such a face delivers is put there before a sweep and
   /// read after it. Before the walk.
   std::uint32_t keep_slot(std::uint32_t cell) {
-    if (slot_[cell] == 0) slot_[cell] = first_recycled_++;
-    return slot_[cell];
+    if (states_[cell].slot == 0) states_[cell].slot = first_recycled_++;
+    return states_[cell].slot;
   }
 
   /// Fewer visits than cells where cycles are left.
@@ -83,14 +87,16 @@ class OrderedWalk {
     order.visits.clear();
     order.levels.assign(1, 0);
     order.steps.assign(1, 0);
-    order.visits.reserve(waiting_.size());
-    free_count_ = waiting_.size();
-    free_.resize(free_count_ + 1);
-    for (std::size_t i = 0; i < free_count_; ++i)
-      free_[i] = first_recycled_ + static_cast<std::uint32_t>(free_count_ - 1 - i);
-    ReadyCells ready(waiting_.size(), tiles, direction);
-    for (std::size_t c = 0; c < waiting_.size(); ++c)
-      ready.add(static_cast<std::uint32_t>(c), waiting_[c] == 0);
+    order.visits.reserve(states_.size());
+    // One before the stack and one behind it are read and written where nothing is taken or given back.
+    free_.resize(states_.size() + 2);
+    for (std::size_t i = 0; i < states_.size(); ++i)
+      free_[1 + i] = first_recycled_ + static_cast<std::uint32_t>(states_.size() - 1 - i);
+    free_end_ = free_.data() + 1 + states_.size();
+    done_waiting_.resize(states_.size() + 1);
+    ReadyCells ready(states_.size(), tiles, direction);
+    for (std::size_t c = 0; c < states_.size(); ++c)
+      if (states_[c].waiting == 0) ready.add(static_cast<std::uint32_t>(c));
     std::vector<std::uint32_t> level;
     while (ready.open_next()) {
       for (ready.move_to(level); !level.empty(); ready.move_to(level)) {
@@ -107,64 +113,72 @@ class OrderedWalk {
       order.slot_count = std::max(order.slot_count, visit.slot + 1);
   }
 
-  bool is_waiting(std::int32_t cell) const { return waiting_[static_cast<std::size_t>(cell)] > 0; }
+  bool is_waiting(std::int32_t cell) const { return states_[static_cast<std::size_t>(cell)].waiting > 0; }
 
  private:
+  /// What changes with every visit: in registers, while a level is visited.
+  struct Ends {
+    std::uint32_t* free_slots;
+    std::uint32_t* done_waiting;
+  };
+
   void visit_level(std::span<const std::uint32_t> level, SweepOrder& order, ReadyCells& ready) {
-    for (std::size_t i = 0; i < level.size(); ++i) {
-      if (i + prefetch_distance < level.size())
-        __builtin_prefetch(&graph_.cells()[level[i + prefetch_distance]]);
-      visit(level[i], order.visits.emplace_back(), ready);
+    Ends ends{free_end_, done_waiting_.data()};
+    for (const std::uint32_t cell : level) visit(cell, order.visits.emplace_back(), ends);
+    free_end_ = ends.free_slots;
+    for (const std::uint32_t* cell = done_waiting_.data(); cell != ends.done_waiting; ++cell) {
+      __builtin_prefetch(&graph_.behind()[*cell]);
+      ready.add(*cell);
     }
     order.levels.push_back(static_cast<std::int32_t>(order.visits.size()));
   }
 
-  void visit(std::uint32_t c, SweepVisit& result, ReadyCells& ready) {
-    const SweepGraph::Cell& cell = graph_.cells()[c];
+  [[gnu::always_inline]] void visit(std::uint32_t c, SweepVisit& result, Ends& ends) {
+    const std::array<std::uint32_t, 4>& behind = graph_.behind()[c].faces;
     const CellPassage passage = passage_[c];
     result.cell_and_parallel = c | static_cast<std::uint32_t>(passage.parallel) << visit_cell_bits;
-    result.slot = take(c);
+    result.slot = take(states_[c], ends);
     for (unsigned k = 0; k < 4; ++k) {
       if ((passage.parallel >> k & 1) != 0) continue;
-      result.faces[k] = cell.behind[k];
-      if ((cell.boundary >> k & 1) != 0) continue;
-      const FaceCode code = unpacked(cell.behind[k]);
-      const std::uint32_t other = code.slot;
-      result.faces[k] = packed({take(other), code.opposite});
-      const std::uint32_t leaves = passage.leaving >> k & 1U;
-      waiting_[other] = static_cast<std::int16_t>(waiting_[other] - static_cast<std::int16_t>(leaves));
-      ready.add(other, (leaves != 0) & (waiting_[other] == 0));
+      result.faces[k] = behind[k];
+      if ((passage.passing >> k & 1) == 0) continue;
+      const FaceCode code = unpacked(behind[k]);
+      State& other = states_[code.slot];
+      result.faces[k] = packed({take(other, ends), code.opposite});
+      const auto leaves = static_cast<std::int16_t>(passage.leaving >> k & 1);
+      other.waiting = static_cast<std::int16_t>(other.waiting - leaves);
+      *ends.done_waiting = code.slot;
+      ends.done_waiting += (leaves != 0) & (other.waiting == 0);
     }
     // Only now: all slots that a cell uses differ.
-    for (std::uint32_t k = ~(passage.parallel | cell.boundary) & all_faces; k != 0; k &= k - 1)
-      give_back(unpacked(cell.behind[static_cast<std::size_t>(std::countr_zero(k))]).slot);
-    give_back(c);
+    for (unsigned k = 0; k < 4; ++k)
+      if ((passage.passing >> k & 1) != 0) give_back(states_[unpacked(behind[k]).slot], ends);
+    give_back(states_[c], ends);
   }
 
   // Whether a slot is there, or free again, is as good as random: choices instead of branches.
-  std::uint32_t take(std::uint32_t cell) {
-    const std::uint32_t own = slot_[cell];
-    const bool is_new = own == 0;
-    const std::uint32_t slot = is_new ? free_[free_count_ - 1] : own;
-    free_count_ -= is_new ? 1 : 0;
-    slot_[cell] = slot;
+  std::uint32_t take(State& state, Ends& ends) const {
+    const bool is_new = state.slot == 0;
+    const std::uint32_t top = ends.free_slots[-1];
+    const std::uint32_t slot = is_new ? top : state.slot;
+    ends.free_slots -= is_new;
+    state.slot = slot;
     return slot;
   }
 
-  void give_back(std::uint32_t cell) {
-    const std::int16_t left = --visits_left_[cell];
-    free_[free_count_] = slot_[cell];
-    free_count_ += (left == 0) & (slot_[cell] >= first_recycled_) ? 1 : 0;
+  void give_back(State& state, Ends& ends) const {
+    --state.visits_left;
+    *ends.free_slots = state.slot;
+    ends.free_slots += (state.visits_left == 0) & (state.slot >= first_recycled_);
   }
 
   const SweepGraph& graph_;
   std::vector<CellPassage> passage_;
-  std::vector<std::int16_t> waiting_;      ///< [cell] faces that light still has to come through
-  std::vector<std::int16_t> visits_left_;  ///< [cell] its own and those of the cells around
-  std::vector<std::uint32_t> slot_;        ///< [cell] 0 until it is taken
+  std::vector<State> states_;  ///< [cell]
   std::uint32_t first_recycled_;
   std::vector<std::uint32_t> free_;  ///< a stack: slots given back above those never taken
-  std::size_t free_count_ = 0;
+  std::uint32_t* free_end_ = nullptr;
+  std::vector<std::uint32_t> done_waiting_;  ///< scratch: what becomes ready in one level
 };
 
 /// Faces to lag so that the cells that still wait can be ordered.
