@@ -28,6 +28,7 @@ ETENDUE_KERNEL_INLINE void prefetch_lines(const double* from, std::size_t length
 }
 
 /// `length` is that of a cell's radiance.
+template <Angular angular, Flux flux>
 ETENDUE_KERNEL_INLINE void prefetch_cell(const SweepTask& task, const SweepVisit& visit,
                                          std::size_t record_length, std::size_t length) {
   const std::size_t cell = visited_cell(visit);
@@ -36,6 +37,9 @@ ETENDUE_KERNEL_INLINE void prefetch_cell(const SweepTask& task, const SweepVisit
   prefetch_lines<1>(task.slots + visit.slot * length, length);
   ETENDUE_UNROLL
   for (int f = 0; f < 4; ++f) prefetch_lines<0>(task.slots + unpacked(visit.faces[f]).slot * length, length);
+  if constexpr (angular == Angular::present)
+    prefetch_lines<1>(task.angular + static_cast<std::size_t>(task.angular_index[cell]) * length, length);
+  if constexpr (flux == Flux::add) prefetch_lines<1>(task.net_flux + cell * 3 * length, 3 * length);
 }
 
 /// Gives values that are not all positive a sign, and writes that down.
@@ -310,7 +314,8 @@ ETENDUE_KERNEL_INLINE void sweep_cells(SweepTask task) {
       const std::int32_t position = task.backwards ? level_end - done - count : level_begin + done;
       const std::int32_t ahead = position + (task.backwards ? -prefetch_distance : prefetch_distance);
       if (ahead >= begin && ahead + C <= end) ETENDUE_UNROLL
-      for (int j = 0; j < C; ++j) prefetch_cell(task, task.visits[ahead + j], layout.length, length);
+      for (int j = 0; j < C; ++j)
+        prefetch_cell<angular, flux>(task, task.visits[ahead + j], layout.length, length);
       const SweepVisit* visits = task.visits + position;
       SweepVisit filled[C];
       if (count < C) [[unlikely]] {

@@ -17,8 +17,8 @@ inline TetrahedralMesh unit_cube(double max_volume) {
   return TetrahedralMesh(tetrahedralize(arrange(geometry), {{max_volume}, 1.4, {}}));
 }
 
-/// Smoke in the cube, lit by grey walls that reflect; `asymmetry` 0 scatters isotropically.
-inline Problem smoke(const TetrahedralMesh& mesh, int bands, double asymmetry) {
+/// Smoke in the cube, lit by grey walls that reflect.
+inline Problem smoke(const TetrahedralMesh& mesh, int bands, const PhaseFunction& phase) {
   const auto count = static_cast<std::size_t>(bands);
   Bands spectrum;
   spectrum.names.clear();
@@ -27,9 +27,8 @@ inline Problem smoke(const TetrahedralMesh& mesh, int bands, double asymmetry) {
                 std::vector<Coefficient>(count, Coefficient(0.5)),
                 std::vector<Coefficient>(count, Coefficient(1.0)),
                 std::vector<Coefficient>(count, Coefficient(1.0)),
-                std::vector<PhaseFunction>(count, PhaseIsotropic{}),
+                std::vector<PhaseFunction>(count, phase),
                 {}};
-  if (asymmetry != 0) medium.phase.assign(count, PhaseHenyeyGreenstein{asymmetry});
   std::vector<Wall> walls;
   for (const std::string& name : mesh.wall_names())
     walls.push_back({name,
@@ -38,6 +37,12 @@ inline Problem smoke(const TetrahedralMesh& mesh, int bands, double asymmetry) {
                      std::vector<double>(count, 0),
                      {}});
   return Problem(mesh, spectrum, {medium}, walls);
+}
+
+/// The same; `asymmetry` 0 scatters isotropically, others as Henyey and Greenstein have it.
+inline Problem smoke(const TetrahedralMesh& mesh, int bands, double asymmetry) {
+  if (asymmetry == 0) return smoke(mesh, bands, PhaseIsotropic{});
+  return smoke(mesh, bands, PhaseHenyeyGreenstein{asymmetry});
 }
 
 }  // namespace etendue
