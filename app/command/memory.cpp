@@ -6,11 +6,12 @@
 
 #include "app/write/summary.h"
 #include "mesh/base/errors.h"
+#include "solver/ordinates/scattering_plan.h"
 
 namespace etendue {
 namespace {
 
-constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
+constexpr double mebibyte = 1024.0 * 1024.0, gibibyte = 1024 * mebibyte;
 
 double installed_memory() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
@@ -18,17 +19,36 @@ double installed_memory() {
 
 }  // namespace
 
-void check_memory(std::size_t solving, const TetrahedralMesh& mesh, int bands) {
+std::string matrix_memory_text(const Problem& problem, const DirectionSet& directions) {
+  const std::vector<ScatteringTreatment> plan = plan_scattering(problem, directions);
+  const std::vector<double> bytes = angular_bytes(problem, directions);
+  std::string text;
+  for (std::size_t region = 0; region < bytes.size(); ++region)
+    for (int band = 0; band < problem.band_count(); ++band) {
+      if (!plan[region * static_cast<std::size_t>(problem.band_count()) + static_cast<std::size_t>(band)]
+               .is_dense())
+        continue;
+      text += fmt::format("{}{:.3g} MiB for each angular solution of {}", text.empty() ? "" : ", ",
+                          bytes[region] / mebibyte, problem.media()[region].name);
+      break;
+    }
+  return text.empty() ? "" : " (scattering by a matrix: " + text + ")";
+}
+
+std::string check_memory(std::size_t solving, const TetrahedralMesh& mesh, int bands,
+                         const std::string& matrices) {
   // The files hold four values of the fluence and of three components of the net flux in each cell and band.
   const double writing = 4.0 * (1 + 3) * sizeof(double) * bands * mesh.cell_count();
   const double needed = static_cast<double>(solving) + writing;
-  if (needed <= installed_memory()) return;
-  throw InputError(
-      fmt::format("mesh: {} cells and {} bands with these directions and phase functions may need {:.3g} GiB "
-                  "and this machine has "
-                  "{:.3g} GiB; use larger cells, fewer bands, directions or threads, or solve.method = "
-                  "\"source-iteration\"",
-                  mesh.cell_count(), bands, needed / gibibyte, installed_memory() / gibibyte));
+  if (needed <= installed_memory())
+    return fmt::format("memory: at most {:.3g} GiB{}\n", needed / gibibyte, matrices);
+  throw InputError(fmt::format(
+      "mesh: {} cells and {} bands with these directions and phase functions may need {:.3g} GiB{} "
+      "and this machine has "
+      "{:.3g} GiB; use larger cells, fewer bands, directions or threads, or solve.method = "
+      "\"source-iteration\"{}",
+      mesh.cell_count(), bands, needed / gibibyte, matrices, installed_memory() / gibibyte,
+      matrices.empty() ? "" : ", or scattering_method = \"moments\" where that will do"));
 }
 
 std::string out_of_memory_message() {

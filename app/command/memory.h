@@ -5,13 +5,20 @@
 #include <string>
 
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
+#include "solver/angle/direction_set.h"
+#include "solver/problem/problem.h"
 
 namespace etendue {
 
-/// Throws InputError with the figures where solving and writing may take more than the memory of this
-/// machine. Without this the system would kill the program hours later, or others. `solving` is
-/// estimate_memory's answer [bytes].
-void check_memory(std::size_t solving, const TetrahedralMesh& mesh, int bands);
+/// Which regions scatter by a matrix, and what keeping their angular solution once takes; empty where none
+/// does.
+std::string matrix_memory_text(const Problem& problem, const DirectionSet& directions);
+
+/// What solving and writing will take, as a line. Throws InputError with the figures where that may be more
+/// than the memory of this machine: without this the system would kill the program hours later, or others.
+/// `solving` is estimate_memory's answer [bytes], `matrices` matrix_memory_text's.
+std::string check_memory(std::size_t solving, const TetrahedralMesh& mesh, int bands,
+                         const std::string& matrices = "");
 
 /// What to say after std::bad_alloc.
 std::string out_of_memory_message();

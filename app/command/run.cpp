@@ -167,10 +167,11 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
     options.initial = &initial;
     out << "starts from " << input.initial->path.string() << std::endl;
   }
-  check_memory(estimate_split_memory(lights, directions, options), mesh, problem.band_count());
+  const std::string memory = check_memory(estimate_split_memory(lights, directions, options), mesh,
+                                          problem.band_count(), matrix_memory_text(problem, directions));
   out << fmt::format("directions: {} ({} {}); bands: {}; threads: {}\n", directions.count(),
                      directions.name(), directions.order(), problem.band_count(), options.threads)
-      << std::flush;
+      << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
 
   interruption.note_the_first();

@@ -9,16 +9,6 @@
 namespace etendue {
 namespace {
 
-/// Bytes of the angular solution in each region, with linear elements.
-std::vector<double> angular_bytes(const Problem& problem, const DirectionSet& directions) {
-  std::vector<double> bytes(problem.media().size(), 0);
-  const double of_cell = static_cast<double>(sizeof(double)) * directions.count() *
-                         nodes_per_cell(Basis::linear) * lane_stride(problem.band_count());
-  for (std::int32_t c = 0; c < problem.mesh().cell_count(); ++c)
-    bytes[static_cast<std::size_t>(problem.mesh().region(CellIndex(c)))] += of_cell;
-  return bytes;
-}
-
 ScatteringTreatment by_moments(const ScatteringChoice& choice, const PhaseFunction& phase,
                                const DirectionSet& directions) {
   const ScatteringDegree degree = choice.degree < 0 ? scattering_degree(phase, directions)
@@ -59,6 +49,15 @@ ScatteringTreatment treat(const ScatteringChoice& choice, const PhaseFunction& p
 }
 
 }  // namespace
+
+std::vector<double> angular_bytes(const Problem& problem, const DirectionSet& directions) {
+  std::vector<double> bytes(problem.media().size(), 0);
+  const double of_cell = static_cast<double>(sizeof(double)) * directions.count() *
+                         nodes_per_cell(Basis::linear) * lane_stride(problem.band_count());
+  for (std::int32_t c = 0; c < problem.mesh().cell_count(); ++c)
+    bytes[static_cast<std::size_t>(problem.mesh().region(CellIndex(c)))] += of_cell;
+  return bytes;
+}
 
 std::vector<ScatteringTreatment> plan_scattering(const Problem& problem, const DirectionSet& directions) {
   const std::vector<double> bytes = angular_bytes(problem, directions);

@@ -23,6 +23,9 @@ struct ScatteringTreatment {
 /// a few Krylov vectors of it fit beside each other.
 inline constexpr double largest_automatic_dense = 256.0 * 1024 * 1024;
 
+/// [region] bytes of the angular solution in a region, with linear elements.
+std::vector<double> angular_bytes(const Problem& problem, const DirectionSet& directions);
+
 /// [region * bands + band].
 std::vector<ScatteringTreatment> plan_scattering(const Problem& problem, const DirectionSet& directions);
 

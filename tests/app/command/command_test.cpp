@@ -165,6 +165,29 @@ TEST(Command, KeysShowsTheReference) {
   EXPECT_TRUE(has(keys.out, "max_sweeps"));
 }
 
+TEST(Memory, OfAMatrixIsSaidBeforeTheRunAndRefusedWithTheFigureWhereThereIsNotAsMuch) {
+  const CaseFolder folder;
+  const std::vector<std::string> dense = {
+      "run", folder.file(), "--output", folder.results(), "--set", "media.smoke.scattering_method=dense"};
+  const Outcome small = etendue_says(dense);
+  EXPECT_EQ(small.code, ExitCode::done) << small.err;
+  const std::size_t said = small.out.find("\nmemory: at most ");
+  ASSERT_NE(said, std::string::npos) << small.out;
+  EXPECT_TRUE(has(small.out, " (scattering by a matrix: 0.")) << small.out;
+  EXPECT_TRUE(has(small.out, " MiB for each angular solution of smoke)")) << small.out;
+  EXPECT_LT(said, small.out.find("iteration (")) << small.out;
+
+  // 98,568 directions: a matrix of 72 GiB, in two forms, for each of three bands.
+  std::vector<std::string> large = dense;
+  large.insert(large.end(), {"--set", "directions.order=222", "--set",
+                             "media.smoke.phase=[{model='henyey-greenstein',g=0.5},{model='rayleigh'},"
+                             "{model='isotropic'}]"});
+  const Outcome refused = etendue_says(large);
+  EXPECT_EQ(refused.code, ExitCode::input_error) << refused.out;
+  EXPECT_TRUE(has(refused.err, " GiB (scattering by a matrix: ")) << refused.err;
+  EXPECT_TRUE(has(refused.err, "or scattering_method = \"moments\"")) << refused.err;
+}
+
 TEST(Memory, RefusesWhatTheMachineDoesNotHaveWithTheFigure) {
   const TetrahedralMesh mesh = cube_mesh(0.1);
   EXPECT_NO_THROW(check_memory(1000, mesh, 1));

@@ -17,7 +17,8 @@ namespace {
 std::vector<DirectionSet> quasi_uniform_sets() {
   return {directions_triangular(8), directions_triangular(16),     directions_ldfe_sq(1),
           directions_ldfe_sq(2),    directions_level_symmetric(8), directions_level_symmetric(16),
-          directions_thurgood(4),   directions_thurgood(8)};
+          directions_thurgood(4),   directions_thurgood(8),        directions_lebedev(15),
+          directions_lebedev(23),   directions_lebedev(29),        directions_double_gauss(4)};
 }
 
 TEST(DenseKernel, KeepsEnergyAndAsymmetryOfPeaksOnEveryQuasiUniformSet) {

@@ -202,6 +202,24 @@ TEST(ScatteringPlan, TakesMomentsWhereTheSeriesEndsAndAMatrixWhereItDoesNot) {
       << backend(PhaseHenyeyGreenstein{0.8}).reason;
 }
 
+// 64 moments, 96 ordinates, three bands: measured about 0.8.
+TEST(DenseScattering, CostsLessThanTwiceTheMomentsOfDegreeSeven) {
+  const TetrahedralMesh mesh = cube_mesh(2e-3);
+  std::vector<double> cost;
+  for (ScatteringChoice choice : {moments, dense}) {
+    if (choice.backend == ScatteringBackend::moments) choice.degree = 7;
+    Medium fog = uniform_medium(3, 0.1, 2, 0, PhaseHenyeyGreenstein{0.8});
+    fog.choice.assign(3, choice);
+    const Problem problem(mesh, Bands{{"a", "b", "c"}, {}}, {fog}, lit_from_below(mesh, 3));
+    SolveOptions options;
+    options.threads = 1;
+    options.max_sweeps = 8;
+    options.acceleration = Acceleration::none;
+    cost.push_back(solve(problem, directions_ldfe_sq(1), options).sweep_cost);
+  }
+  EXPECT_LT(cost[1], 2 * cost[0]);
+}
+
 TEST(MemoryEstimate, CountsTheAngularSolutionOfDenseCells) {
   const TetrahedralMesh mesh = cube_mesh(4e-3);
   const auto estimate = [&](ScatteringChoice choice, const DirectionSet& set) {
