@@ -59,6 +59,10 @@ std::string summary_of(const Case& input) {
 ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   const Case input = read_case(request.file, request.overrides);
+  if (request.phase) {
+    out << phase_values(input);
+    return ExitCode::done;
+  }
   out << request.file.string() << " is a valid case\n" << summary_of(input);
   if (!request.mesh) return ExitCode::done;
   out << std::flush;

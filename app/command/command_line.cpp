@@ -135,7 +135,10 @@ class Parser {
   void add_check() {
     check_command_ = app_.add_subcommand("check", "Read and validate a case without solving it");
     add_case(*check_command_, check_);
-    check_command_->add_flag("--mesh", check_.mesh, "Also mesh it: quality, areas and volumes");
+    CLI::Option* mesh =
+        check_command_->add_flag("--mesh", check_.mesh, "Also mesh it: quality, areas and volumes");
+    check_command_->add_flag("--phase", check_.phase, "Instead list its phase functions by angle, as CSV")
+        ->excludes(mesh);
   }
 
   void add_mesh() {

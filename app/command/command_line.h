@@ -46,6 +46,7 @@ struct StudyRequest {
 
 struct CheckRequest : CaseRequest {
   bool mesh = false;
+  bool phase = false;  ///< the values of the phase functions, and nothing else
 };
 
 struct MeshRequest : CaseRequest {

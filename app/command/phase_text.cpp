@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace etendue {
 
 std::vector<std::string> phase_texts(const Case& input) {
@@ -17,6 +20,31 @@ std::vector<std::string> phase_texts(const Case& input) {
     }
   }
   return texts;
+}
+
+namespace {
+
+/// 0, twenty to a decade up to 1 degree, and quarters of a degree.
+std::vector<double> angles() {
+  std::vector<double> degrees = {0};
+  for (int i = 0; i < 60; ++i) degrees.push_back(0.001 * std::pow(10, i / 20.0));
+  for (int i = 4; i <= 720; ++i) degrees.push_back(i / 4.0);
+  return degrees;
+}
+
+}  // namespace
+
+std::string phase_values(const Case& input) {
+  std::string text = "medium,band,degrees,p\n";
+  for (const auto& [name, medium] : input.media)
+    for (std::size_t band = 0; band < input.bands.names.size() && !medium.phase.empty(); ++band) {
+      PhaseFunction phase = medium.phase[medium.phase.size() == 1 ? 0 : band];
+      if (input.angular_space == AngularSpace::plane) phase = in_plane(phase);
+      for (const double degrees : angles())
+        text += fmt::format("{},{},{:.6g},{:.9g}\n", name, input.bands.names[band], degrees,
+                            phase_value(phase, std::cos(degrees * std::numbers::pi / 180)));
+    }
+  return text;
 }
 
 }  // namespace etendue

@@ -12,4 +12,8 @@ namespace etendue {
 /// where they differ. A table's line tells what its values were divided by.
 std::vector<std::string> phase_texts(const Case& input);
 
+/// The phase functions by the angle of deflection, closer near 0: lines of medium, band, degrees, p [1/sr]
+/// (in the plane 1/rad), as CSV.
+std::string phase_values(const Case& input);
+
 }  // namespace etendue

@@ -106,6 +106,16 @@ TEST(Command, MeshRefusesOtherKindsOfFiles) {
   EXPECT_TRUE(has(outcome.err, "ends in .vtu")) << outcome.err;
 }
 
+TEST(Command, CheckListsThePhaseFunctionsByAngle) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says(
+      {"check", folder.file(), "--phase", "--set", "media.smoke.phase={model='henyey-greenstein',g=0.5}"});
+  EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("medium,band,degrees,p\nsmoke,red,0,", 0), 0u) << outcome.out.substr(0, 80);
+  // (1 - g^2)/(4 pi (1 + g)^3) straight back.
+  EXPECT_TRUE(has(outcome.out, "\nsmoke,blue,180,0.0176838")) << outcome.out.substr(outcome.out.size() - 80);
+}
+
 TEST(Command, DirectionsShowsAllSetsOrOneInFull) {
   const Outcome all = etendue_says({"directions"});
   EXPECT_EQ(all.code, ExitCode::done);
