@@ -58,22 +58,32 @@ DiffusionAcceleration::DiffusionAcceleration(const Problem& problem, TransportSw
     : problem_(problem),
       sweep_(sweep),
       vertices_(problem.mesh()),
+      media_(
+          diffusive_media(problem, sweep.directions(), sweep.scattering_plan(), sweep.scattering_matrices())),
+      extinction_(
+          effective_extinction(problem, extinction, sweep.scattering_plan(), sweep.scattering_matrices())),
+      caution_(static_cast<std::size_t>(problem.band_count()), 1),
+      free_paths_(extinction_.size()),
       longest_free_path_(longest_chords * mean_chord(problem.mesh())) {
   if (sweep.cells().nodes() != 4)
     throw std::invalid_argument("acceleration by diffusion takes linear elements, not constant ones");
-  nonlocal_ = length == DiffusionLength::nonlocal ||
-              (length == DiffusionLength::automatic && wants_nonlocal(extinction));
+  nonlocal_ =
+      length == DiffusionLength::nonlocal || (length == DiffusionLength::automatic && wants_nonlocal());
   std::unique_ptr<TransportState> path;
   if (nonlocal_) {
     path = std::make_unique<TransportState>(sweep.layout());
     sweep.apply_to_unit_source(*path);
     ++sweeps_;
   }
+  for (std::size_t i = 0; i < media_.size(); ++i) {
+    double& caution = caution_[i % caution_.size()];
+    caution = std::max(caution, media_[i].slope.norm() / std::sqrt(3.0));
+  }
   const auto start = Clock::now();
   const double accuracy = sweep.scattering().row_count() > 0 ? accuracy_with_moments : accuracy_of_fluence;
   std::vector<DiffusionCoefficients> known;
   for (std::size_t band = 0; band < static_cast<std::size_t>(problem.band_count()); ++band) {
-    DiffusionCoefficients wanted = coefficients(band, extinction, path.get());
+    DiffusionCoefficients wanted = coefficients(band, path.get());
     const auto same = std::find(known.begin(), known.end(), wanted);
     solver_of_.push_back(static_cast<std::size_t>(same - known.begin()));
     if (same != known.end()) continue;
@@ -90,13 +100,13 @@ DiffusionAcceleration::DiffusionAcceleration(const Problem& problem, TransportSw
   setup_seconds_ = seconds_since(start);
 }
 
-bool DiffusionAcceleration::wants_nonlocal(std::span<const double> extinction) const {
+bool DiffusionAcceleration::wants_nonlocal() const {
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   for (std::size_t band = 0; band < bands; ++band) {
-    double smallest = extinction[band], largest = smallest;
-    for (std::size_t at = band; at < extinction.size(); at += bands) {
-      smallest = std::min(smallest, extinction[at]);
-      largest = std::max(largest, extinction[at]);
+    double smallest = extinction_[band], largest = smallest;
+    for (std::size_t at = band; at < extinction_.size(); at += bands) {
+      smallest = std::min(smallest, extinction_[at]);
+      largest = std::max(largest, extinction_[at]);
     }
     if (largest >= large_contrast * smallest) return true;
   }
@@ -106,8 +116,8 @@ bool DiffusionAcceleration::wants_nonlocal(std::span<const double> extinction) c
 // The mean of the flight lengths to where light comes from, or 1/sigma_t. The elements of the one may be
 // negative where extinctions jump, the other is infinite in a void. Nothing is shorter than in a cell among
 // black ones, about 1/(sigma_t + 1/chord) (Wigner's rational approximation).
-double DiffusionAcceleration::free_path(CellIndex cell, std::size_t band, double extinction,
-                                        const TransportState* path) const {
+double DiffusionAcceleration::free_path(CellIndex cell, std::size_t band, const TransportState* path) const {
+  const double extinction = extinction_[cell.at() * static_cast<std::size_t>(problem_.band_count()) + band];
   double result = 1 / extinction;
   if (path != nullptr) {
     result = 0;
@@ -119,9 +129,7 @@ double DiffusionAcceleration::free_path(CellIndex cell, std::size_t band, double
   return std::min(longest_free_path_, std::max(shortest, result));
 }
 
-DiffusionCoefficients DiffusionAcceleration::coefficients(std::size_t band,
-                                                          std::span<const double> extinction,
-                                                          const TransportState* path) const {
+DiffusionCoefficients DiffusionAcceleration::coefficients(std::size_t band, const TransportState* path) {
   const TetrahedralMesh& mesh = problem_.mesh();
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   DiffusionCoefficients result;
@@ -130,8 +138,8 @@ DiffusionCoefficients DiffusionAcceleration::coefficients(std::size_t band,
     const CellIndex cell(static_cast<std::int64_t>(c));
     // Not as extinction less scattering, in which a tiny absorption is lost.
     result.absorption.push_back(problem_.absorption()[c * bands + band]);
-    const double length = free_path(cell, band, extinction[c * bands + band], path);
-    result.diffusion.push_back(length / dimension(problem_.space()) * Eigen::Matrix3d::Identity());
+    free_paths_[c * bands + band] = free_path(cell, band, path);
+    result.diffusion.push_back(free_paths_[c * bands + band] * medium(cell, band).diffusion);
     result.lumped.push_back(sweep_.cells().is_lumped(cell, static_cast<int>(band)));
   }
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
@@ -155,32 +163,83 @@ void DiffusionAcceleration::correct_band(std::size_t band, const TransportState&
   solvers_[solver_of_[band]]->approximate(right, correction);
   const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
   for (std::size_t i = 0; i < correction.size(); ++i) corrected.fluence()[i * stride + band] += correction[i];
-  const ScatteringMoments& scattering = sweep_.scattering();
-  const std::size_t moments = static_cast<std::size_t>(scattering.moment_count());
-  for (std::size_t row = 0; row < scattering.row_count(); ++row) {
-    const auto cell = static_cast<std::size_t>(scattering.angular_cells()[row]);
-    for (std::size_t i = 0; i < 4; ++i)
-      corrected.moments()[(row * moments * 4 + i) * stride + band] += correction[4 * cell + i];
-  }
+  correct_moments(band, correction, corrected);
   correct_radiance(band, correction, corrected);
   correct_walls(band, correction, residual, corrected);
 }
 
-// Where scattering is by a matrix it takes its light from the radiance: the correction is the same in all
-// directions.
+const DiffusiveMedium& DiffusionAcceleration::medium(CellIndex cell, std::size_t band) const {
+  return media_[static_cast<std::size_t>(problem_.mesh().region(cell)) *
+                    static_cast<std::size_t>(problem_.band_count()) +
+                band];
+}
+
+/// Diffuse light is (phi - slope . omega) / 4 pi.
+Eigen::Vector3d DiffusionAcceleration::slope(CellIndex cell, std::size_t band,
+                                             const NodalVector& correction) const {
+  const double path = free_paths_[cell.at() * static_cast<std::size_t>(problem_.band_count()) + band];
+  const Eigen::Vector3d gradient =
+      barycentric_gradients(problem_.mesh(), cell) * nodes_of(std::span<const double>(correction), cell.at());
+  return path * (medium(cell, band).slope * gradient);
+}
+
+// Moment 0 is the fluence; 1, 2, 3 are those of sqrt(dimension) x, y, z.
+void DiffusionAcceleration::correct_moments(std::size_t band, const NodalVector& correction,
+                                            TransportState& corrected) const {
+  const ScatteringMoments& scattering = sweep_.scattering();
+  const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
+  const auto moments = static_cast<std::size_t>(scattering.moment_count());
+  const int axes = dimension(problem_.space());
+  for (std::size_t row = 0; row < scattering.row_count(); ++row) {
+    const CellIndex cell(scattering.angular_cells()[row]);
+    double* values = corrected.moments().data() + row * moments * 4 * stride + band;
+    for (std::size_t i = 0; i < 4; ++i) values[i * stride] += correction[4 * cell.at() + i];
+    if (moments == 1) continue;
+    const Eigen::Vector3d first = -slope(cell, band, correction) / std::sqrt(axes);
+    for (int axis = 0; axis < axes; ++axis)
+      for (std::size_t i = 0; i < 4; ++i)
+        values[(static_cast<std::size_t>(axis + 1) * 4 + i) * stride] += first[axis];
+  }
+}
+
+// Where scattering is by a matrix it takes its light from the radiance.
 void DiffusionAcceleration::correct_radiance(std::size_t band, const NodalVector& correction,
                                              TransportState& corrected) const {
   const DenseScattering& dense = sweep_.dense_scattering();
   const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
   const double share = 1 / full_range(problem_.space());
   const std::size_t rows = dense.cells().size();
-  const std::size_t ordinates = rows == 0 ? 0 : dense.radiance_size() / (rows * dense.row_length());
-  for (std::size_t m = 0; m < ordinates; ++m)
+  std::vector<Eigen::Vector3d> slopes;
+  for (const std::int32_t cell : dense.cells()) slopes.push_back(slope(CellIndex(cell), band, correction));
+  for (std::int32_t m = 0; rows > 0 && m < sweep_.directions().count(); ++m)
     for (std::size_t row = 0; row < rows; ++row) {
       const auto cell = static_cast<std::size_t>(dense.cells()[row]);
-      double* radiance = corrected.radiance().data() + (m * rows + row) * dense.row_length() + band;
-      for (std::size_t i = 0; i < 4; ++i) radiance[i * stride] += share * correction[4 * cell + i];
+      const double odd = slopes[row].dot(sweep_.directions().direction(OrdinateIndex(m)));
+      double* radiance = corrected.radiance().data() +
+                         (static_cast<std::size_t>(m) * rows + row) * dense.row_length() + band;
+      for (std::size_t i = 0; i < 4; ++i) radiance[i * stride] += share * (correction[4 * cell + i] - odd);
     }
+}
+
+// What scatters of a residual in all directions, for a scattering coefficient of 1.
+NodalVector DiffusionAcceleration::scattered(std::size_t band, const TransportState& residual) const {
+  const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
+  NodalVector result(4 * static_cast<std::size_t>(problem_.mesh().cell_count()));
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = medium(CellIndex(static_cast<std::int64_t>(i / 4)), band).scattered *
+                residual.fluence()[i * stride + band];
+  const DenseScattering& dense = sweep_.dense_scattering();
+  const std::size_t rows = dense.cells().size();
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto cell = static_cast<std::size_t>(dense.cells()[row]);
+    const std::vector<double>& factors = medium(CellIndex(dense.cells()[row]), band).scattered_of;
+    for (std::size_t i = 0; i < 4 && !factors.empty(); ++i) result[4 * cell + i] = 0;
+    for (std::size_t m = 0; m < factors.size(); ++m) {
+      const double* radiance = residual.radiance().data() + (m * rows + row) * dense.row_length() + band;
+      for (std::size_t i = 0; i < 4; ++i) result[4 * cell + i] += factors[m] * radiance[i * stride];
+    }
+  }
+  return result;
 }
 
 double DiffusionAcceleration::reflectance_seen(FaceIndex face, std::size_t band) const {
@@ -197,15 +256,14 @@ NodalVector DiffusionAcceleration::right_side(std::size_t band, const TransportS
   const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   const auto cells = static_cast<std::size_t>(mesh.cell_count());
+  const NodalVector source = scattered(band, residual);
   NodalVector right(4 * cells, 0);
   for (std::size_t c = 0; c < cells; ++c) {
     const CellIndex cell(static_cast<std::int64_t>(c));
-    Eigen::Vector4d values;
-    for (std::size_t i = 0; i < 4; ++i)
-      values(static_cast<Eigen::Index>(i)) = residual.fluence()[(4 * c + i) * stride + band];
     nodes_of(std::span<double>(right), c) =
         problem_.scattering()[c * bands + band] *
-        (mass_matrix(mesh.volume(cell), sweep_.cells().is_lumped(cell, static_cast<int>(band))) * values);
+        (mass_matrix(mesh.volume(cell), sweep_.cells().is_lumped(cell, static_cast<int>(band))) *
+         nodes_of(std::span<const double>(source), c));
   }
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/diffusion/diffusion_solver.h"
+#include "solver/ordinates/diffusive_medium.h"
 #include "solver/ordinates/transport_sweep.h"
 
 namespace etendue {
@@ -24,6 +25,9 @@ class DiffusionAcceleration {
   /// Whether there is a low-order solver in this band. Where there is none P = I, and |P r| is no more an
   /// estimate of the error than |r|.
   bool acts_on(std::size_t band) const { return solvers_[solver_of_[band]] != nullptr; }
+  /// What |P r| has to be multiplied by for an estimate of the error. P does not bring the current of a
+  /// residual into balance with forward scattering, which makes it 1/(1 - albedo g) times as large.
+  double caution(std::size_t band) const { return caution_[band]; }
   /// corrected = P residual, in the bands that are `active`.
   void apply(const TransportState& residual, TransportState& corrected, const std::vector<char>& active);
 
@@ -35,14 +39,17 @@ class DiffusionAcceleration {
   std::vector<std::string> notes() const;
 
  private:
-  bool wants_nonlocal(std::span<const double> extinction) const;
-  double free_path(CellIndex cell, std::size_t band, double extinction, const TransportState* path) const;
-  DiffusionCoefficients coefficients(std::size_t band, std::span<const double> extinction,
-                                     const TransportState* path) const;
+  bool wants_nonlocal() const;
+  double free_path(CellIndex cell, std::size_t band, const TransportState* path) const;
+  DiffusionCoefficients coefficients(std::size_t band, const TransportState* path);
   void correct_band(std::size_t band, const TransportState& residual, TransportState& corrected);
   /// 0 where no ordinate meets the wall, as above and below a problem of the plane.
   double reflectance_seen(FaceIndex face, std::size_t band) const;
+  const DiffusiveMedium& medium(CellIndex cell, std::size_t band) const;
+  NodalVector scattered(std::size_t band, const TransportState& residual) const;
   NodalVector right_side(std::size_t band, const TransportState& residual) const;
+  Eigen::Vector3d slope(CellIndex cell, std::size_t band, const NodalVector& correction) const;
+  void correct_moments(std::size_t band, const NodalVector& correction, TransportState& corrected) const;
   void correct_radiance(std::size_t band, const NodalVector& correction, TransportState& corrected) const;
   void correct_walls(std::size_t band, const NodalVector& correction, const TransportState& residual,
                      TransportState& corrected) const;
@@ -50,7 +57,11 @@ class DiffusionAcceleration {
   const Problem& problem_;
   TransportSweep& sweep_;
   VertexSpace vertices_;
-  std::vector<std::size_t> solver_of_;                     ///< [band]
+  std::vector<DiffusiveMedium> media_;  ///< [region * bands + band]
+  std::vector<double> extinction_;      ///< [cell][band] that the mean ordinate sees [1/length]
+  std::vector<double> caution_;         ///< [band]
+  std::vector<double> free_paths_;      ///< [cell][band] [length]
+  std::vector<std::size_t> solver_of_;  ///< [band]
   std::vector<std::unique_ptr<DiffusionSolver>> solvers_;  ///< null where there is a fault
   std::vector<std::string> faults_;                        ///< [solver] why it is null
   double longest_free_path_ = 0;                           ///< [length]

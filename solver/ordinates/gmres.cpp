@@ -120,7 +120,9 @@ class Run {
     if (accelerated()) precondition(active());
     std::vector<double> errors = relative_change(sweep_.mesh(), sweep_, state_, work_);
     for (std::size_t b = 0; b < bands_; ++b)
-      if (!accelerated(b)) errors[b] = sweep_.is_direct() ? 0 : errors[b] / smallest_[b];
+      errors[b] = accelerated(b)       ? errors[b] * options_.acceleration->caution(b)
+                  : sweep_.is_direct() ? 0
+                                       : errors[b] / smallest_[b];
     return errors;
   }
 
@@ -234,7 +236,8 @@ class Run {
     }
     for (std::size_t b = 0; b < bands_; ++b) {
       if (done_[b]) continue;
-      if (!accelerated(b)) errors[b] = problems_[b].residual() / (smallest_[b] * size_[b]);
+      errors[b] = accelerated(b) ? errors[b] * options_.acceleration->caution(b)
+                                 : problems_[b].residual() / (smallest_[b] * size_[b]);
       result_.bands[b].residual = errors[b];
       done_[b] = errors[b] <= safety * options_.tolerance;
     }

@@ -79,7 +79,9 @@ IterationResult SourceIteration::run(TransportSweep& sweep, TransportState& stat
       // Asked in any case, for the sweeps that are left. |P r| is an estimate of the error itself.
       const double from_rate = rates[b].error(residual[b]);
       const bool corrected = options.acceleration != nullptr && options.acceleration->acts_on(b);
-      errors[b] = sweep.is_direct() ? 0 : corrected ? residual[b] : from_rate;
+      errors[b] = sweep.is_direct() ? 0
+                  : corrected       ? residual[b] * options.acceleration->caution(b)
+                                    : from_rate;
       const bool converged = errors[b] <= options.tolerance;
       result.bands[b] = {count, errors[b], converged};
       result.history.push_back({count, static_cast<int>(b), errors[b]});

@@ -39,6 +39,7 @@ struct Setting {
   double inside = 0;     ///< [1/length]
   double albedo = 1;
   double asymmetry = 0;
+  int degree = -1;     ///< of moments; -1: as the phase function asks
   int mirrors = 0;     ///< the first of xmin, xmax, ymin, ymax, zmin that are mirrors
   double diffuse = 0;  ///< reflectance of all walls
   Lumping lumping = Lumping::none;
@@ -75,13 +76,16 @@ std::vector<Setting> settings() {
                  .inside = 1000});
   all.push_back(
       {.name = "void ball in 200", .target = 28, .scene = Scene::ball, .outside = 200, .inside = 0});
-  const std::pair<double, int> forward[] = {{0.5, 25}, {0.8, 36}, {0.9, 45}};
+  const std::pair<double, int> forward[] = {{0.5, 25}, {0.8, 36}, {0.9, 40}};
   for (const auto& [asymmetry, target] : forward)
-    for (const double thickness : {10.0, 100.0})
-      all.push_back({.name = fmt::format("g = {}, {} paths", asymmetry, thickness),
-                     .target = target,
-                     .thickness = thickness,
-                     .asymmetry = asymmetry});
+    for (const int degree : {-1, 7})
+      for (const double thickness : {1.0, 10.0, 100.0})
+        all.push_back({.name = fmt::format("g = {}, {} paths{}", asymmetry, thickness,
+                                           degree < 0 ? "" : fmt::format(", moments of degree {}", degree)),
+                       .target = degree < 0 ? target : std::max(target, 45),
+                       .thickness = thickness,
+                       .asymmetry = asymmetry,
+                       .degree = degree});
   for (const double thickness : {0.1, 1.0, 10.0}) {
     all.push_back({.name = fmt::format("five mirrors, {} paths", thickness),
                    .target = 25,
@@ -132,6 +136,7 @@ Problem make_problem(const Setting& setting, const TetrahedralMesh& mesh) {
     if (setting.diffuse > 0) medium.emission[0] = 0;
     medium.phase.emplace_back();
     if (setting.asymmetry != 0) medium.phase[0] = PhaseHenyeyGreenstein{setting.asymmetry};
+    if (setting.degree >= 0) medium.choice = {{ScatteringBackend::moments, setting.degree}};
     media.push_back(std::move(medium));
   }
   const std::vector<std::string> order = {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};

@@ -34,7 +34,7 @@ TEST(DiffusionAcceleration, EveryPathGivesTheSameAnswer) {
   ASSERT_TRUE(plain.converged());
   for (const Method method : {Method::gmres, Method::source_iteration})
     for (const Acceleration acceleration : {Acceleration::none, Acceleration::diffusion})
-      for (const int threads : {1, 2}) {
+      for (const int threads : {1, 2, 3, 4}) {
         SolveOptions options = options_of(method, acceleration, tolerance);
         options.threads = threads;
         const Solution solution = solve(problem, directions, options);
