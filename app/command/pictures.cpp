@@ -23,6 +23,23 @@ bool has_directional_band(const Medium& medium) {
   return false;
 }
 
+using Formulas = std::vector<std::optional<AngularFormula>>;
+
+bool any(const Formulas& formulas) {
+  return std::ranges::any_of(formulas, [](const auto& formula) { return formula.has_value(); });
+}
+
+/// Whether something absorbs or emits by a formula of the direction, or a wall by one of the place.
+bool uses_formulas(const Problem& problem) {
+  return std::ranges::any_of(problem.media(),
+                             [](const Medium& medium) {
+                               return any(medium.absorption_by_direction) ||
+                                      any(medium.emission_by_direction);
+                             }) ||
+         std::ranges::any_of(problem.walls(),
+                             [](const Wall& wall) { return any(wall.radiance_by_direction); });
+}
+
 bool is_black(const Picture& picture) {
   return std::all_of(picture.radiance.begin(), picture.radiance.end(),
                      [](double value) { return value == 0; });
@@ -35,6 +52,10 @@ void check_cameras(const std::vector<CameraCase>& cameras, const Problem& proble
   if (problem.space() == AngularSpace::plane) where = "in flatland (not in this version); remove it";
   if (std::any_of(problem.media().begin(), problem.media().end(), has_directional_band))
     where = "beside leaves, flakes or a kernel, which rays do not see (not in this version); remove it";
+  if (uses_formulas(problem))
+    where =
+        "beside absorption or emission that depends on the direction, or radiance by a formula, which rays "
+        "do not see (not in this version); remove it";
   if (where.empty()) return;
   std::vector<Fault> faults;
   for (const CameraCase& camera : cameras) faults.push_back(fault_at(camera.origin, "", "a camera " + where));

@@ -144,6 +144,16 @@ order = 8
       << outcome.err;
 }
 
+TEST(Run, RefusesACameraBesideFormulasOfTheDirection) {
+  const CaseFolder folder(small_case() + camera);
+  for (const char* change :
+       {"media.smoke.absorption='1+wz'", "media.smoke.emission='1+wz'", "walls.floor.radiance='1+x'"}) {
+    const Outcome outcome = etendue_says({"run", folder.file(), "--set", change});
+    EXPECT_EQ(outcome.code, ExitCode::input_error) << change;
+    EXPECT_TRUE(has(outcome.err, "which rays do not see (not in this version); remove it")) << outcome.err;
+  }
+}
+
 TEST(Run, RefusesACameraBesideLeaves) {
   std::string text = small_case() + camera;
   const std::string matter = "absorption = [0.1, 0.2, 0.3]\nscattering = 1.0\n";
