@@ -53,6 +53,14 @@ std::vector<KeyDeclaration> picture_keys() {
         .help = "Points in each cell on a ray that are lit by rays to the lights: crisp shafts, at the cost "
                 "of as many rays. 0: light that scatters once is taken linear in a cell."}},
       {"camera",
+       "gather",
+       integer,
+       {.default_value = "0",
+        .choices = {"0", "64", "144", "256", "576", "1024"},
+        .help =
+            "Rays that look from each vertex of a wall for the light that directions brought there: free of "
+            "their rays, at the cost of as many rays. 0: as the solution has it."}},
+      {"camera",
        "exposure",
        number,
        {.default_note = "95 % of the picture are below white",

@@ -58,6 +58,7 @@ CameraCase read_camera(Section& section) {
   read_pixels(section, result.camera);
   result.camera.samples = section.integer("samples");
   result.camera.shafts = section.integer("shafts");
+  result.camera.gather = section.integer("gather");
   result.exposure = section.number_if("exposure");
   if (const auto tone = tones.find(section.text("tone")); tone != tones.end()) result.tone = tone->second;
   return result;

@@ -22,6 +22,9 @@ struct Camera {
   /// Points in each cell on a ray to which light comes straight from the lights, for crisp shafts; 0: what is
   /// scattered once is interpolated between the vertices.
   int shafts = 0;
+  /// Rays, a square number, that look from each vertex of a wall for the light that directions brought there
+  /// (final gathering); 0: it is taken as the solution has it.
+  int gather = 0;
 };
 
 struct CameraRay {

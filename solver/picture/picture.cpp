@@ -5,12 +5,14 @@
 #include <cmath>
 #include <exception>
 
+#include "solver/picture/gather.h"
+
 namespace etendue {
 namespace {
 
 /// One pixel: rays through the middles of equal squares.
 void add_rays(const RayRadiance& scene, const Camera& camera, const CameraRays& rays, int column, int row,
-              RayRadiance::Workspace& work, std::span<double> pixel) {
+              const RayView& view, RayRadiance::Workspace& work, std::span<double> pixel) {
   const int side = static_cast<int>(std::lround(std::sqrt(camera.samples)));
   std::vector<double> radiance(pixel.size());
   for (int j = 0; j < side; ++j)
@@ -18,7 +20,7 @@ void add_rays(const RayRadiance& scene, const Camera& camera, const CameraRays& 
       const CameraRay ray = rays.through(column + (i + 0.5) / side, row + (j + 0.5) / side);
       const auto start = scene.enter(ray.origin, ray.direction);
       if (!start) continue;
-      scene.along(*start, ray.direction, camera.shafts, work, radiance);
+      scene.along(*start, ray.direction, view, work, radiance);
       for (std::size_t b = 0; b < pixel.size(); ++b) pixel[b] += radiance[b] / (side * side);
     }
 }
@@ -28,6 +30,8 @@ void add_rays(const RayRadiance& scene, const Camera& camera, const CameraRays& 
 Picture take_picture(const RayRadiance& scene, const Camera& camera, int threads,
                      const PictureObserver& observer) {
   const CameraRays rays(camera);
+  const WallIrradiance gathered = gather(scene, camera.gather, threads);
+  const RayView view{camera.shafts, camera.gather > 0 ? &gathered : nullptr};
   const int columns = camera.pixels[0], lines = camera.pixels[1];
   Picture picture{camera.pixels, scene.bands(), {}};
   picture.radiance.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(lines) * picture.bands,
@@ -43,7 +47,7 @@ Picture take_picture(const RayRadiance& scene, const Camera& camera, int threads
       if (stopped) continue;
       try {
         for (int column = 0; column < columns; ++column)
-          add_rays(scene, camera, rays, column, row, work,
+          add_rays(scene, camera, rays, column, row, view, work,
                    std::span(picture.radiance)
                        .subspan((static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                                  static_cast<std::size_t>(column)) *

@@ -39,7 +39,7 @@ double interpolated(std::span<const double> values, const std::array<double, 4>&
 struct RayRadiance::Stretch {
   Vec3 from;
   Vec3 direction;
-  int shafts;
+  const RayView& view;
 
   Vec3 travel() const { return -direction; }
   Vec3 at(double distance) const { return from + distance * direction; }
@@ -97,7 +97,7 @@ RayEnd RayRadiance::walk(const PointInCell& from, const Vec3& direction, Workspa
                                      });
 }
 
-void RayRadiance::along(const PointInCell& start, const Vec3& direction, int shafts, Workspace& work,
+void RayRadiance::along(const PointInCell& start, const Vec3& direction, const RayView& view, Workspace& work,
                         std::span<double> radiance) const {
   std::fill(radiance.begin(), radiance.end(), 0.0);
   std::fill(work.depth.begin(), work.depth.end(), 0.0);
@@ -107,10 +107,10 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, int sha
   Vec3 towards = direction;
   for (int i = 0; i < most_mirrors; ++i) {
     const RayEnd end = walk(at, towards, work);
-    const Stretch stretch{at.position, towards, shafts};
-    add_flat_lights(stretch, end.distance, work, radiance);
+    const Stretch stretch{at.position, towards, view};
+    if (view.lights_shown) add_flat_lights(stretch, end.distance, work, radiance);
     add_cells(stretch, work, radiance);
-    add_wall(*end.wall, end.point, work, radiance);
+    add_wall(*end.wall, end.point, view, work, radiance);
     if (!reflect(*end.wall, work)) return;
     const Vec3 normal = problem_.mesh().area_normal(*end.wall).normalized();
     towards = (towards - 2 * towards.dot(normal) * normal).normalized();
@@ -122,7 +122,7 @@ void RayRadiance::add_cells(const Stretch& stretch, Workspace& work, std::span<d
   work.view.reset();
   work.memory.forget();
   for (const Workspace::Part& part : work.parts) {
-    if (stretch.shafts > 0 && !lights_.empty()) add_shafts(stretch, part, work, radiance);
+    if (stretch.view.shafts > 0 && !lights_.empty()) add_shafts(stretch, part, work, radiance);
     add_part(stretch, part, work, radiance);
   }
 }
@@ -133,10 +133,10 @@ void RayRadiance::add_part(const Stretch& stretch, const Workspace::Part& part, 
                            std::span<double> radiance) const {
   if (!work.view) work.view = collided_.view(stretch.travel());
   collided_.at_vertices(part.cell, *work.view, work.values);
-  if (stretch.shafts == 0) once_.add_at_vertices(part.cell, stretch.travel(), work.memory, work.values);
+  if (stretch.view.shafts == 0) once_.add_at_vertices(part.cell, stretch.travel(), work.memory, work.values);
   const auto here = barycentric(problem_.mesh(), part.cell, stretch.at(part.from));
   const auto there = barycentric(problem_.mesh(), part.cell, stretch.at(part.from + part.length));
-  const bool is_light = lights_.has_region(problem_.mesh().region(part.cell));
+  const bool is_light = stretch.view.lights_shown && lights_.has_region(problem_.mesh().region(part.cell));
   for (std::size_t b = 0; b < bands_; ++b) {
     const double near = interpolated(work.values, here, b, bands_);
     const double far = interpolated(work.values, there, b, bands_);
@@ -156,7 +156,7 @@ void RayRadiance::add_part(const Stretch& stretch, const Workspace::Part& part, 
 
 void RayRadiance::add_shafts(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
                              std::span<double> radiance) const {
-  const GaussRule rule = gauss_legendre(stretch.shafts);
+  const GaussRule rule = gauss_legendre(stretch.view.shafts);
   bool scatters = false;
   for (int b = 0; b < problem_.band_count(); ++b)
     scatters = scatters || problem_.scattering(part.cell, b) > 0;
@@ -198,15 +198,17 @@ void RayRadiance::add_flat_lights(const Stretch& stretch, double length, Workspa
   }
 }
 
-void RayRadiance::add_wall(FaceIndex face, const Vec3& point, Workspace& work,
+void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const RayView& view, Workspace& work,
                            std::span<double> radiance) const {
   const int number = problem_.mesh().wall(face);
   const Wall& wall = problem_.wall(number);
   std::fill(work.at_point.begin(), work.at_point.end(), 0.0);
-  walls_.add_reflected(face, point, work.beams, work.at_point);
+  walls_.add_reflected(face, point, view.brought != nullptr ? *view.brought : walls_.joined(), work.beams,
+                       work.at_point);
   for (std::size_t b = 0; b < bands_; ++b) {
     const double rest = std::exp(-work.depth_rest[b]);
-    const double emitted = lights_.has_wall(number) ? std::exp(-work.depth[b]) : rest;
+    double emitted = rest;
+    if (lights_.has_wall(number)) emitted = view.lights_shown ? std::exp(-work.depth[b]) : 0;
     radiance[b] += work.factor[b] * (rest * work.at_point[b] + emitted * wall.radiance[b]);
   }
 }

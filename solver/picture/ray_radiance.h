@@ -14,6 +14,13 @@
 
 namespace etendue {
 
+/// How a ray looks.
+struct RayView {
+  int shafts = 0;                           ///< as in Camera
+  const WallIrradiance* brought = nullptr;  ///< what directions brought to the walls; null: as joined
+  bool lights_shown = true;                 ///< else only what is scattered and reflected, and other emission
+};
+
 /// The radiance that comes to a point along a ray, from a saved solution:
 ///
 ///     L = integral of e^(-tau) (q + S) ds + e^(-tau) L_wall                                          (1)
@@ -56,9 +63,10 @@ class RayRadiance {
   std::optional<PointInCell> enter(const Vec3& origin, const Vec3& direction) const;
 
   /// Writes the radiance [band] that arrives at `start` from where the unit vector `direction` points.
-  /// `shafts` as in Camera.
-  void along(const PointInCell& start, const Vec3& direction, int shafts, Workspace& work,
+  void along(const PointInCell& start, const Vec3& direction, const RayView& view, Workspace& work,
              std::span<double> radiance) const;
+
+  const Problem& problem() const { return problem_; }
 
  private:
   struct Stretch;
@@ -70,7 +78,8 @@ class RayRadiance {
                   std::span<double> radiance) const;
   void add_flat_lights(const Stretch& stretch, double length, Workspace& work,
                        std::span<double> radiance) const;
-  void add_wall(FaceIndex face, const Vec3& point, Workspace& work, std::span<double> radiance) const;
+  void add_wall(FaceIndex face, const Vec3& point, const RayView& view, Workspace& work,
+                std::span<double> radiance) const;
   bool reflect(FaceIndex face, Workspace& work) const;
   void find_dark_cells();
 

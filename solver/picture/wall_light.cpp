@@ -15,20 +15,6 @@ constexpr double flat = 1e-9;
 /// Transmittances to a light that differ by more show where each ray ends.
 constexpr double uneven = 0.1;
 
-struct Corner {
-  FaceIndex face;
-  std::size_t node;
-};
-
-/// [vertex] the corners of boundary faces that meet there.
-std::vector<std::vector<Corner>> corners_at_vertices(const TetrahedralMesh& mesh) {
-  std::vector<std::vector<Corner>> corners(static_cast<std::size_t>(mesh.vertex_count()));
-  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
-    for (std::size_t i = 0; i < 3; ++i)
-      corners[static_cast<std::size_t>(mesh.vertices(FaceIndex(f))[i])].push_back({FaceIndex(f), i});
-  return corners;
-}
-
 /// Parts of the area that the point cuts off with the edges.
 std::array<double, 3> barycentric(const TetrahedralMesh& mesh, FaceIndex face, const Vec3& point) {
   std::array<Vec3, 3> to;
@@ -40,15 +26,44 @@ std::array<double, 3> barycentric(const TetrahedralMesh& mesh, FaceIndex face, c
   return part;
 }
 
+/// [vertex] the corners of boundary faces that meet there.
+std::vector<std::vector<WallCorner>> corners_at_vertices(const TetrahedralMesh& mesh) {
+  std::vector<std::vector<WallCorner>> corners(static_cast<std::size_t>(mesh.vertex_count()));
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    for (std::size_t i = 0; i < 3; ++i)
+      corners[static_cast<std::size_t>(mesh.vertices(FaceIndex(f))[i])].push_back({FaceIndex(f), i});
+  return corners;
+}
+
 }  // namespace
+
+std::vector<std::vector<WallCorner>> corners_by_plane(const TetrahedralMesh& mesh) {
+  std::vector<std::vector<WallCorner>> planes;
+  for (const std::vector<WallCorner>& corners : corners_at_vertices(mesh)) {
+    const std::size_t first = planes.size();
+    for (const WallCorner& corner : corners) {
+      const Vec3 normal = mesh.area_normal(corner.face).normalized();
+      const auto same = [&](const std::vector<WallCorner>& plane) {
+        return normal.dot(mesh.area_normal(plane.front().face).normalized()) > 1 - flat;
+      };
+      const auto plane =
+          std::find_if(planes.begin() + static_cast<std::ptrdiff_t>(first), planes.end(), same);
+      if (plane == planes.end())
+        planes.push_back({corner});
+      else
+        plane->push_back(corner);
+    }
+  }
+  return planes;
+}
 
 WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, const SavedState& state,
                      std::size_t face_nodes)
     : lights_(lights), problem_(lights.problem()), bands_(lights.paths().bands()) {
   const TetrahedralMesh& mesh = problem_.mesh();
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
-    half_range_.push_back(directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
-  if (state.irradiance.size() != half_range_.size() * face_nodes * bands_)
+    joined_.half_range.push_back(directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
+  if (state.irradiance.size() != joined_.half_range.size() * face_nodes * bands_)
     throw InputError("the saved state is not of this kind (another mesh or other elements)");
   join(state, face_nodes);
 }
@@ -56,32 +71,30 @@ WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, c
 // Clément (1975): the mean, weighted by area, over the faces of one plane around a vertex.
 void WallLight::join(const SavedState& state, std::size_t face_nodes) {
   const TetrahedralMesh& mesh = problem_.mesh();
-  irradiance_.assign(half_range_.size() * 3 * bands_, 0);
-  for (const std::vector<Corner>& corners : corners_at_vertices(mesh))
-    for (const Corner& own : corners) {
-      const Vec3 normal = mesh.area_normal(own.face) / mesh.area(own.face);
-      double area = 0;
-      double* joined = &irradiance_[(own.face.at() * 3 + own.node) * bands_];
-      for (const Corner& other : corners) {
-        const double weight = mesh.area(other.face);
-        if (normal.dot(mesh.area_normal(other.face)) < (1 - flat) * weight) continue;
-        area += weight;
-        const std::size_t node = other.face.at() * face_nodes + (face_nodes == 3 ? other.node : 0);
-        for (std::size_t b = 0; b < bands_; ++b) joined[b] += weight * state.irradiance[node * bands_ + b];
+  joined_.values.assign(joined_.half_range.size() * 3 * bands_, 0);
+  for (const std::vector<WallCorner>& plane : corners_by_plane(mesh))
+    for (std::size_t b = 0; b < bands_; ++b) {
+      double area = 0, sum = 0;
+      for (const WallCorner& corner : plane) {
+        const std::size_t node = corner.face.at() * face_nodes + (face_nodes == 3 ? corner.node : 0);
+        area += mesh.area(corner.face);
+        sum += mesh.area(corner.face) * state.irradiance[node * bands_ + b];
       }
-      for (std::size_t b = 0; b < bands_; ++b) joined[b] /= area;
+      for (const WallCorner& corner : plane)
+        joined_.values[(corner.face.at() * 3 + corner.node) * bands_ + b] = sum / area;
     }
 }
 
-void WallLight::add_reflected(FaceIndex face, const Vec3& point, LightBeams& beams,
-                              std::span<double> radiance) const {
+void WallLight::add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought,
+                              LightBeams& beams, std::span<double> radiance) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   if (std::all_of(wall.diffuse.begin(), wall.diffuse.end(), [](double value) { return value == 0; })) return;
   const std::array<double, 3> weights = barycentric(problem_.mesh(), face, point);
-  for (std::size_t i = 0; i < 3 && half_range_[face.at()] > 0; ++i)
+  const double half_range = brought.half_range[face.at()];
+  for (std::size_t i = 0; i < 3 && half_range > 0; ++i)
     for (std::size_t b = 0; b < bands_; ++b)
-      radiance[b] += wall.diffuse[b] / half_range_[face.at()] * weights[i] *
-                     irradiance_[(face.at() * 3 + i) * bands_ + b];
+      radiance[b] +=
+          wall.diffuse[b] / half_range * weights[i] * brought.values[(face.at() * 3 + i) * bands_ + b];
   const Vec3 outwards = problem_.mesh().area_normal(face).normalized();
   std::vector<double> irradiance(bands_, 0);
   add_light({problem_.mesh().owner(face), point}, outwards, beams, irradiance);

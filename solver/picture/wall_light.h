@@ -16,6 +16,20 @@ namespace etendue {
 inline constexpr LightDetail wall_light_detail{0.4, 0.02, 0.6, 0.9, TriangleRule::three_points};
 inline constexpr LightDetail penumbra_detail{0.12, 0.01, 0.15, 0.3, TriangleRule::three_points};
 
+/// What directions brought to the walls, as a picture takes it: continuous within each plane.
+struct WallIrradiance {
+  std::vector<double> values;      ///< [boundary face][3][band] [power/length^2]
+  std::vector<double> half_range;  ///< [boundary face] what it is divided by to be reflected [sr]
+};
+
+/// The corners of boundary faces around each vertex that lie in one plane, plane by plane: what a plane
+/// receives is continuous, and jumps at edges.
+struct WallCorner {
+  FaceIndex face;
+  std::size_t node;
+};
+std::vector<std::vector<WallCorner>> corners_by_plane(const TetrahedralMesh& mesh);
+
 /// The radiance that walls send back.
 class WallLight {
  public:
@@ -26,15 +40,16 @@ class WallLight {
   /// Adds the radiance [band] that a wall reflects diffusely at a point of a face: of the light that
   /// directions carried, (diffuse/pi_h) E with the values around it joined continuously, and of the lights'
   /// own, (diffuse/pi) E_0 by rays to them.
-  void add_reflected(FaceIndex face, const Vec3& point, LightBeams& beams, std::span<double> radiance) const;
+  void add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought, LightBeams& beams,
+                     std::span<double> radiance) const;
 
   /// Adds the irradiance [band] of the lights at a point of a cell, on the side that light with w.n > 0
   /// meets.
   void add_light(const PointInCell& point, const Vec3& normal, LightBeams& beams,
                  std::span<double> irradiance) const;
 
-  /// What directions brought, joined: [boundary face][3][band] [power/length^2].
-  std::span<const double> joined_irradiance() const { return irradiance_; }
+  /// What directions brought, as the solution has it, joined within each plane.
+  const WallIrradiance& joined() const { return joined_; }
 
  private:
   void join(const SavedState& state, std::size_t face_nodes);
@@ -43,8 +58,7 @@ class WallLight {
   const LightSetup& lights_;
   const Problem& problem_;
   std::size_t bands_;
-  std::vector<double> half_range_;  ///< [boundary face] [sr]
-  std::vector<double> irradiance_;  ///< [boundary face][3][band]
+  WallIrradiance joined_;
 };
 
 }  // namespace etendue

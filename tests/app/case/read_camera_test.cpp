@@ -33,6 +33,7 @@ orthographic = 3
 pixels = [20, 10]
 samples = 9
 shafts = 2
+gather = 64
 exposure = 0.5
 tone = "reinhard"
 )");
@@ -41,6 +42,7 @@ tone = "reinhard"
   EXPECT_EQ(front.camera.pixels, (std::array<int, 2>{20, 10}));
   EXPECT_EQ(front.camera.samples, 9);
   EXPECT_EQ(front.camera.shafts, 2);
+  EXPECT_EQ(front.camera.gather, 64);
   EXPECT_EQ(front.exposure, 0.5);
   EXPECT_EQ(front.tone, Tone::reinhard);
 }

@@ -30,7 +30,7 @@ struct Scene {
     RayRadiance::Workspace work(radiance);
     std::vector<double> value(radiance.bands());
     const Vec3 unit = direction.normalized();
-    radiance.along(*radiance.enter(from, unit), unit, shafts, work, value);
+    radiance.along(*radiance.enter(from, unit), unit, {.shafts = shafts}, work, value);
     return value[0];
   }
 
@@ -63,6 +63,17 @@ Problem with_lights(const TetrahedralMesh& mesh, const Medium& medium, const Wal
   return Problem(mesh, {}, media, walls, AngularSpace::sphere, std::move(lights));
 }
 
+bool is_on(const Picture& picture, double expected, double tolerance, int& seen) {
+  seen = 0;
+  bool all = true;
+  for (const double value : picture.radiance)
+    if (value != 0) {
+      all = all && std::abs(value - expected) < tolerance;
+      ++seen;
+    }
+  return all;
+}
+
 // In a furnace every ray brings the same radiance, whatever scatters and reflects.
 TEST(RayRadiance, IsConstantInAFurnace) {
   const TetrahedralMesh mesh = cube_mesh(0.03);
@@ -74,12 +85,11 @@ TEST(RayRadiance, IsConstantInAFurnace) {
     const Scene scene(furnace, directions_ldfe_sq(1));
     const Picture picture = take_picture(scene.radiance, camera_into_the_cube(), 1);
     int seen = 0;
-    for (const double value : picture.radiance)
-      if (value != 0) {
-        EXPECT_NEAR(value, 3, 3e-6) << phase_name(phase);
-        ++seen;
-      }
+    EXPECT_TRUE(is_on(picture, 3, 3e-6, seen)) << phase_name(phase);
     EXPECT_GT(seen, 300);
+    Camera gathering = camera_into_the_cube();
+    gathering.gather = 64;
+    EXPECT_TRUE(is_on(take_picture(scene.radiance, gathering, 1), 3, 3e-6, seen)) << phase_name(phase);
   }
 }
 
@@ -186,6 +196,7 @@ TEST(Picture, HasTheSameBitsForAnyNumberOfThreads) {
   const Scene scene(room, directions_ldfe_sq(1));
   Camera camera = camera_into_the_cube();
   camera.samples = 4;
+  camera.gather = 64;
   const Picture one = take_picture(scene.radiance, camera, 1);
   for (const int threads : {2, 3, 5})
     EXPECT_EQ(take_picture(scene.radiance, camera, threads).radiance, one.radiance);

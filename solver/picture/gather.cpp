@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/picture/gather.h"
+
+#include <cmath>
+#include <exception>
+#include <numbers>
+
+namespace etendue {
+namespace {
+
+using std::numbers::pi;
+
+/// Rays start this part of the way from the vertex to the middle of a face: at an edge of the room they would
+/// not know on which of its sides they stand.
+constexpr double off_the_vertex = 0.02;
+
+/// Directions about z that stand for equal parts of the integral of cos over the half range: by Nusselt's
+/// analogy equal parts of a disc, rings times azimuths.
+std::vector<Vec3> half_range_rays(int rays) {
+  const int side = static_cast<int>(std::lround(std::sqrt(rays)));
+  const int rings = (side + 1) / 2, azimuths = rays / rings;
+  std::vector<Vec3> directions;
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < azimuths; ++j) {
+      const double radius = std::sqrt((i + 0.5) / rings), angle = 2 * pi * (j + 0.5 * (i % 2)) / azimuths;
+      directions.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                              std::sqrt(1 - radius * radius));
+    }
+  return directions;
+}
+
+/// [band] at a corner of a boundary face.
+std::vector<double> irradiance_at(const RayRadiance& scene, const WallCorner& corner,
+                                  const std::vector<Vec3>& rays, RayRadiance::Workspace& work) {
+  const TetrahedralMesh& mesh = scene.problem().mesh();
+  const Vec3 vertex = mesh.point(VertexIndex(mesh.vertices(corner.face)[corner.node]));
+  const PointInCell start{mesh.owner(corner.face),
+                          vertex + off_the_vertex * (mesh.centroid(corner.face) - vertex)};
+  const Vec3 inwards = -mesh.area_normal(corner.face).normalized();
+  const Vec3 u = inwards.unitOrthogonal(), v = inwards.cross(u);
+  const RayView view{.lights_shown = false};
+  std::vector<double> sum(scene.bands(), 0), radiance(scene.bands());
+  for (const Vec3& ray : rays) {
+    scene.along(start, ray.x() * u + ray.y() * v + ray.z() * inwards, view, work, radiance);
+    for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += radiance[b];
+  }
+  for (double& value : sum) value *= pi / static_cast<double>(rays.size());
+  return sum;
+}
+
+bool is_diffuse(const Wall& wall) {
+  for (const double value : wall.diffuse)
+    if (value > 0) return true;
+  return false;
+}
+
+}  // namespace
+
+WallIrradiance gather(const RayRadiance& scene, int rays, int threads) {
+  if (rays == 0) return {};
+  const TetrahedralMesh& mesh = scene.problem().mesh();
+  const auto faces = static_cast<std::size_t>(mesh.boundary_face_count());
+  WallIrradiance result{std::vector<double>(faces * 3 * scene.bands(), 0), std::vector<double>(faces, pi)};
+  const std::vector<std::vector<WallCorner>> planes = corners_by_plane(mesh);
+  const std::vector<Vec3> directions = half_range_rays(rays);
+  std::exception_ptr failure;
+#pragma omp parallel num_threads(threads)
+  {
+    RayRadiance::Workspace work(scene);
+#pragma omp for schedule(dynamic, 8)
+    for (std::size_t p = 0; p < planes.size(); ++p) try {
+        const WallCorner& first = planes[p].front();
+        bool seen = false;
+        for (const WallCorner& corner : planes[p])
+          seen = seen || is_diffuse(scene.problem().wall(mesh.wall(corner.face)));
+        if (!seen) continue;
+        const std::vector<double> irradiance = irradiance_at(scene, first, directions, work);
+        for (const WallCorner& corner : planes[p])
+          for (std::size_t b = 0; b < irradiance.size(); ++b)
+            result.values[(corner.face.at() * 3 + corner.node) * irradiance.size() + b] = irradiance[b];
+      } catch (...) {
+#pragma omp critical(etendue_gather)
+        failure = std::current_exception();
+      }
+  }
+  if (failure) std::rethrow_exception(failure);
+  return result;
+}
+
+}  // namespace etendue
