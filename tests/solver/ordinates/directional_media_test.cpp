@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 
+#include "solver/angle/dense_kernel.h"
 #include "solver/measure/balance.h"
 #include "solver/ordinates/solve.h"
 #include "tests/solver/ordinates/sample_problems.h"
@@ -147,6 +149,69 @@ TEST(GeneralKernel, ThatIsHenyeyAndGreensteinsGivesItsAnswer) {
   for (std::size_t i = 0; i < a.fluence.size(); ++i)
     EXPECT_NEAR(a.fluence[i], b.fluence[i], 1e-12 * b.fluence[i]);
   EXPECT_NEAR(a.kernels[0].asymmetry, 0.6, 1e-10);
+}
+
+TEST(GeneralKernel, GivenAsTheMatrixOfHenyeyAndGreensteinGivesItsAnswer) {
+  const TetrahedralMesh mesh = cube_mesh(3e-2);
+  const DirectionSet directions = directions_ldfe_sq(1);
+  const DenseKernel known = dense_kernel(PhaseHenyeyGreenstein{0.6}, directions);
+  KernelMatrix matrix;
+  matrix.count = directions.count();
+  // [from][into], while the rates are [into][from].
+  matrix.values.assign(known.rate.data(), known.rate.data() + known.rate.size());
+  for (double& value : matrix.values) value *= 1.5;
+  double leaving = 0;
+  for (int m = 0; m < directions.count(); ++m)
+    leaving += 1.5 * known.leaving[static_cast<std::size_t>(m)] * directions.weight(OrdinateIndex(m)) /
+               (4 * std::numbers::pi);
+  Medium phase = uniform_medium(1, 0.3, 1.5, 0, PhaseHenyeyGreenstein{0.6});
+  phase.choice = {{ScatteringBackend::dense, -1, ForwardPeak::automatic}};
+  SolveOptions options = tight_options();
+  options.tolerance = 1e-14;
+  const Solution a =
+      solve(Problem(mesh, Bands{}, {medium_of(matrix, 0.3, leaving)}, column(mesh)), directions, options);
+  const Solution b = solve(Problem(mesh, Bands{}, {phase}, column(mesh)), directions, options);
+  for (std::size_t i = 0; i < a.fluence.size(); ++i)
+    EXPECT_NEAR(a.fluence[i], b.fluence[i], 1e-12 * b.fluence[i]);
+}
+
+TEST(GeneralKernel, ThatBreaksEnergyNamesItsMediumAndADirection) {
+  const TetrahedralMesh mesh = cube_mesh(0.1);
+  KernelFormula formula;
+  formula.formula = std::make_shared<Expression>("0.1*(1 + wz*vz)", kernel_variables());
+  formula.extinction = 1;
+  Medium medium = medium_of(formula, 0.1, 1.2566);
+  medium.name = "fog";
+  medium.origin = {"room.toml", 7, "media.fog"};
+  try {
+    solve(Problem(mesh, Bands{}, {medium}, column(mesh)), directions_ldfe_sq(1), SolveOptions{});
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_EQ(text.rfind("room.toml:7: media.fog: the kernel scatters 1.25664 of each unit of length out of "
+                         "the direction (",
+                         0),
+              0u)
+        << text;
+  }
+}
+
+TEST(GeneralKernel, ThatBreaksItsClaimOfReciprocityNamesItsMediumAndTheDirections) {
+  const TetrahedralMesh mesh = cube_mesh(0.1);
+  KernelFormula formula;
+  formula.formula = std::make_shared<Expression>("0.1*(1 + 0.5*vz)", kernel_variables());
+  formula.reciprocal = true;
+  Medium medium = medium_of(formula, 0.1, 1.2566);
+  medium.origin = {"room.toml", 7, "media.fog"};
+  try {
+    solve(Problem(mesh, Bands{}, {medium}, column(mesh)), directions_ldfe_sq(1), SolveOptions{});
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_EQ(text.rfind("room.toml:7: media.fog: ", 0), 0u) << text;
+    EXPECT_NE(text.find("from ("), std::string::npos) << text;
+    EXPECT_NE(text.find(" into ("), std::string::npos) << text;
+  }
 }
 
 TEST(GeneralKernel, ThatIsRefusedNamesItsMedium) {
