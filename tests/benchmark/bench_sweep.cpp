@@ -34,6 +34,10 @@ double bytes_per_band(int bands) {
   return static_cast<double>((record + fluence + slots) * sizeof(double)) / bands;
 }
 
+/// Additions, multiplications and divisions of a visit for each band: those of its flows are shared by all
+/// bands, then come four inflows, the solution and the sum (cell_balance.h).
+double flops_per_band(int bands) { return 4 * 12 + 48 + 8 + 41.0 / bands; }
+
 /// The moments of Henyey and Greenstein with g = 0.5 up to a degree.
 PhaseFunction forward(int degree) {
   PhaseLegendre phase;
@@ -65,6 +69,7 @@ void sweep(benchmark::State& bench, double max_volume, int degree) {
   bench.counters["wall_ns"] = benchmark::Counter(
       visits * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   bench.counters["bytes"] = bytes_per_band(bands);
+  bench.counters["flops"] = flops_per_band(bands);
   bench.counters["orders_in_sweeps"] = transport.order_seconds() / (ns * 1e-9 * visits) * transport.threads();
   if (degree == 0 && experiment.contains(bands)) bench.counters["of_experiment"] = experiment.at(bands) / ns;
   if (cycles > 0) {
