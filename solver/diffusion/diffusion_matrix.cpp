@@ -132,10 +132,23 @@ Eigen::Matrix4d cell_matrix(const TetrahedralMesh& mesh, const DiffusionCoeffici
   return matrix;
 }
 
+CellMatrices cell_matrices(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients) {
+  CellMatrices matrices;
+  matrices.reserve(static_cast<std::size_t>(mesh.cell_count()));
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
+    matrices.push_back(cell_matrix(mesh, coefficients, CellIndex(c)));
+  return matrices;
+}
+
 BlockMatrix diffusion_matrix(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients) {
+  return diffusion_matrix(mesh, coefficients, cell_matrices(mesh, coefficients));
+}
+
+BlockMatrix diffusion_matrix(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients,
+                             const CellMatrices& matrices) {
   BlockMatrix matrix(mesh);
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
-    matrix.diagonal(CellIndex(c)) = cell_matrix(mesh, coefficients, CellIndex(c));
+    matrix.diagonal(CellIndex(c)) = matrices[CellIndex(c).at()];
   for (std::int32_t f = mesh.boundary_face_count(); f < mesh.face_count(); ++f)
     add_interior_face(mesh, coefficients, FaceIndex(f), matrix);
   return matrix;

@@ -34,9 +34,16 @@ Eigen::Matrix<double, 3, 4> barycentric_gradients(const TetrahedralMesh& mesh, C
 Eigen::Matrix4d cell_matrix(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients,
                             CellIndex cell);
 
+/// Those of all cells.
+using CellMatrices = std::vector<Eigen::Matrix4d>;
+CellMatrices cell_matrices(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients);
+
 /// The modified interior penalty form of diffusion on discontinuous linear elements (Wang and Ragusa 2010;
 /// Turcksin and Ragusa 2014; docs/iteration.md): symmetric, positive definite where something absorbs or
 /// leaves.
 BlockMatrix diffusion_matrix(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients);
+/// The same where the matrices of the cells are known.
+BlockMatrix diffusion_matrix(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients,
+                             const CellMatrices& matrices);
 
 }  // namespace etendue

@@ -26,10 +26,9 @@ constexpr double measured_tolerance = 1e-8;
 constexpr double smallest_loss = 100 * std::numeric_limits<double>::epsilon();
 
 /// Whether constants lose so much that rounding leaves it there. Written so that NaN does not.
-bool loses(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients) {
+bool loses(const CellMatrices& matrices) {
   double loss = 0, trace = 0;
-  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-    const Eigen::Matrix4d matrix = cell_matrix(mesh, coefficients, CellIndex(c));
+  for (const Eigen::Matrix4d& matrix : matrices) {
     loss += matrix.sum();
     trace += matrix.trace();
   }
@@ -72,9 +71,14 @@ NodalVector rough_vector(std::size_t size) {
 
 DiffusionSolver::DiffusionSolver(const TetrahedralMesh& mesh, const VertexSpace& vertices,
                                  const DiffusionCoefficients& coefficients, double accuracy, int threads)
-    : vertices_(vertices), threads_(threads), matrix_(diffusion_matrix(mesh, coefficients)) {
-  if (!loses(mesh, coefficients)) throw std::domain_error("hardly anything is absorbed or leaves");
-  coarse_.compute(vertices.assemble([&](CellIndex cell) { return cell_matrix(mesh, coefficients, cell); }));
+    : DiffusionSolver(mesh, vertices, coefficients, cell_matrices(mesh, coefficients), accuracy, threads) {}
+
+DiffusionSolver::DiffusionSolver(const TetrahedralMesh& mesh, const VertexSpace& vertices,
+                                 const DiffusionCoefficients& coefficients, const CellMatrices& matrices,
+                                 double accuracy, int threads)
+    : vertices_(vertices), threads_(threads), matrix_(diffusion_matrix(mesh, coefficients, matrices)) {
+  if (!loses(matrices)) throw std::domain_error("hardly anything is absorbed or leaves");
+  coarse_.compute(vertices.assemble([&](CellIndex cell) { return matrices[cell.at()]; }));
   if (coarse_.info() != Eigen::Success)
     throw std::domain_error("the matrix of diffusion is not positive definite");
   invert_diagonal();

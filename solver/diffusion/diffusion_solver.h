@@ -38,6 +38,9 @@ class DiffusionSolver {
   void precondition(std::span<const double> right, std::span<double> x) const;
 
  private:
+  DiffusionSolver(const TetrahedralMesh& mesh, const VertexSpace& vertices,
+                  const DiffusionCoefficients& coefficients, const CellMatrices& matrices, double accuracy,
+                  int threads);
   void invert_diagonal();
   double largest_eigenvalue() const;
   void measure_cycle(double accuracy);
