@@ -9,7 +9,7 @@
 #include "app/case/band_values.h"
 #include "app/case/number_columns.h"
 #include "app/case/read_mesh.h"
-#include "solver/angle/kernel_formula.h"
+#include "solver/angle/micro_flakes.h"
 
 namespace etendue {
 namespace {

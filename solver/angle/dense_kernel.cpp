@@ -59,7 +59,7 @@ Eigen::VectorXd symmetric_factors(const Eigen::MatrixXd& a, const Eigen::VectorX
   if (!((sums - total).cwiseAbs().maxCoeff() <= acceptable * scale))
     throw InputError(
         "the scattering matrix cannot be scaled to its energy and mean cosine on this direction set (too few "
-        "ordinates see each other through it); use more directions, or scattering_method = \"moments\"");
+        "ordinates see each other through it); use more directions");
   return b;
 }
 
@@ -102,7 +102,12 @@ DenseKernel dense_kernel(const PhaseFunction& phase, const DirectionSet& set) {
     for (Eigen::Index m = 0; m <= n; ++m)
       rate(m, n) = rate(n, m) = m == n ? 0 : phase_value(phase, 1 - one_minus_cosine(set, m, n));
   const auto count = static_cast<std::size_t>(set.count());
-  scale_to_momentum_transfer(rate, std::vector<double>(count, 1 - phase_asymmetry(phase)), set);
+  try {
+    scale_to_momentum_transfer(rate, std::vector<double>(count, 1 - phase_asymmetry(phase)), set);
+  } catch (const InputError& error) {
+    // Leaves, flakes and kernels have no moments.
+    throw InputError(error.faults().front().text + ", or scattering_method = \"moments\"");
+  }
   return without_diagonal(std::move(rate), std::vector<double>(count, 1), set);
 }
 

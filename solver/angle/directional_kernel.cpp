@@ -11,6 +11,7 @@
 #include "mesh/base/errors.h"
 #include "solver/angle/kernel_formula.h"
 #include "solver/angle/leaf_canopy.h"
+#include "solver/angle/micro_flakes.h"
 
 namespace etendue {
 namespace {
@@ -102,14 +103,15 @@ DirectionalKernel make(const LeafCanopy& leaves, const DirectionSet& set) {
 }
 
 /// Specular micro-flakes: k = albedo D(h)/4 with h half way between v and -w, and D the SGGX distribution
-/// 1/(pi sqrt|S| (h^T S^-1 h)^2) (Heitz et al. 2015, equations 10 and 12).
+/// 1/(pi sqrt|S| (h^T S^-1 h)^2) (Heitz et al. 2015, equations 10 and 12). Straight ahead h may be any normal
+/// that is seen edge on, and k has no value: momentum, which does not ask for it, says the rest, as of a
+/// phase function.
 DirectionalKernel make(const MicroFlakes& flakes, const DirectionSet& set) {
   const double along = flakes.along * flakes.along, across = flakes.across * flakes.across;
   const double root = flakes.along * flakes.across * flakes.across;
   Eigen::MatrixXd rate(set.count(), set.count());
   for (Eigen::Index n = 0; n < rate.cols(); ++n)
     for (Eigen::Index m = 0; m < rate.rows(); ++m) {
-      // Light that goes straight ahead has met no flake: the half vector is of no length there.
       if (m == n) {
         rate(m, n) = 0;
         continue;
@@ -121,13 +123,14 @@ DirectionalKernel make(const MicroFlakes& flakes, const DirectionSet& set) {
     }
   DirectionalKernel result;
   result.reference = mean_flake_projection(flakes);
-  std::vector<double> scattered;
+  std::vector<double> scattered, transfer;
   for (const Vec3& w : set.directions()) {
     const double projection = flake_projection(flakes, w);
     scattered.push_back(projection * flakes.albedo);
+    transfer.push_back(flake_momentum_transfer(flakes, w) * flakes.albedo);
     result.absorbing.push_back(projection * (1 - flakes.albedo));
   }
-  if (flakes.albedo > 0) scale_to_row_sums(rate, scattered, set);
+  scale_to_momentum_transfer(rate, transfer, set);
   result.kernel = without_diagonal(std::move(rate), std::move(scattered), set);
   return result;
 }

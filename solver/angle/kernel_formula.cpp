@@ -47,22 +47,4 @@ double mean_scattering(const KernelFormula& kernel) {
   return sum;
 }
 
-double flake_projection(const MicroFlakes& flakes, const Vec3& direction) {
-  const double cosine = flakes.axis.dot(direction);
-  return std::sqrt(flakes.across * flakes.across +
-                   (flakes.along * flakes.along - flakes.across * flakes.across) * cosine * cosine);
-}
-
-double mean_flake_projection(const MicroFlakes& flakes) {
-  const GaussRule rule = unit_rule(turns);
-  double sum = 0;
-  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-    const double cosine = rule.nodes[i];
-    const double sine = std::sqrt(1 - cosine * cosine);
-    sum += rule.weights[i] *
-           flake_projection(flakes, cosine * flakes.axis + sine * flakes.axis.unitOrthogonal());
-  }
-  return sum;
-}
-
 }  // namespace etendue

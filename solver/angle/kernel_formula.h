@@ -13,8 +13,4 @@ double outgoing_moment(const KernelFormula& kernel, const Vec3& before, int powe
 /// The scattering coefficient in the mean over directions [1/length].
 double mean_scattering(const KernelFormula& kernel);
 
-/// The projected area of flakes along a direction, sqrt(w^T S w), and its mean over all directions.
-double flake_projection(const MicroFlakes& flakes, const Vec3& direction);
-double mean_flake_projection(const MicroFlakes& flakes);
-
 }  // namespace etendue

@@ -9,6 +9,7 @@
 #include "mesh/base/errors.h"
 #include "solver/angle/kernel_formula.h"
 #include "solver/angle/leaf_canopy.h"
+#include "solver/angle/micro_flakes.h"
 #include "tests/solver/angle/sets_to_test.h"
 
 namespace etendue {
@@ -108,6 +109,54 @@ TEST(MicroFlakes, OfARoundShapeScatterIsotropically) {
     EXPECT_NEAR(kernel.kernel.total[m], 0.8, 1e-12);
     EXPECT_NEAR(kernel.absorbing[m], 0.2, 1e-12);
   }
+}
+
+TEST(MicroFlakes, OfARoundShapeAreTheMatrixOfIsotropicScattering) {
+  for (const DirectionSet& set : {directions_ldfe_sq(1), directions_product(8)}) {
+    const DirectionalKernel round = directional_kernel(MicroFlakes{Vec3::UnitX(), 1, 1, 1}, set);
+    const DenseKernel isotropic = dense_kernel(PhaseIsotropic{}, set);
+    EXPECT_LT((round.kernel.rate - isotropic.rate).cwiseAbs().maxCoeff(), 1e-12) << label(set);
+    EXPECT_NEAR(dense_accuracy(round.kernel, set).asymmetry, 0, 1e-12) << label(set);
+  }
+}
+
+/// The sum over normals on fine rings about the axis, of D(h) |w.h|^3: without a closed form.
+double summed_momentum_transfer(const MicroFlakes& flakes, const Vec3& w) {
+  const int rings = 1000, azimuths = 400;
+  const Vec3 side = flakes.axis.unitOrthogonal(), other = flakes.axis.cross(side);
+  double sum = 0;
+  for (int i = 0; i < rings; ++i) {
+    const double polar = pi / 2 * (i + 0.5) / rings, z = std::cos(polar), r = std::sin(polar);
+    const double stretched = z * z / (flakes.along * flakes.along) + r * r / (flakes.across * flakes.across);
+    const double density = 1 / (pi * flakes.along * flakes.across * flakes.across * stretched * stretched);
+    for (int j = 0; j < azimuths; ++j) {
+      const double azimuth = 2 * pi * (j + 0.5) / azimuths;
+      const Vec3 h = z * flakes.axis + r * (std::cos(azimuth) * side + std::sin(azimuth) * other);
+      sum += density * std::pow(std::abs(w.dot(h)), 3) * r * 2 * pi * pi / rings / azimuths;
+    }
+  }
+  return sum;
+}
+
+TEST(MicroFlakes, LoseTheMomentumOfMirrors) {
+  const Vec3 w = Vec3(0.3, -0.5, 0.7).normalized();
+  for (const MicroFlakes& flakes :
+       {MicroFlakes{Vec3(0, 0.6, 0.8), 1, 0.2, 1}, MicroFlakes{Vec3(0, 0.6, 0.8), 0.3, 1, 1},
+        MicroFlakes{Vec3(0.6, 0, 0.8), 0.7, 0.5, 1}})
+    for (const Vec3& direction : {w, flakes.axis, Vec3(flakes.axis.unitOrthogonal())})
+      EXPECT_NEAR(flake_momentum_transfer(flakes, direction) / summed_momentum_transfer(flakes, direction), 1,
+                  2e-5)
+          << flakes.along << ' ' << flakes.across;
+  // A stack of mirrors sends light back where it is seen from above, and forward where it is seen aslant.
+  const MicroFlakes mirrors{Vec3::UnitZ(), 1, 1e-3, 1};
+  EXPECT_NEAR(flake_momentum_transfer(mirrors, Vec3::UnitZ()), 2, 1e-4);
+  EXPECT_NEAR(flake_momentum_transfer(mirrors, Vec3(0.8, 0, 0.6)), 2 * 0.6 * 0.6 * 0.6, 1e-4);
+}
+
+TEST(MicroFlakes, AsThinAsMirrorsAreAccepted) {
+  for (const Vec3& axis : {Vec3(0, 0, 1), Vec3(0, 0.6, 0.8)})
+    for (const MicroFlakes& flakes : {MicroFlakes{axis, 1, 1e-3, 0.9}, MicroFlakes{axis, 1e-3, 1, 0.9}})
+      EXPECT_EQ(refusal(flakes, directions_ldfe_sq(1)), "") << axis.y() << ' ' << flakes.along;
 }
 
 TEST(MicroFlakes, ThatLieFlatShowTheirFacesAlongTheAxis) {

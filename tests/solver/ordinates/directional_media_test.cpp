@@ -133,6 +133,20 @@ TEST(DirectionalMedia, CloseTheBalanceWithWhatEveryDirectionAbsorbs) {
   }
 }
 
+TEST(MicroFlakes, OfARoundShapeLetThroughWhatIsotropicScatteringDoes) {
+  const TetrahedralMesh mesh = cube_mesh(6e-2);
+  Medium isotropic = uniform_medium(1, 0, 2, 0, PhaseIsotropic{});
+  isotropic.choice = {{ScatteringBackend::dense, -1, ForwardPeak::automatic}};
+  SolveOptions options = tight_options();
+  options.tolerance = 1e-14;
+  const Solution a =
+      solve(Problem(mesh, Bands{}, {medium_of(MicroFlakes{Vec3::UnitX(), 1, 1, 1}, 0, 2)}, column(mesh)),
+            directions_ldfe_sq(1), options);
+  const Solution b = solve(Problem(mesh, Bands{}, {isotropic}, column(mesh)), directions_ldfe_sq(1), options);
+  for (std::size_t i = 0; i < a.fluence.size(); ++i)
+    EXPECT_NEAR(a.fluence[i], b.fluence[i], 1e-10 * b.fluence[i]);
+}
+
 TEST(GeneralKernel, ThatIsHenyeyAndGreensteinsGivesItsAnswer) {
   const TetrahedralMesh mesh = cube_mesh(3e-2);
   const Problem general(

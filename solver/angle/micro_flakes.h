@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "solver/problem/directional_scattering.h"
+
+namespace etendue {
+
+/// The projected area of flakes along a direction, sqrt(w^T S w), and its mean over all directions.
+double flake_projection(const MicroFlakes& flakes, const Vec3& direction);
+double mean_flake_projection(const MicroFlakes& flakes);
+
+/// The integral of D(h)/4 (1 - w.v) over v for flakes of albedo 1: the momentum that a direction w loses to
+/// mirrors, up to twice the projected area where faces are seen.
+double flake_momentum_transfer(const MicroFlakes& flakes, const Vec3& direction);
+
+}  // namespace etendue
