@@ -16,6 +16,10 @@ TetrahedralMesh build_mesh(const Case& input, const Log& log = {});
 /// The case's media and walls on this mesh.
 Problem build_problem(const Case& input, const TetrahedralMesh& mesh);
 
+/// Throws InputError where a kernel that is the same everywhere is negative, makes light, is not reciprocal
+/// though that is claimed, or is for another direction set. One that depends on the place asks for the mesh.
+void check_kernels(const Case& input);
+
 /// The case's directions, rotated where it asks for that.
 DirectionSet build_directions(const Case& input);
 

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "solver/angle/directional_kernel.h"
+
 namespace etendue {
 namespace {
 
@@ -77,6 +79,12 @@ Medium medium_of(const MediumCase& entry, const std::string& region, double volu
   return medium;
 }
 
+[[noreturn]] void fail_kernel(const Origin& medium, const InputError& error) {
+  Origin origin = medium;
+  origin.key += ".kernel";
+  throw InputError(fault_at(origin, "", error.faults().front().text));
+}
+
 /// A kernel's scattering follows from its formula or matrix, and its absorption from what is given beside it.
 void add_kernel(Medium& medium, const BandValues& extinctions, const DirectionSet& directions,
                 const TetrahedralMesh& mesh, int region) {
@@ -84,6 +92,9 @@ void add_kernel(Medium& medium, const BandValues& extinctions, const DirectionSe
   try {
     for (std::size_t band = 0; band < medium.directional.size(); ++band) {
       medium.scattering[band] = kernel_scattering(medium.directional[band], directions, mesh, region);
+      // A kernel that makes light, or is negative, is refused with the direction, before means hide it.
+      if (band == 0 || medium.directional[band] != medium.directional[band - 1])
+        directional_kernel(medium.directional[band], directions);
       if (const auto extinction = kernel_extinction(medium.directional[band]))
         medium.absorption[band] = *extinction - medium.scattering[band].at(Vec3::Zero());
       if (!medium.extinction_by_direction) continue;
@@ -96,10 +107,14 @@ void add_kernel(Medium& medium, const BandValues& extinctions, const DirectionSe
           fmt::format("{}-({})", mean_over_directions(extinction, false), medium.scattering[band].text()));
     }
   } catch (const InputError& error) {
-    Origin origin = medium.origin;
-    origin.key += ".kernel";
-    throw InputError(fault_at(origin, "", error.faults().front().text));
+    fail_kernel(medium.origin, error);
   }
+}
+
+bool depends_on_place(const DirectionalScattering& kernel) {
+  const auto* formula = std::get_if<KernelFormula>(&kernel);
+  return formula != nullptr &&
+         (formula->formula->uses("x") || formula->formula->uses("y") || formula->formula->uses("z"));
 }
 
 std::vector<double> band_numbers(const BandValues& values, int bands) {
@@ -148,6 +163,18 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
   std::vector<Light> lights = build_lights(input, mesh, walls);
   return Problem(mesh, input.bands, std::move(media), std::move(walls), input.angular_space,
                  std::move(lights));
+}
+
+void check_kernels(const Case& input) {
+  for (const auto& [name, medium] : input.media) {
+    // All bands have the same kernel.
+    if (!medium.has_kernel || depends_on_place(medium.directional.front())) continue;
+    try {
+      directional_kernel(medium.directional.front(), build_directions(input));
+    } catch (const InputError& error) {
+      fail_kernel(medium.origin, error);
+    }
+  }
 }
 
 DirectionSet build_directions(const Case& input) {

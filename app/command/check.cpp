@@ -63,6 +63,7 @@ ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream
     out << phase_values(input);
     return ExitCode::done;
   }
+  check_kernels(input);
   out << request.file.string() << " is a valid case\n" << summary_of(input);
   if (!request.mesh) return ExitCode::done;
   out << std::flush;

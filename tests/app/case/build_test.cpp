@@ -108,6 +108,45 @@ TEST(BuildMesh, ChecksTheNamesOfAFile) {
             "3: media.smoke: no region of the mesh is called \"smoke\"; there are air\n");
 }
 
+TEST(BuildProblem, NamesTheKernelAndADirectionWhereItScattersMoreThanTheExtinction) {
+  // sigma_s = 0.4 pi in all directions, though the second has a momentum of its own.
+  for (const char* const kernel : {"0.1", "0.1*(1+wz*vz)"}) {
+    const std::string faults =
+        build_faults(case_of(cube + "[media.air]\nkernel = \"" + kernel + "\"\nextinction = 1\n"));
+    EXPECT_EQ(
+        faults.rfind("7: media.air.kernel: the kernel scatters 1.25664 of each unit of length out of the "
+                     "direction (",
+                     0),
+        0u)
+        << faults;
+  }
+}
+
+TEST(BuildProblem, RefusesTheKernelsThatARunRefuses) {
+  EXPECT_EQ(build_faults(case_of(cube + "[media.air]\nkernel = \"0.1 + 0.2*vx\"\nabsorption = 1\n"))
+                .rfind("7: media.air.kernel: the kernel is -", 0),
+            0u);
+  EXPECT_NE(build_faults(case_of(cube + "[media.air]\nkernel = \"0.1*(2 + vx)\"\nreciprocal = true\n"))
+                .find("it is not reciprocal"),
+            std::string::npos);
+}
+
+TEST(CheckKernels, RefusesWithoutAMeshWhatARunRefuses) {
+  const auto refused = [](const std::string& kernel) {
+    try {
+      check_kernels(case_of(cube + "[media.air]\n" + kernel));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(
+      refused("kernel = \"0.1\"\nextinction = 1\n").find("media.air.kernel: the kernel scatters 1.25664"),
+      std::string::npos);
+  EXPECT_NE(refused("kernel = \"vx\"\n").find("media.air.kernel: the kernel is -"), std::string::npos);
+  EXPECT_EQ(refused("kernel = \"0.1\"\nextinction = 2\n"), "");
+}
+
 TEST(BuildProblem, GivesEachRegionItsMedium) {
   const Case input = case_of(room);
   const TetrahedralMesh mesh = build_mesh(input);
