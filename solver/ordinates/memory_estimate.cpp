@@ -102,9 +102,11 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   // Cells at the boundary keep their slots; besides, a front through the mesh is live at a time.
   const double slots = (2 * s.faces + 8 * std::pow(s.cells, 2.0 / 3)) * s.cell_length;
   const double batch = OrdinateSchedule(problem, directions).batch();
+  const bool is_tiled =
+      8 * s.cells * (s.record_length + s.cell_length) > static_cast<double>(options.cache_bytes);
   const double workspaces = std::min<double>(threads, std::ceil(s.ordinates / batch)) *
-                            (largest_group * slots + 4 * fields + 2 * s.faces * s.trace_length +
-                             batch * s.angular_cells * s.cell_length);
+                            ((is_tiled ? largest_group : 1) * slots + 4 * fields +
+                             2 * s.faces * s.trace_length + batch * s.angular_cells * s.cell_length);
   const double records =
       s.cells * static_cast<double>(s.record_length) * (s.dense_cells > 0 ? 1 + threads : 1) +
       2 * s.matrices * s.ordinates * s.ordinates + DirectionalEmission::table_size(problem, directions) +

@@ -34,9 +34,12 @@ ETENDUE_KERNEL_INLINE void prefetch_cell(const SweepTask& task, const SweepVisit
   const std::size_t cell = visited_cell(visit);
   prefetch_lines<0>(task.records + cell * record_length, record_length);
   prefetch_lines<1>(task.fluence + cell * length, length);
-  prefetch_lines<1>(task.slots + visit.slot * length, length);
-  ETENDUE_UNROLL
-  for (int f = 0; f < 4; ++f) prefetch_lines<0>(task.slots + unpacked(visit.faces[f]).slot * length, length);
+  if (task.fetches_slots) {
+    prefetch_lines<1>(task.slots + visit.slot * length, length);
+    ETENDUE_UNROLL
+    for (int f = 0; f < 4; ++f)
+      prefetch_lines<0>(task.slots + unpacked(visit.faces[f]).slot * length, length);
+  }
   if constexpr (angular == Angular::present)
     prefetch_lines<1>(task.angular + static_cast<std::size_t>(task.angular_index[cell]) * length, length);
   if constexpr (flux == Flux::add) prefetch_lines<1>(task.net_flux + cell * 3 * length, 3 * length);

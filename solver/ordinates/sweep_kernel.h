@@ -34,6 +34,7 @@ struct SweepTask {
   std::ptrdiff_t stride = 1;        ///< bands, rounded up to lanes
   const double* records = nullptr;  ///< [cell][record length] cell_record.h
   double* slots = nullptr;          ///< [slot][node][stride] radiance
+  bool fetches_slots = false;       ///< because they do not stay in the cache
   double* fluence = nullptr;        ///< [cell][node][stride] += weight u
   const std::int32_t* angular_index =
       nullptr;                 ///< [cell] row in `angular`; 0, a scratch row, without; null: no cell has one

@@ -5,10 +5,10 @@
 
 namespace etendue {
 
-SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t cell_bytes,
-                         std::size_t bytes, int threads)
+SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions,
+                         std::size_t cells_per_tile, std::size_t bytes, int threads)
     : graph_(mesh),
-      tiles_(mesh, cells_per_tile(cell_bytes)),
+      tiles_(mesh, cells_per_tile),
       directions_(directions),
       orders_(static_cast<std::size_t>(directions.count() / 2)) {
   const auto pairs = static_cast<std::int32_t>(orders_.size());

@@ -15,9 +15,8 @@ namespace etendue {
 /// the memory that is allowed; the others are made again whenever they are needed.
 class SweepOrders {
  public:
-  /// The arguments must outlive it. `cell_bytes` is what a visit reads and writes of one cell, and `bytes`
-  /// bounds what is kept.
-  SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t cell_bytes,
+  /// The arguments must outlive it. `bytes` bounds what is kept.
+  SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t cells_per_tile,
               std::size_t bytes, int threads);
 
   /// The order of ordinate 2 `pair`; 2 `pair` + 1 walks it backwards. `scratch` holds it if it was not kept.

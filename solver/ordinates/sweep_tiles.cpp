@@ -18,7 +18,8 @@ constexpr std::size_t smallest_tile = 256;
 
 }  // namespace
 
-std::size_t cells_per_tile(std::size_t cell_bytes) {
+std::size_t cells_per_tile(std::size_t cells, std::size_t cell_bytes, std::size_t cache_bytes) {
+  if (cells * cell_bytes <= cache_bytes) return cells;
   return std::max(smallest_tile, tile_bytes / cell_bytes);
 }
 

@@ -39,7 +39,8 @@ class SweepTiles {
   std::int32_t root_ = 0;
 };
 
-/// The most cells of a tile, where a visit reads and writes `cell_bytes` of each.
-std::size_t cells_per_tile(std::size_t cell_bytes);
+/// The most cells of a tile, where a visit reads and writes `cell_bytes` of each of all `cells`: all of them
+/// where `cache_bytes` hold them.
+std::size_t cells_per_tile(std::size_t cells, std::size_t cell_bytes, std::size_t cache_bytes);
 
 }  // namespace etendue

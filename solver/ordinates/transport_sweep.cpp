@@ -37,7 +37,9 @@ SweepOrders timed_orders(const TetrahedralMesh& mesh, const DirectionSet& direct
                          double& seconds) {
   const auto start = std::chrono::steady_clock::now();
   const std::size_t cell_bytes = (cells.layout().length + cells.cell_length()) * sizeof(double);
-  SweepOrders orders(mesh, directions, cell_bytes, options.order_memory, threads);
+  const auto cell_count = static_cast<std::size_t>(mesh.cell_count());
+  SweepOrders orders(mesh, directions, cells_per_tile(cell_count, cell_bytes, options.cache_bytes),
+                     options.order_memory, threads);
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return orders;
 }
@@ -72,7 +74,7 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
   const std::size_t rows = scattering_.row_count() > 0 ? scattering_.row_count() + 1 : 0;
   for (int t = 0; t < threads_; ++t) {
     auto work = std::make_unique<Workspace>();
-    const std::size_t members = static_cast<std::size_t>(largest_group);
+    const std::size_t members = is_tiled() ? static_cast<std::size_t>(largest_group) : 1;
     const std::size_t slots_length = orders_.largest_slot_count() * cells_.cell_length();
     work->radiance = AlignedArray(members * slots_length);
     work->members.resize(members);

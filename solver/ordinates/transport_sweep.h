@@ -112,6 +112,8 @@ class TransportSweep {
   void merge_moments(std::size_t first, std::size_t last, std::int32_t batch, Workspace& work,
                      TransportState& next) const;
   std::vector<CellIndex> observed_cells() const;
+  /// Whether the ordinates of a group pass together, tile by tile.
+  bool is_tiled() const { return orders_.step_count() > 1; }
   /// Whether ordinates pass one after the other, because they share more than what visits add to.
   bool pass_alone(const SweepRecord* record) const;
   double* angular_at(std::int32_t place, Workspace& work) const;

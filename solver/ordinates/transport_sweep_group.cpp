@@ -45,13 +45,14 @@ void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last,
                                  SweepRecord* record, Workspace& work) {
   if (scattering_.row_count() > 0) form_angular_source(batch, work);
   const std::int32_t end = schedule_.batch_end(batch);
-  for (std::int32_t first = batch * schedule_.batch(); first < end; first = schedule_.group_end(first)) {
+  for (std::int32_t first = batch * schedule_.batch(); first < end;) {
+    const std::int32_t group_end = is_tiled() ? schedule_.group_end(first) : first + 1;
     std::vector<Passage> group;
-    for (std::int32_t place = first; place < schedule_.group_end(first); ++place) {
-      const OrdinateIndex m = schedule_.ordinate(place);
+    for (; first < group_end; ++first) {
+      const OrdinateIndex m = schedule_.ordinate(first);
       Workspace::Member& member = work.members[group.size()];
       group.push_back(
-          {m, &orders_.of_pair(m.value() / 2, member.scratch_order), angular_at(place, work), &member});
+          {m, &orders_.of_pair(m.value() / 2, member.scratch_order), angular_at(first, work), &member});
     }
     sweep_group(group, last, next, record, work);
   }
@@ -116,6 +117,7 @@ SweepTask TransportSweep::make_task(const Passage& passage, SweepRecord* record,
     task.records = work.records.data();
   }
   task.slots = passage.member->slots.radiance;
+  task.fetches_slots = is_tiled();
   task.fluence = work.fluence.data();
   task.angular_index = scattering_.index();
   task.angular = passage.angular;

@@ -127,6 +127,28 @@ TEST(SweepOrders, RecomputedOrdersGiveTheSameBits) {
   EXPECT_EQ(recomputed.fluence, kept.fluence);
 }
 
+TEST(SweepTiles, GiveTheSolutionOfOneSweepAfterTheOther) {
+  const TetrahedralMesh mesh = cube_mesh(5e-4);
+  for (const int bands : {1, 3}) {
+    const Problem problem = hazy_room(mesh, bands);
+    SolveOptions options = source_iteration();
+    options.tolerance = 1e-6;
+    options.keep_ordinates = {7};
+    const Solution whole = solve(problem, directions_triangular(4), options);
+    options.cache_bytes = 0;
+    options.threads = 1;
+    const Solution tiled = solve(problem, directions_triangular(4), options);
+    options.threads = 2;
+    const Solution shared = solve(problem, directions_triangular(4), options);
+    ASSERT_EQ(tiled.fluence.size(), whole.fluence.size());
+    for (std::size_t i = 0; i < whole.fluence.size(); ++i)
+      EXPECT_NEAR(tiled.fluence[i], whole.fluence[i], 1e-13 * std::abs(whole.fluence[i]) + 1e-14);
+    EXPECT_EQ(shared.fluence, tiled.fluence);
+    EXPECT_EQ(shared.net_flux, tiled.net_flux);
+    EXPECT_EQ(tiled.radiance[0].values.size(), whole.radiance[0].values.size());
+  }
+}
+
 TEST(Memory, EstimateGrowsWithMomentsThreadsAndDirections) {
   const TetrahedralMesh mesh = cube_mesh(2e-3);
   const Problem hazy = hazy_room(mesh, 1);
