@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/band_values.h"
+#include "app/case/build.h"
 #include "app/case/case.h"
 #include "app/case/key_check.h"
 #include "app/case/mesh_names.h"
@@ -20,6 +21,15 @@ namespace {
 
 Units read_units(Section units) { return {units.text("length"), units.text("power")}; }
 
+/// 0 where the directions were refused already.
+int ordinate_count(const Case& input) {
+  try {
+    return build_directions(input).count();
+  } catch (const InputError&) {
+    return 0;
+  }
+}
+
 Case read_tables(Section& top, const std::filesystem::path& file) {
   Case result;
   result.file = file;
@@ -28,7 +38,8 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   result.mesh = read_mesh_section(top.section("mesh"), file.parent_path());
   result.bands = read_bands(top.section("bands"));
   read_directions(top.section("directions"), result);
-  result.media = read_media(top.section("media"), {result.bands, result.angular_space, file.parent_path()});
+  result.media = read_media(top.section("media"), {result.bands, result.angular_space, file.parent_path(),
+                                                   [&result] { return ordinate_count(result); }});
   result.walls = read_walls(top.section("walls"), result.bands);
   result.lights = read_lights(top, result.bands, file.parent_path());
   for (const auto& [name, wall] : result.walls)

@@ -86,27 +86,44 @@ void read_flakes(Section flakes, const Bands& bands, MediumCase& medium) {
   set_means(medium, density, absorbed, scattered);
 }
 
+/// Whether all numbers are those of ordinates; what is wrong becomes a fault.
+bool are_ordinates(Section& section, const std::vector<double>& numbers, int ordinates) {
+  for (const double number : numbers) {
+    if (number >= 0 && number < ordinates && number == std::floor(number)) continue;
+    section.fault("kernel",
+                  fmt::format("its file names the ordinate {}; use whole numbers from 0 to {}, those of the "
+                              "case's own directions",
+                              number, ordinates - 1));
+    return false;
+  }
+  return true;
+}
+
 /// Lines of from, into, k, with the numbers of ordinates.
-KernelMatrix read_matrix(Section& section, const TomlNode& file, const std::filesystem::path& case_folder) {
+KernelMatrix read_matrix(Section& section, const TomlNode& file, const MatterContext& context) {
   KernelMatrix matrix;
   try {
-    const auto columns = read_columns(resolve_path(file, case_folder), {"from", "into", "k"});
-    if (columns.empty() || columns[0].empty()) return matrix;
+    const auto columns = read_columns(resolve_path(file, context.case_folder), {"from", "into", "k"});
+    // A matrix is allocated only for directions that there are.
+    const int ordinates = context.ordinates();
+    if (columns[0].empty() || ordinates == 0) return matrix;
+    if (!are_ordinates(section, columns[0], ordinates) || !are_ordinates(section, columns[1], ordinates))
+      return matrix;
     for (const auto& column : {columns[0], columns[1]})
-      for (const double number : column) {
-        if (!(number >= 0 && number < 1e5 && number == std::floor(number))) {
-          section.fault("kernel",
-                        fmt::format("its file names the ordinate {}; use whole numbers from 0", number));
-          return matrix;
-        }
-        matrix.count = std::max(matrix.count, static_cast<int>(number) + 1);
-      }
+      matrix.count = std::max(matrix.count, static_cast<int>(*std::ranges::max_element(column)) + 1);
     const auto count = static_cast<std::size_t>(matrix.count);
     matrix.values.assign(count * count, 0);
-    for (std::size_t i = 0; i < columns[0].size(); ++i)
-      matrix
-          .values[static_cast<std::size_t>(columns[0][i]) * count + static_cast<std::size_t>(columns[1][i])] =
-          columns[2][i];
+    std::vector<bool> given(count * count);
+    for (std::size_t i = 0; i < columns[0].size(); ++i) {
+      const auto from = static_cast<std::size_t>(columns[0][i]),
+                 into = static_cast<std::size_t>(columns[1][i]);
+      if (given[from * count + into]) {
+        section.fault("kernel", fmt::format("its file has two values from {} into {}; use one", from, into));
+        return matrix;
+      }
+      given[from * count + into] = true;
+      matrix.values[from * count + into] = columns[2][i];
+    }
   } catch (const InputError& error) {
     section.faults().insert(section.faults().end(), error.faults().begin(), error.faults().end());
   }
@@ -149,7 +166,7 @@ void read_kernel(Section& section, const MatterContext& context, MediumCase& med
       section.fault("kernel", "is no kernel; use a formula or { file = \"k.csv\" }");
       return;
     }
-    KernelMatrix matrix = read_matrix(section, *file, context.case_folder);
+    KernelMatrix matrix = read_matrix(section, *file, context);
     matrix.reciprocal = section.boolean("reciprocal");
     matrix.extinction = extinction;
     kernel = matrix;

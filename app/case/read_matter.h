@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -15,6 +16,7 @@ struct MatterContext {
   const Bands& bands;
   AngularSpace space;
   std::filesystem::path case_folder;
+  std::function<int()> ordinates;  ///< how many directions the case has; 0 where they are faulty
 };
 
 std::map<std::string, MediumCase> read_media(Section media, const MatterContext& context);

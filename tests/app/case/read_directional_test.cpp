@@ -116,6 +116,15 @@ TEST(KernelReader, NamesTheLineOfAFaultyFile) {
   EXPECT_TRUE(has(kernel_beside("-1, 1, 1\n").faults, "its file names the ordinate -1"));
 }
 
+TEST(KernelReader, RefusesOrdinatesThatThereAreNotAndPairsGivenTwice) {
+  // A matrix for 100000 directions would take 80 GB.
+  EXPECT_TRUE(has(kernel_beside("0, 99999, 1\n").faults,
+                  "slab.toml:8: media.air.kernel: its file names the ordinate 99999; use whole numbers "
+                  "from 0 to 95"));
+  EXPECT_TRUE(has(kernel_beside("0, 1, 0.5\n1, 0, 0.5\n0, 1, 0.25\n").faults,
+                  "its file has two values from 0 into 1; use one"));
+}
+
 TEST(KernelReader, SaysThatTheFileIsMissing) {
   EXPECT_THROW(case_of(air + "kernel = { file = \"none.csv\" }\n"), std::exception);
 }
