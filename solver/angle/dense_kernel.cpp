@@ -126,8 +126,7 @@ DenseKernel galerkin_kernel(const PhaseFunction& phase, const DirectionSet& set)
 DenseAccuracy dense_accuracy(const DenseKernel& kernel, const DirectionSet& set) {
   const Eigen::Map<const Eigen::VectorXd> weights = weights_of(set);
   DenseAccuracy accuracy;
-  accuracy.smallest_forward = 1;
-  accuracy.largest_forward = -HUGE_VAL;
+  double scattering_angle = 0;  // of the ordinates that scatter at all
   const bool symmetric = is_symmetric(kernel.rate);
   const Eigen::VectorXd arriving =
       symmetric ? Eigen::VectorXd(kernel.rate * weights) : Eigen::VectorXd(kernel.rate.transpose() * weights);
@@ -141,10 +140,13 @@ DenseAccuracy dense_accuracy(const DenseKernel& kernel, const DirectionSet& set)
       cosine += weights(m) * kernel.rate(m, n) / total * (1 - one_minus_cosine(set, m, n));
     // What leaves an ordinate is counted by construction; as much must arrive where all radiances are equal.
     accuracy.energy_error = std::max(accuracy.energy_error, std::abs(arriving(n) - leaving) / total);
-    accuracy.asymmetry += cosine / static_cast<double>(set.count());
-    accuracy.smallest_forward = std::min(accuracy.smallest_forward, forward);
-    accuracy.largest_forward = std::max(accuracy.largest_forward, forward);
+    accuracy.asymmetry += weights(n) * cosine;
+    const bool is_first = scattering_angle == 0;
+    accuracy.smallest_forward = is_first ? forward : std::min(accuracy.smallest_forward, forward);
+    accuracy.largest_forward = is_first ? forward : std::max(accuracy.largest_forward, forward);
+    scattering_angle += weights(n);
   }
+  if (scattering_angle > 0) accuracy.asymmetry /= scattering_angle;
   const double all = kernel.rate.cwiseAbs().sum();
   if (all > 0) {
     accuracy.smallest = kernel.rate.minCoeff() / kernel.rate.mean();

@@ -55,7 +55,7 @@ DenseKernel without_diagonal(Eigen::MatrixXd rate, std::vector<double> total, co
 
 /// What a matrix does to energy, to the mean cosine and to signs.
 struct DenseAccuracy {
-  double asymmetry = 0;  ///< mean cosine, forward part included, averaged over the ordinates
+  double asymmetry = 0;  ///< mean cosine, forward part included, over the ordinates that scatter
   /// Largest |row sum - 1| of what arrives at an ordinate where all radiances are equal, forward part
   /// included, relative to the total; of a matrix that is not symmetric that of what leaves.
   double energy_error = 0;
