@@ -81,6 +81,7 @@ const double* OnceScattered::at_vertex(std::int32_t vertex, const Vec3& travel, 
 
 void OnceScattered::add_at_vertices(CellIndex cell, const Vec3& travel, Memory& memory,
                                     std::span<double> values) const {
+  if (fluence_.empty()) return;  // no lights, so there are no shares to look up
   const std::size_t bands = lights_.paths().bands(), phases = phases_.phases().size();
   const int region = problem_.mesh().region(cell);
   for (std::size_t i = 0; i < 4; ++i)
