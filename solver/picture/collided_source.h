@@ -10,7 +10,7 @@
 #include "solver/ordinates/scattering_plan.h"
 #include "solver/ordinates/solve.h"
 #include "solver/picture/continuous_harmonics.h"
-#include "solver/picture/phase_list.h"
+#include "solver/problem/phase_list.h"
 
 namespace etendue {
 

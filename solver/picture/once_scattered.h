@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/lights/light_setup.h"
-#include "solver/picture/phase_list.h"
+#include "solver/problem/phase_list.h"
 
 namespace etendue {
 

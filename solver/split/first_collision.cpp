@@ -9,25 +9,6 @@ namespace {
 
 constexpr double per_sphere = 1 / (4 * std::numbers::pi);
 
-/// Phase functions that are not isotropic, each once, and the number of that of each region and band.
-struct PhaseList {
-  explicit PhaseList(const Problem& problem) {
-    for (const Medium& medium : problem.media())
-      for (const PhaseFunction& phase : medium.phase) {
-        if (std::holds_alternative<PhaseIsotropic>(phase)) {
-          number.push_back(-1);
-          continue;
-        }
-        const auto found = std::find(phases.begin(), phases.end(), phase);
-        number.push_back(static_cast<int>(found - phases.begin()));
-        if (found == phases.end()) phases.push_back(phase);
-      }
-  }
-
-  std::vector<PhaseFunction> phases;
-  std::vector<int> number;
-};
-
 std::vector<CellIndex> cells_of_vertices(const TetrahedralMesh& mesh) {
   std::vector<CellIndex> cells(static_cast<std::size_t>(mesh.vertex_count()), CellIndex(0));
   for (std::int32_t c = mesh.cell_count() - 1; c >= 0; --c)
@@ -55,10 +36,7 @@ void look(const LightSource& source, const PointInCell& here, LightBeams& beams)
 
 FirstCollision::FirstCollision(const LightSetup& lights, const UncollidedField& field,
                                const DirectionSet& directions, int threads)
-    : problem_(lights.problem()), field_(field), directions_(directions) {
-  PhaseList list(problem_);
-  phases_ = std::move(list.phases);
-  phase_of_ = std::move(list.number);
+    : problem_(lights.problem()), field_(field), directions_(directions), phases_(problem_) {
   const TetrahedralMesh& mesh = problem_.mesh();
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     half_range_.push_back(directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
@@ -72,10 +50,10 @@ void FirstCollision::tabulate(const LightSetup& lights, int threads) {
   const auto vertices = static_cast<std::size_t>(mesh.vertex_count());
   const auto ordinates = static_cast<std::size_t>(directions_.count());
   const std::vector<CellIndex> cells = cells_of_vertices(mesh);
-  scattered_.resize(lights.sources().size() * phases_.size());
+  scattered_.resize(lights.sources().size() * phases_.phases().size());
   for (std::size_t s = 0; s < lights.sources().size(); ++s)
-    for (std::size_t p = 0; p < phases_.size(); ++p) {
-      std::vector<double>& table = scattered_[s * phases_.size() + p];
+    for (std::size_t p = 0; p < phases_.phases().size(); ++p) {
+      std::vector<double>& table = scattered_[s * phases_.phases().size() + p];
       table.assign(ordinates * vertices, per_sphere);
 #pragma omp parallel num_threads(threads)
       {
@@ -92,7 +70,7 @@ void FirstCollision::tabulate(const LightSetup& lights, int threads) {
             for (std::size_t m = 0; m < ordinates; ++m)
               values[m] +=
                   fluence *
-                  phase_value(phases_[p],
+                  phase_value(phases_.phases()[p],
                               std::clamp(directions_.directions()[m].dot(beams.direction(k)), -1.0, 1.0));
           }
           for (std::size_t m = 0; m < ordinates; ++m) sum += directions_.weights()[m] * values[m];
@@ -105,28 +83,29 @@ void FirstCollision::tabulate(const LightSetup& lights, int threads) {
 
 bool FirstCollision::depends_on_direction(CellIndex cell) const {
   const auto bands = static_cast<std::size_t>(problem_.band_count());
-  const auto region = static_cast<std::size_t>(problem_.mesh().region(cell));
+  const int region = problem_.mesh().region(cell);
   for (std::size_t b = 0; b < bands; ++b)
-    if (phase_of_[region * bands + b] >= 0 && problem_.scattering(cell, static_cast<int>(b)) > 0) return true;
+    if (phases_.of(region, b) >= 0 && problem_.scattering(cell, static_cast<int>(b)) > 0) return true;
   return false;
 }
 
 void FirstCollision::add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const {
   const TetrahedralMesh& mesh = problem_.mesh();
   const auto bands = static_cast<std::size_t>(problem_.band_count());
-  const auto region = static_cast<std::size_t>(mesh.region(cell));
+  const int region = mesh.region(cell);
   const std::size_t row = m.at() * static_cast<std::size_t>(mesh.vertex_count());
   for (std::size_t b = 0; b < bands; ++b) {
     const double scattering = problem_.scattering(cell, static_cast<int>(b));
     if (scattering == 0) continue;
-    const int phase = phase_of_[region * bands + b];
+    const int phase = phases_.of(region, b);
     for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t node = (cell.at() * 4 + i) * bands + b;
       double sum = 0;
       if (phase < 0) sum = per_sphere * field_.fluence[node];
       for (std::size_t s = 0; phase >= 0 && s < field_.by_source.size(); ++s)
-        sum += field_.by_source[s][node] * scattered_[s * phases_.size() + static_cast<std::size_t>(phase)]
-                                                     [row + static_cast<std::size_t>(mesh.vertices(cell)[i])];
+        sum += field_.by_source[s][node] *
+               scattered_[s * phases_.phases().size() + static_cast<std::size_t>(phase)]
+                         [row + static_cast<std::size_t>(mesh.vertices(cell)[i])];
       values[i * bands + b] += scattering * sum;
     }
   }
@@ -146,7 +125,7 @@ std::size_t FirstCollision::memory(const LightSetup& lights, const DirectionSet&
   const auto cells = static_cast<std::size_t>(mesh.cell_count());
   const auto vertices = static_cast<std::size_t>(mesh.vertex_count());
   const std::size_t bands = lights.paths().bands(), sources = lights.sources().size();
-  const std::size_t tables = sources * PhaseList(lights.problem()).phases.size() * vertices *
+  const std::size_t tables = sources * PhaseList(lights.problem()).phases().size() * vertices *
                              static_cast<std::size_t>(directions.count());
   return sizeof(double) * ((sources + 8) * cells * 4 * bands + tables + cells * bands);
 }

@@ -6,6 +6,7 @@
 #include "solver/angle/direction_set.h"
 #include "solver/lights/light_setup.h"
 #include "solver/ordinates/angular_input.h"
+#include "solver/problem/phase_list.h"
 
 namespace etendue {
 
@@ -36,8 +37,7 @@ class FirstCollision : public AngularInput {
   const Problem& problem_;
   const UncollidedField& field_;
   const DirectionSet& directions_;
-  std::vector<PhaseFunction> phases_;           ///< those that are not isotropic, each once
-  std::vector<int> phase_of_;                   ///< [region][band] in phases_; -1: isotropic
+  PhaseList phases_;
   std::vector<std::vector<double>> scattered_;  ///< [source * phases + phase] [ordinate][vertex] [1/sr]
   std::vector<double> half_range_;              ///< [boundary face] [sr]
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/picture/phase_list.h"
+#include "solver/problem/phase_list.h"
 
 #include <algorithm>
 
