@@ -125,8 +125,7 @@ void TransportSweep::form_source(const TransportState& last) {
     const ProcessorTimer timer(processor_seconds_);
     scattering_.form_source(last, emission_, first, std::min(cells, first + merge_block), records_.data(),
                             moment_source_.data());
-    if (angular_input_ != nullptr && emission_ == Emission::included)
-      add_isotropic_source(first, std::min(cells, first + merge_block));
+    if (shines_by_direction()) add_isotropic_source(first, std::min(cells, first + merge_block));
   }
   dense_.form_source(last, kernels_, threads_, processor_seconds_);
   for (auto& work : workspaces_) std::copy_n(records_.data(), work->records.size(), work->records.data());
@@ -244,13 +243,9 @@ void TransportSweep::merge_cells(std::int32_t first, std::int32_t last, int batc
 void TransportSweep::merge_moments(std::size_t first, std::size_t last, std::int32_t batch, Workspace& work,
                                    TransportState& next) const {
   const std::vector<double*> rows = angular_rows(batch, work);
-  MomentTask task;
-  task.row_length = scattering_.row_length();
-  task.moments = scattering_.moment_count();
-  task.directions = static_cast<int>(rows.size());
+  MomentTask task = moment_task(rows);
   task.matrix = scattering_.integration(batch * schedule_.batch());
   task.moment_rows = next.moments().data();
-  task.direction_rows = rows.data();
   task.first_row = first;
   task.last_row = last;
   kernels_.directions_to_moments(task);

@@ -118,6 +118,9 @@ class TransportSweep {
   bool pass_alone(const SweepRecord* record) const;
   double* angular_at(std::int32_t place, Workspace& work) const;
   std::vector<double*> angular_rows(std::int32_t batch, Workspace& work) const;
+  /// What the products of both ways between moments and the rows of a batch have in common.
+  MomentTask moment_task(const std::vector<double*>& rows) const;
+  bool shines_by_direction() const;
   std::size_t fluence_size() const;
 
   const Problem& problem_;

@@ -21,23 +21,31 @@ std::vector<double*> TransportSweep::angular_rows(std::int32_t batch, Workspace&
   return rows;
 }
 
+MomentTask TransportSweep::moment_task(const std::vector<double*>& rows) const {
+  MomentTask task;
+  task.row_length = scattering_.row_length();
+  task.moments = scattering_.moment_count();
+  task.directions = static_cast<int>(rows.size());
+  task.direction_rows = rows.data();
+  return task;
+}
+
+bool TransportSweep::shines_by_direction() const {
+  return angular_input_ != nullptr && emission_ == Emission::included;
+}
+
 void TransportSweep::form_angular_source(std::int32_t batch, Workspace& work) {
   const std::int32_t first = batch * schedule_.batch();
   const std::int32_t end = schedule_.batch_end(batch);
   const std::vector<double*> rows = angular_rows(batch, work);
-  MomentTask task;
-  task.row_length = scattering_.row_length();
-  task.moments = scattering_.moment_count();
-  task.directions = end - first;
+  MomentTask task = moment_task(rows);
   task.matrix = scattering_.evaluation(first);
   task.moment_rows = moment_source_.data();
-  task.direction_rows = rows.data();
   task.last_row = scattering_.row_count();
   kernels_.moments_to_directions(task);
-  const bool shines = angular_input_ != nullptr && emission_ == Emission::included;
   for (std::int32_t place = first; !dense_.empty() && place < end; ++place)
     dense_.add_source(schedule_.ordinate(place), scattering_.index(), angular_at(place, work));
-  for (std::int32_t place = first; shines && place < end; ++place)
+  for (std::int32_t place = first; shines_by_direction() && place < end; ++place)
     add_angular_source(schedule_.ordinate(place), angular_at(place, work));
 }
 
@@ -78,7 +86,7 @@ void TransportSweep::begin_passage(const Passage& passage, const TransportState&
   const OrdinateIndex m = passage.ordinate;
   Workspace::Member& member = *passage.member;
   // What comes in by direction is added to the slots, which then have to be filled again.
-  const bool shines = angular_input_ != nullptr && emission_ == Emission::included;
+  const bool shines = shines_by_direction();
   if (shines || !member.is_filled) walls_.fill(inflow_.span(), member.slots);
   member.is_filled = true;
   walls_.reflect(m, last, passing_.span(), inflow_.span(), member.slots);
