@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Values at probes as lines, and references beside them where validation/check left some."""
+"""Values at probes as lines, and references beside them where etendue-validate left some."""
 
 import matplotlib
 

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Runs a benchmark and compares what it wrote with its references."""
+
+import csv
+import dataclasses
+import subprocess
+import time
+
+from suite.result import Result
+from suite.row import judge
+
+LIMIT = 3600  # [s], of one run
+
+
+@dataclasses.dataclass
+class Outcome:
+    """What became of a benchmark."""
+
+    benchmark: object
+    results: dict
+    rows: list
+    lines: list
+    faults: list
+    seconds: float
+
+    @property
+    def judged(self):
+        return [row for row in self.rows if row.allowed is not None]
+
+    @property
+    def missed(self):
+        return [row for row in self.judged if not row.met]
+
+    @property
+    def passed(self):
+        return not self.faults and not self.missed
+
+    @property
+    def worst(self):
+        """The row that comes nearest to what is allowed, or exceeds it most."""
+        return max(self.judged, key=lambda row: row.share, default=None)
+
+    @property
+    def verdict(self):
+        return "not yet" if self.benchmark.not_yet else "PASS" if self.passed else "miss"
+
+
+def check(benchmark, options):
+    """Runs what belongs to the set that `options` asks for, unless results are to be kept, and judges it."""
+    started = time.monotonic()
+    outcome = Outcome(benchmark, {}, [], [], [], 0.0)
+    if benchmark.not_yet:
+        return outcome
+    for run in benchmark.runs(options.full):
+        execute(run, outcome, options)
+    if len(outcome.results) == len(benchmark.runs(options.full)):
+        compare(outcome)
+    outcome.seconds = time.monotonic() - started
+    return outcome
+
+
+def execute(run, outcome, options):
+    case = (outcome.benchmark.folder / run["case"]).resolve()
+    name = run.get("name", case.stem)
+    folder = options.output / outcome.benchmark.name / name.replace(", ", "-").replace(" ", "-")
+    started = time.monotonic()
+    if not options.keep:
+        code = start([str(options.program), *arguments(run, case, folder)])
+        if code not in (0, 1):
+            outcome.faults.append(f"{name}: the run failed with exit code {code}")
+            return
+    result = Result(name, folder, time.monotonic() - started)
+    outcome.results[name] = result
+    if "study" not in run:
+        outcome.faults += faults_of(result, run.get("balance", 1e-5))
+
+
+def arguments(run, case, folder):
+    study = run.get("study")
+    words = ["study", str(case), "--refine", study["refine"], "--levels", str(study["levels"])] if study else ["run", str(case)]
+    words += ["--output", str(folder), "--progress", "none"]
+    for override in run.get("set", []):
+        words += ["--set", override]
+    return words
+
+
+def start(command):
+    try:
+        return subprocess.run(command, check=False, stdout=subprocess.DEVNULL, timeout=LIMIT).returncode
+    except subprocess.TimeoutExpired:
+        return f"none after {LIMIT} s"
+
+
+def faults_of(result, limit):
+    """Not converged, or energy that does not close."""
+    faults = [] if result.summary["converged"] else [f"{result.name}: not converged"]
+    for band, balance in zip(result.bands, result.summary["balance"]):
+        if not abs(balance["residual"]) <= limit:
+            faults.append(f"{result.name}: balance of band {band}: residual {balance['residual']:.2e}, allowed {limit:g}")
+    return faults
+
+
+def compare(outcome):
+    module = outcome.benchmark.module()
+    found = module.compare(outcome.results)
+    outcome.rows = [judge(row, outcome.benchmark.tolerances) for row in found]
+    outcome.lines = module.lines(outcome.results) if hasattr(module, "lines") else []
+    if not outcome.judged:
+        outcome.faults.append("nothing to compare with")
+    for name, result in outcome.results.items():
+        write_comparison(result.folder, [row.row for row in outcome.rows if row.row.run == name and row.row.probe])
+
+
+def write_comparison(folder, rows):
+    """References at probes beside the results, where scripts/draw finds them."""
+    if not rows:
+        return
+    with open(folder / "comparison.csv", "w", newline="", encoding="utf-8") as file:
+        out = csv.writer(file)
+        out.writerow(["label", "probe", "index", "band", "column", "value", "reference"])
+        for row in rows:
+            out.writerow([row.label, row.probe, row.index, row.band, row.column, f"{row.value:.9g}",
+                          f"{row.reference:.9g}"])

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Slabs between walls "lit" and "dark": reflected and transmitted parts of the incident light."""
+
+from suite.result import read_reference
+from suite.row import Row
+
+
+def parts(result, band):
+    """R and T."""
+    sent = result.wall("lit", "outgoing", band)
+    return {"R": result.wall("lit", "incoming", band) / sent, "T": result.wall("dark", "incoming", band) / sent}
+
+
+def compare_parts(result, table, wanted, key, plot):
+    """Rows of a table of references that are `wanted`; their column `key` is the number that names the band."""
+    bands = {float(band): band for band in result.bands}
+    found = []
+    for row in read_reference(table):
+        band = bands.get(float(row[key]))
+        if band is None or not wanted(row):
+            continue
+        for name, column in (("R", "R"), ("T", "T_total")):
+            found.append(Row(f"{name}, {key} = {band}", parts(result, band)[name], float(row[column]),
+                             uncertainty=max(float(row["conv"]), 5e-10), plot=plot, curve=name, x=float(band)))
+    return found
