@@ -17,10 +17,6 @@ constexpr double smoothed_part = 0.06;
 /// The power iteration approaches the largest eigenvalue from below.
 constexpr double eigenvalue_margin = 1.1;
 constexpr int power_iterations = 8;
-constexpr int cycle_measurements = 6;
-
-/// Cycles are measured until residuals have fallen this far: beyond, rounding would be measured.
-constexpr double measured_tolerance = 1e-8;
 
 /// The energy of constants, what is lost, relative to the trace. Below this rounding decides it.
 constexpr double smallest_loss = 100 * std::numeric_limits<double>::epsilon();
@@ -35,38 +31,6 @@ bool loses(const CellMatrices& matrices) {
   return loss > smallest_loss * trace;
 }
 
-/// Factors of Chebyshev's iteration for eigenvalues between two bounds (Saad 2003, algorithm 12.1): each step
-/// is keep times the one before plus add times the preconditioned residual.
-class ChebyshevSteps {
- public:
-  struct Factors {
-    double keep;
-    double add;
-  };
-  ChebyshevSteps(double lowest, double highest)
-      : center_((highest + lowest) / 2), radius_((highest - lowest) / 2), previous_(radius_ / center_) {}
-
-  Factors next() {
-    if (std::exchange(first_, false)) return {0, 1 / center_};
-    const double factor = 1 / (2 * center_ / radius_ - previous_);
-    const double keep = factor * std::exchange(previous_, factor);
-    return {keep, 2 * factor / radius_};
-  }
-
- private:
-  double center_;
-  double radius_;
-  double previous_;
-  bool first_ = true;
-};
-
-/// Holds something of everything, the same everywhere.
-NodalVector rough_vector(std::size_t size) {
-  NodalVector x(size);
-  for (std::size_t i = 0; i < size; ++i) x[i] = std::sin(static_cast<double>(i * i % 1013));
-  return x;
-}
-
 }  // namespace
 
 DiffusionSolver::DiffusionSolver(const TetrahedralMesh& mesh, const VertexSpace& vertices,
@@ -78,9 +42,7 @@ DiffusionSolver::DiffusionSolver(const TetrahedralMesh& mesh, const VertexSpace&
                                  double accuracy, int threads)
     : vertices_(vertices), threads_(threads), matrix_(diffusion_matrix(mesh, coefficients, matrices)) {
   if (!loses(matrices)) throw std::domain_error("hardly anything is absorbed or leaves");
-  coarse_.compute(vertices.assemble([&](CellIndex cell) { return matrices[cell.at()]; }));
-  if (coarse_.info() != Eigen::Success)
-    throw std::domain_error("the matrix of diffusion is not positive definite");
+  coarse_.emplace(vertices.assemble([&](CellIndex cell) { return matrices[cell.at()]; }));
   invert_diagonal();
   largest_ = eigenvalue_margin * largest_eigenvalue();
   measure_cycle(accuracy);
@@ -108,7 +70,7 @@ double DiffusionSolver::largest_eigenvalue() const {
 // Block Jacobi, accelerated on the upper part of its eigenvalues; `residual` is that of x.
 void DiffusionSolver::smooth(std::span<const double> right, std::span<double> x, std::span<double> residual,
                              std::span<double> step) const {
-  ChebyshevSteps factors(smoothed_part * largest_, largest_);
+  ChebyshevSteps factors({smoothed_part * largest_, largest_});
   for (int k = 0; k < smoothing_steps; ++k) {
     if (k > 0) matrix_.residual(right, x, residual, threads_);
     const auto factor = factors.next();
@@ -124,7 +86,7 @@ void DiffusionSolver::smooth(std::span<const double> right, std::span<double> x,
 void DiffusionSolver::correct_coarse(std::span<const double> residual, std::span<double> x) const {
   Eigen::VectorXd right(vertices_.size());
   vertices_.gather(residual, {right.data(), static_cast<std::size_t>(right.size())});
-  const Eigen::VectorXd solution = coarse_.solve(right);
+  const Eigen::VectorXd solution = coarse_->approximate(right);
   vertices_.add_spread({solution.data(), static_cast<std::size_t>(solution.size())}, x, threads_);
 }
 
@@ -139,30 +101,18 @@ void DiffusionSolver::precondition(std::span<const double> right, std::span<doub
   smooth(right, x, residual, step);
 }
 
-// The extreme eigenvalues of a cycle, from the tridiagonal matrix that conjugate gradients build (Saad 2003,
-// section 6.7).
 void DiffusionSolver::measure_cycle(double accuracy) {
-  NodalVector x(4 * inverse_.size());
-  ConjugateGradientOptions options{measured_tolerance, cycle_measurements, threads_};
-  std::vector<double> spectrum;
-  options.ritz_values = &spectrum;
-  const NodalVector start = rough_vector(x.size());
-  conjugate_gradients([this](auto from, auto to) { matrix_.multiply(from, to, threads_); },
-                      [this](auto from, auto to) { precondition(from, to); }, start, x, options);
-  const auto usable = [](double value) { return std::isfinite(value) && value > 0; };
-  if (spectrum.empty() || !std::all_of(spectrum.begin(), spectrum.end(), usable))
-    throw std::domain_error("the matrix of diffusion is not positive definite");
-  lowest_ = spectrum.front() / eigenvalue_margin;
-  highest_ = spectrum.back() * 1.05;
-  const double ratio = highest_ / lowest_;
-  const double wanted = std::ceil(std::acosh(1 / accuracy) / std::acosh((ratio + 1) / (ratio - 1)));
-  steps_ = static_cast<int>(std::clamp(wanted, 1.0, double{longest_polynomial}));
+  spectrum_ =
+      measure_spectrum([this](auto from, auto to) { matrix_.multiply(from, to, threads_); },
+                       [this](auto from, auto to) { precondition(from, to); }, 4 * inverse_.size(), threads_);
+  steps_ =
+      static_cast<int>(std::clamp(chebyshev_steps_for(accuracy, spectrum_), 1.0, double{longest_polynomial}));
 }
 
 void DiffusionSolver::approximate(std::span<const double> right, std::span<double> x) const {
   NodalVector residual(right.begin(), right.end()), cycle(right.size()), step(right.size(), 0);
   std::fill(x.begin(), x.end(), 0.0);
-  ChebyshevSteps factors(lowest_, highest_);
+  ChebyshevSteps factors(spectrum_);
   for (int k = 0; k < steps_; ++k) {
     if (k > 0) matrix_.residual(right, x, residual, threads_);
     precondition(residual, cycle);

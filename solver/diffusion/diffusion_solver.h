@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "solver/diffusion/block_matrix.h"
+#include "solver/diffusion/chebyshev.h"
 #include "solver/diffusion/conjugate_gradients.h"
 #include "solver/diffusion/diffusion_matrix.h"
+#include "solver/diffusion/vertex_multigrid.h"
 #include "solver/diffusion/vertex_space.h"
 
 namespace etendue {
@@ -52,10 +54,10 @@ class DiffusionSolver {
   int threads_;
   BlockMatrix matrix_;
   std::vector<Eigen::Matrix4d, Eigen::aligned_allocator<Eigen::Matrix4d>> inverse_;  ///< [cell]
-  double lowest_ = 1, highest_ = 1;  ///< eigenvalues of a cycle times matrix_
+  SpectrumBounds spectrum_;  ///< of a cycle times matrix_
   int steps_ = 1;
   double largest_ = 1;  ///< eigenvalue of inverse_ matrix_, bounded from above
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> coarse_;
+  std::optional<VertexMultigrid> coarse_;
 };
 
 }  // namespace etendue

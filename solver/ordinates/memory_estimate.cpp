@@ -115,7 +115,7 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   // components of flux, the state.
   const double results = moments + radiance + 3 * fields + 16 * s.cells * s.stride + state;
   const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
-  // Five blocks of 16 and an inverse for each cell and band, a Cholesky factor and a few vectors.
+  // Five blocks of 16 and an inverse for each cell and band, the levels on vertices and a few vectors.
   const double low_order =
       options.acceleration == Acceleration::none ? 0 : s.cells * problem.band_count() * 150;
   const double orders =
