@@ -74,6 +74,18 @@ std::vector<DenseGroup> dense_groups(const Problem& problem, const DirectionSet&
   return groups;
 }
 
+std::vector<DenseGroup> of_bands(const std::vector<DenseGroup>& groups, std::span<const int> bands) {
+  std::vector<DenseGroup> result;
+  for (const DenseGroup& group : groups) {
+    std::vector<int> kept;
+    for (std::size_t i = 0; i < bands.size(); ++i)
+      if (std::find(group.bands.begin(), group.bands.end(), bands[i]) != group.bands.end())
+        kept.push_back(static_cast<int>(i));
+    if (!kept.empty()) result.push_back({group.region, std::move(kept), group.matter});
+  }
+  return result;
+}
+
 std::vector<double> effective_extinction(const Problem& problem, std::span<const double> extinction,
                                          const std::vector<ScatteringTreatment>& plan,
                                          const std::vector<DenseGroup>& groups) {

@@ -30,6 +30,8 @@ struct DenseGroup {
 /// Throws InputError where a kernel of a medium is refused.
 std::vector<DenseGroup> dense_groups(const Problem& problem, const DirectionSet& directions,
                                      const std::vector<ScatteringTreatment>& plan);
+/// What some bands have of them, numbered in the order of `bands`.
+std::vector<DenseGroup> of_bands(const std::vector<DenseGroup>& groups, std::span<const int> bands);
 
 /// Extinction [cell][band] that the mean ordinate sees, without the light that scatters straight ahead, where
 /// `extinction` counts that light in.

@@ -152,7 +152,7 @@ class Run {
     }
     push_normalised(start);
     for (std::size_t j = 0; j < length_ && !cycle_ends(); ++j) {
-      sweep_.apply_linear(basis_[j], work_);
+      sweep_.apply_linear(basis_[j], work_, active());
       ++sweeps_;
       // work = P (I - T) v
       vectors_.scale(work_, BandScalars(bands_, -1));

@@ -118,11 +118,15 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   // Five blocks of 16 and an inverse for each cell and band, the levels on vertices and a few vectors.
   const double low_order =
       options.acceleration == Acceleration::none ? 0 : s.cells * problem.band_count() * 150;
+  // A sweep of fewer bands, once others are done: half the lanes at most, and two states.
+  const double narrower = problem.band_count() > 1 && options.method != Method::source_iteration
+                              ? (workspaces + records + moments + radiance) / 2 + state
+                              : 0;
   const double orders =
       std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * sizeof(SweepVisit));
-  return static_cast<std::size_t>(
-      8 * ((2 + std::max(basis, positive)) * state + workspaces + records + results + kept + low_order) +
-      orders);
+  return static_cast<std::size_t>(8 * ((2 + std::max(basis, positive)) * state + workspaces + records +
+                                       results + kept + low_order + narrower) +
+                                  orders);
 }
 
 }  // namespace etendue

@@ -316,9 +316,9 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
   solution.fixups = fixups_of(sweep, directions);
   solution.lagged_faces = static_cast<int>(sweep.orders().lagged_total());
-  solution.sweep_cost = 1e9 * sweep.processor_seconds() /
-                        (static_cast<double>(sweep.sweep_count()) * problem.mesh().cell_count() *
-                         directions.count() * problem.band_count());
+  solution.sweep_cost =
+      1e9 * sweep.processor_seconds() /
+      (static_cast<double>(sweep.band_sweep_count()) * problem.mesh().cell_count() * directions.count());
   return solution;
 }
 

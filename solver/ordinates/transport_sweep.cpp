@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "solver/ordinates/narrow_sweep.h"
 #include "solver/ordinates/processor_timer.h"
 #include "solver/ordinates/sweep_workspace.h"
 
@@ -32,14 +33,15 @@ Basis basis_of(const SolveOptions& options) {
   return options.order == SpaceOrder::linear ? Basis::linear : Basis::constant;
 }
 
-SweepOrders timed_orders(const TetrahedralMesh& mesh, const DirectionSet& directions,
-                         const CellCoefficients& cells, const SolveOptions& options, int threads,
-                         double& seconds) {
+std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, const DirectionSet& directions,
+                                                const CellCoefficients& cells, const SolveOptions& options,
+                                                int threads, double& seconds) {
   const auto start = std::chrono::steady_clock::now();
   const std::size_t cell_bytes = (cells.layout().length + cells.cell_length()) * sizeof(double);
   const auto cell_count = static_cast<std::size_t>(mesh.cell_count());
-  SweepOrders orders(mesh, directions, cells_per_tile(cell_count, cell_bytes, options.cache_bytes),
-                     options.order_memory, threads);
+  auto orders = std::make_shared<const SweepOrders>(
+      mesh, directions, cells_per_tile(cell_count, cell_bytes, options.cache_bytes), options.order_memory,
+      threads);
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return orders;
 }
@@ -50,9 +52,8 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
                                std::span<const double> extinction, const SolveOptions& options)
     : problem_(problem),
       directions_(directions),
-      meters_(options.meters),
-      keep_ordinates_(options.keep_ordinates),
-      angular_input_(options.angular_input),
+      extinction_(extinction),
+      options_(options),
       threads_(options.threads > 0 ? options.threads : omp_get_num_procs()),
       plan_(plan_scattering(problem, directions)),
       dense_groups_(dense_groups(problem, directions, plan_)),
@@ -62,20 +63,51 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
       scattering_(problem, directions, cells_, plan_, schedule_, observed_cells()),
       dense_(problem, directions, cells_, extinction, plan_, dense_groups_),
       orders_(timed_orders(problem.mesh(), directions, cells_, options, threads_, order_seconds_)),
-      walls_(problem, directions, schedule_, orders_.walls(), cells_.stride(), cells_.face_nodes()),
+      walls_(problem, directions, schedule_, orders_->walls(), cells_.stride(), cells_.face_nodes()),
       kernels_(choose_kernels(cells_.basis(), cells_.stride())),
       records_(cells_.make_records()),
       inflow_(walls_.irradiance_size()),
       passing_(walls_.passing_size()),
       moment_source_(scattering_.moments_size()) {
+  make_workspaces();
+}
+
+TransportSweep::TransportSweep(const TransportSweep& wide, const Problem& problem,
+                               std::span<const double> extinction, std::span<const int> bands)
+    : problem_(problem),
+      directions_(wide.directions_),
+      extinction_(extinction),
+      options_(wide.options_),
+      threads_(wide.threads_),
+      plan_(select_bands(std::span<const ScatteringTreatment>(wide.plan_),
+                         static_cast<std::size_t>(wide.cells_.bands()), bands)),
+      dense_groups_(of_bands(wide.dense_groups_, bands)),
+      cells_(problem.mesh(), effective_extinction(problem, extinction, plan_, dense_groups_),
+             problem.band_count(), wide.cells_.basis(), options_.lumping),
+      schedule_(problem, directions_),
+      scattering_(problem, directions_, cells_, plan_, schedule_, observed_cells()),
+      dense_(problem, directions_, cells_, extinction, plan_, dense_groups_),
+      orders_(wide.orders_),
+      walls_(problem, directions_, schedule_, orders_->walls(), cells_.stride(), cells_.face_nodes()),
+      kernels_(choose_kernels(cells_.basis(), cells_.stride())),
+      records_(cells_.make_records()),
+      inflow_(walls_.irradiance_size()),
+      passing_(walls_.passing_size()),
+      moment_source_(scattering_.moments_size()) {
+  make_workspaces();
+}
+
+TransportSweep::~TransportSweep() = default;
+
+void TransportSweep::make_workspaces() {
   threads_ = std::min(threads_, schedule_.batch_count());
   // Where a batch is done in less time than threads need to meet, one is faster.
-  if (std::int64_t{problem.mesh().cell_count()} * schedule_.batch() < smallest_shared_batch) threads_ = 1;
+  if (std::int64_t{problem_.mesh().cell_count()} * schedule_.batch() < smallest_shared_batch) threads_ = 1;
   const std::size_t rows = scattering_.row_count() > 0 ? scattering_.row_count() + 1 : 0;
   for (int t = 0; t < threads_; ++t) {
     auto work = std::make_unique<Workspace>();
     const std::size_t members = is_tiled() ? static_cast<std::size_t>(largest_group) : 1;
-    const std::size_t slots_length = orders_.largest_slot_count() * cells_.cell_length();
+    const std::size_t slots_length = orders_->largest_slot_count() * cells_.cell_length();
     work->radiance = AlignedArray(members * slots_length);
     work->members.resize(members);
     for (std::size_t i = 0; i < members; ++i)
@@ -90,13 +122,11 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
   }
 }
 
-TransportSweep::~TransportSweep() = default;
-
 std::vector<CellIndex> TransportSweep::observed_cells() const {
   std::vector<CellIndex> cells;
-  for (std::int32_t c = 0; angular_input_ != nullptr && c < problem_.mesh().cell_count(); ++c)
-    if (angular_input_->depends_on_direction(CellIndex(c))) cells.push_back(CellIndex(c));
-  for (const IrradianceMeter& meter : meters_)
+  for (std::int32_t c = 0; options_.angular_input != nullptr && c < problem_.mesh().cell_count(); ++c)
+    if (options_.angular_input->depends_on_direction(CellIndex(c))) cells.push_back(CellIndex(c));
+  for (const IrradianceMeter& meter : options_.meters)
     for (const CellPoint& point : meter.cells) cells.push_back(point.cell);
   return cells;
 }
@@ -108,12 +138,12 @@ std::size_t TransportSweep::fluence_size() const {
 StateLayout TransportSweep::layout() const {
   const auto trace_length = cells_.trace_length();
   return {fluence_size(),           scattering_.moments_size(), dense_.radiance_size(),
-          walls_.irradiance_size(), walls_.mirror_size(),       2 * orders_.lagged_total() * trace_length};
+          walls_.irradiance_size(), walls_.mirror_size(),       2 * orders_->lagged_total() * trace_length};
 }
 
 bool TransportSweep::is_direct() const {
   const auto scattering = problem_.scattering();
-  return !walls_.feeds_back() && orders_.lagged_total() == 0 &&
+  return !walls_.feeds_back() && orders_->lagged_total() == 0 &&
          std::all_of(scattering.begin(), scattering.end(), [](double s) { return s == 0; });
 }
 
@@ -165,14 +195,14 @@ void TransportSweep::sweep_source(const TransportState& last, TransportState& ne
   if (record != nullptr) {
     record->net_flux = AlignedArray(3 * fluence_size());
     record->exitance = AlignedArray(walls_.irradiance_size());
-    record->meters.assign(meters_.size() * static_cast<std::size_t>(cells_.stride()), 0);
+    record->meters.assign(options_.meters.size() * static_cast<std::size_t>(cells_.stride()), 0);
     const std::size_t values =
         static_cast<std::size_t>(problem_.mesh().cell_count()) * static_cast<std::size_t>(cells_.bands());
     record->absorbed.assign(dense_.absorbs_by_direction() ? values : 0, 0);
     record->radiance.clear();
-    for (const int ordinate : keep_ordinates_)
+    for (const int ordinate : options_.keep_ordinates)
       record->radiance.push_back({ordinate, std::vector<double>(fluence_size())});
-    if (!keep_ordinates_.empty()) {
+    if (!options_.keep_ordinates.empty()) {
       all_cells_index_.resize(static_cast<std::size_t>(problem_.mesh().cell_count()) + 1);
       std::iota(all_cells_index_.begin(), all_cells_index_.end() - 1, 1);
       all_cells_index_.back() = 0;
@@ -183,7 +213,8 @@ void TransportSweep::sweep_source(const TransportState& last, TransportState& ne
       work->exitance = AlignedArray(record->exitance.size());
       work->meters.assign(record->meters.size(), 0);
       work->absorbed.assign(record->absorbed.size(), 0);
-      if (!keep_ordinates_.empty()) work->whole = AlignedArray(fluence_size() + scattering_.row_length());
+      if (!options_.keep_ordinates.empty())
+        work->whole = AlignedArray(fluence_size() + scattering_.row_length());
     }
   }
   for (auto& work : workspaces_)
@@ -199,7 +230,7 @@ void TransportSweep::sweep_source(const TransportState& last, TransportState& ne
   }
   if (record != nullptr)
     for (auto& work : workspaces_) work->net_flux = work->exitance = work->whole = AlignedArray();
-  ++sweep_count_;
+  band_sweep_count_ += cells_.bands();
 }
 
 void TransportSweep::merge(std::int32_t first_batch, int batches, TransportState& next, SweepRecord* record) {

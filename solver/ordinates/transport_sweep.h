@@ -45,6 +45,9 @@ class TransportSweep {
   void apply(const TransportState& last, TransportState& next, SweepRecord* record = nullptr);
   /// next = T last, the linear part of F.
   void apply_linear(const TransportState& last, TransportState& next);
+  /// The same in the bands that are `active`, [band]; the others have to be zero in `last`. Once those left
+  /// fit into fewer lanes, a narrower sweep of them alone does it.
+  void apply_linear(const TransportState& last, TransportState& next, std::span<const char> active);
   /// next = what a unit isotropic source in all cells gives through extinction alone, with walls that send
   /// back nothing but what mirrors reflect within the sweep. Its fluence over 4 pi is the mean distance that
   /// light comes from, 1/sigma_t far inside a medium.
@@ -68,18 +71,29 @@ class TransportSweep {
   const DenseScattering& dense_scattering() const { return dense_; }
   const std::vector<ScatteringTreatment>& scattering_plan() const { return plan_; }
   const std::vector<DenseGroup>& scattering_matrices() const { return dense_groups_; }
-  const SweepOrders& orders() const { return orders_; }
+  const SweepOrders& orders() const { return *orders_; }
   const char* instruction_set() const { return kernels_.instruction_set; }
   int threads() const { return threads_; }
-  int sweep_count() const { return sweep_count_; }
-  double processor_seconds() const {
-    return processor_seconds_;
-  }                                                        ///< over all sweeps and threads, waiting left out
+  /// Bands of all sweeps.
+  std::int64_t band_sweep_count() const { return band_sweep_count_; }
+  /// Over all sweeps and threads, waiting left out.
+  double processor_seconds() const { return processor_seconds_; }
+  /// Of bands in the sweep that did the last apply_linear(): fewer than the bands may take once some are
+  /// done.
+  int lanes() const;
   double order_seconds() const { return order_seconds_; }  ///< wall clock
 
  private:
   struct Workspace;
   struct Passage;
+  struct Narrow;
+
+  /// Of some bands of another sweep, with whose orders it goes.
+  TransportSweep(const TransportSweep& wide, const Problem& problem, std::span<const double> extinction,
+                 std::span<const int> bands);
+  void make_workspaces();
+  /// Null where those bands would not save lanes.
+  Narrow* narrow(std::span<const char> active);
 
   void sweep_all(const TransportState& last, TransportState& next, SweepRecord* record);
   void sweep_source(const TransportState& last, TransportState& next, SweepRecord* record);
@@ -113,7 +127,7 @@ class TransportSweep {
                      TransportState& next) const;
   std::vector<CellIndex> observed_cells() const;
   /// Whether the ordinates of a group pass together, tile by tile.
-  bool is_tiled() const { return orders_.step_count() > 1; }
+  bool is_tiled() const { return orders_->step_count() > 1; }
   /// Whether ordinates pass one after the other, because they share more than what visits add to.
   bool pass_alone(const SweepRecord* record) const;
   double* angular_at(std::int32_t place, Workspace& work) const;
@@ -125,9 +139,8 @@ class TransportSweep {
 
   const Problem& problem_;
   const DirectionSet& directions_;
-  std::vector<IrradianceMeter> meters_;
-  std::vector<int> keep_ordinates_;
-  const AngularInput* angular_input_;
+  std::span<const double> extinction_;
+  SolveOptions options_;
   int threads_;
   std::vector<ScatteringTreatment> plan_;
   std::vector<DenseGroup> dense_groups_;
@@ -136,7 +149,7 @@ class TransportSweep {
   ScatteringMoments scattering_;
   DenseScattering dense_;
   double order_seconds_ = 0;
-  SweepOrders orders_;
+  std::shared_ptr<const SweepOrders> orders_;
   WallExchange walls_;
   SweepKernels kernels_;
   AlignedArray records_;        ///< [cell + 1][record length], the source of the last sweep in them
@@ -148,7 +161,9 @@ class TransportSweep {
   Fixup fixup_ = Fixup::rescale;
   std::vector<FixupCensus> census_;         ///< [ordinate][stride]; empty: values are not kept positive
   Emission emission_ = Emission::included;  ///< of the sweep that is under way
-  int sweep_count_ = 0;
+  std::unique_ptr<Narrow> narrow_;          ///< of those bands that were active last; null: of all
+  bool may_narrow_ = true;                  ///< whether sweeps of some bands have had the rows of this one
+  std::int64_t band_sweep_count_ = 0;
   double processor_seconds_ = 0;
 };
 

@@ -16,7 +16,7 @@ void TransportSweep::add_input(OrdinateIndex m, CellIndex cell, std::vector<doub
   const auto stride = static_cast<std::size_t>(cells_.stride());
   const auto nodes = static_cast<std::size_t>(cells_.nodes());
   std::fill(values.begin(), values.end(), 0.0);
-  angular_input_->add_source(m, cell, values);
+  options_.angular_input->add_source(m, cell, values);
   for (std::size_t b = 0; b < bands; ++b) {
     const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, static_cast<int>(b));
     const double total = values[b] + values[bands + b] + values[2 * bands + b] + values[3 * bands + b];
@@ -57,13 +57,13 @@ void TransportSweep::add_angular_inflow(OrdinateIndex m, const SweepSlots& slots
     const double seen = seen_area(problem_.mesh().area_normal(face), directions_.direction(m));
     if (seen >= 0) continue;
     std::fill(values.begin(), values.end(), 0.0);
-    angular_input_->add_inflow(m, face, values);
+    options_.angular_input->add_inflow(m, face, values);
     const double factor = -seen / problem_.mesh().area(face) * directions_.weight(m);
     for (std::size_t i = 0; i < nodes; ++i)
       for (std::size_t b = 0; b < bands; ++b) {
         const double value =
             nodes == 1 ? (values[b] + values[bands + b] + values[2 * bands + b]) / 3 : values[i * bands + b];
-        slots.slot(orders_.walls().inflow(f))[i * stride + b] += value;
+        slots.slot(orders_->walls().inflow(f))[i * stride + b] += value;
         if (!exitance.empty()) exitance[(face.at() * nodes + i) * stride + b] += factor * value;
       }
   }
@@ -71,12 +71,12 @@ void TransportSweep::add_angular_inflow(OrdinateIndex m, const SweepSlots& slots
 
 void TransportSweep::read_meters(OrdinateIndex m, const double* angular, std::span<double> meters) const {
   const auto stride = static_cast<std::size_t>(cells_.stride());
-  for (std::size_t i = 0; i < meters_.size(); ++i) {
-    const double cosine = directions_.direction(m).dot(meters_[i].normal);
+  for (std::size_t i = 0; i < options_.meters.size(); ++i) {
+    const double cosine = directions_.direction(m).dot(options_.meters[i].normal);
     if (cosine >= 0) continue;
     double volume = 0;
-    for (const CellPoint& point : meters_[i].cells) volume += problem_.mesh().volume(point.cell);
-    for (const CellPoint& point : meters_[i].cells) {
+    for (const CellPoint& point : options_.meters[i].cells) volume += problem_.mesh().volume(point.cell);
+    for (const CellPoint& point : options_.meters[i].cells) {
       const double factor = -cosine * directions_.weight(m) * problem_.mesh().volume(point.cell) / volume;
       const double* u =
           angular + static_cast<std::size_t>(scattering_.row(point.cell)) * scattering_.row_length();
@@ -124,7 +124,7 @@ void TransportSweep::set_lagged(OrdinateIndex m, const SweepOrder& order, const 
   for (std::size_t i = 0; i < order.lagged.size(); ++i) {
     const FaceCode before = parity == 0 ? order.lagged[i].upwind : order.lagged[i].downwind;
     const double* value =
-        last.lagged().data() + (2 * (orders_.lagged_start(m.value() / 2) + i) + parity) * length;
+        last.lagged().data() + (2 * (orders_->lagged_start(m.value() / 2) + i) + parity) * length;
     for (std::size_t at = 0; at < length; at += stride)
       std::copy(value + at, value + at + stride, slots.face_node(before, at / stride));
   }
@@ -137,7 +137,7 @@ void TransportSweep::keep_lagged(OrdinateIndex m, const SweepOrder& order, Trans
   const std::size_t parity = m.at() % 2;
   for (std::size_t i = 0; i < order.lagged.size(); ++i) {
     const FaceCode before = parity == 0 ? order.lagged[i].upwind : order.lagged[i].downwind;
-    double* value = next.lagged().data() + (2 * (orders_.lagged_start(m.value() / 2) + i) + parity) * length;
+    double* value = next.lagged().data() + (2 * (orders_->lagged_start(m.value() / 2) + i) + parity) * length;
     for (std::size_t at = 0; at < length; at += stride) {
       const double* node = slots.face_node(before, at / stride);
       std::copy(node, node + stride, value + at);

@@ -31,7 +31,7 @@ MomentTask TransportSweep::moment_task(const std::vector<double*>& rows) const {
 }
 
 bool TransportSweep::shines_by_direction() const {
-  return angular_input_ != nullptr && emission_ == Emission::included;
+  return options_.angular_input != nullptr && emission_ == Emission::included;
 }
 
 void TransportSweep::form_angular_source(std::int32_t batch, Workspace& work) {
@@ -60,14 +60,14 @@ void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last,
       const OrdinateIndex m = schedule_.ordinate(first);
       Workspace::Member& member = work.members[group.size()];
       group.push_back(
-          {m, &orders_.of_pair(m.value() / 2, member.scratch_order), angular_at(first, work), &member});
+          {m, &orders_->of_pair(m.value() / 2, member.scratch_order), angular_at(first, work), &member});
     }
     sweep_group(group, last, next, record, work);
   }
 }
 
 bool TransportSweep::pass_alone(const SweepRecord* record) const {
-  return !dense_.empty() || (record != nullptr && !keep_ordinates_.empty());
+  return !dense_.empty() || (record != nullptr && !options_.keep_ordinates.empty());
 }
 
 void TransportSweep::sweep_group(std::span<const Passage> group, const TransportState& last,
@@ -105,7 +105,7 @@ void TransportSweep::end_passage(const Passage& passage, TransportState& next, S
   walls_.receive(m, slots, record != nullptr ? TakeUp::all : TakeUp::reflecting, work.irradiance.span(),
                  next.mirrors(), passing_.span());
   keep_lagged(m, *passage.order, next, slots);
-  if (record != nullptr && !meters_.empty()) read_meters(m, passage.angular, work.meters);
+  if (record != nullptr && !options_.meters.empty()) read_meters(m, passage.angular, work.meters);
 }
 
 SweepTask TransportSweep::make_task(const Passage& passage, SweepRecord* record, Workspace& work) {
@@ -148,12 +148,13 @@ void TransportSweep::run_kernel(const SweepTask& task) const {
 
 void TransportSweep::run_alone(const Passage& passage, SweepRecord* record, Workspace& work) {
   const SweepTask task = make_task(passage, record, work);
-  const auto kept = std::find(keep_ordinates_.begin(), keep_ordinates_.end(), passage.ordinate.value());
-  if (record == nullptr || kept == keep_ordinates_.end()) {
+  const auto kept =
+      std::find(options_.keep_ordinates.begin(), options_.keep_ordinates.end(), passage.ordinate.value());
+  if (record == nullptr || kept == options_.keep_ordinates.end()) {
     run_kernel(task);
     return;
   }
-  sweep_and_keep(task, record->radiance[static_cast<std::size_t>(kept - keep_ordinates_.begin())],
+  sweep_and_keep(task, record->radiance[static_cast<std::size_t>(kept - options_.keep_ordinates.begin())],
                  work.whole.span());
 }
 
@@ -161,7 +162,7 @@ void TransportSweep::run_alone(const Passage& passage, SweepRecord* record, Work
 void TransportSweep::run_together(std::span<const Passage> group, SweepRecord* record, Workspace& work) {
   std::vector<SweepTask> tasks;
   for (const Passage& passage : group) tasks.push_back(make_task(passage, record, work));
-  const std::int32_t steps = orders_.step_count();
+  const std::int32_t steps = orders_->step_count();
   for (std::int32_t step = 0; step < steps; ++step)
     for (std::size_t i = 0; i < group.size(); ++i) {
       const SweepOrder& order = *group[i].order;

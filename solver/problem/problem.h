@@ -78,6 +78,9 @@ class Problem {
   Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls,
           AngularSpace space = AngularSpace::sphere, std::vector<Light> lights = {});
 
+  /// The same in some bands alone, in this order. The mesh must outlive that too.
+  Problem of_bands(std::span<const int> bands) const;
+
   const TetrahedralMesh& mesh() const { return mesh_; }
   const Bands& bands() const { return bands_; }
   int band_count() const { return bands_.count(); }

@@ -192,5 +192,29 @@ TEST(Problem, OfThePlaneTurnsPhaseFunctionsIntoThoseOfThePlane) {
   EXPECT_EQ(problem.medium(0).phase[0], in_plane(PhaseHenyeyGreenstein{0.6}));
 }
 
+TEST(Problem, OfSomeBandsHasTheirCoefficientsAlone) {
+  const TetrahedralMesh mesh = cube_mesh();
+  Asked asked;
+  asked.walls[0].diffuse = {0.25, 0.5};
+  asked.media[1].choice = {{ScatteringBackend::moments, 3}, {ScatteringBackend::dense, 0}};
+  PointLight lamp;
+  lamp.power = {3, 4};
+  const Problem both(mesh, asked.bands, asked.media, asked.walls, AngularSpace::sphere, {{"lamp", lamp, {}}});
+  const int wanted[] = {1};
+  const Problem blue = both.of_bands(wanted);
+  EXPECT_EQ(blue.band_count(), 1);
+  EXPECT_EQ(blue.bands().names[0], "blue");
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    EXPECT_EQ(blue.absorption(CellIndex(c), 0), both.absorption(CellIndex(c), 1));
+    EXPECT_EQ(blue.scattering(CellIndex(c), 0), both.scattering(CellIndex(c), 1));
+    EXPECT_EQ(blue.emission(CellIndex(c), 0), both.emission(CellIndex(c), 1));
+  }
+  EXPECT_EQ(blue.absorption().size(), static_cast<std::size_t>(mesh.cell_count()));
+  EXPECT_EQ(blue.wall(0).diffuse, std::vector<double>{0.5});
+  EXPECT_EQ(blue.medium(1).choice_of(0).backend, ScatteringBackend::dense);
+  EXPECT_TRUE(blue.medium(0).choice.empty()) << "what is the same for all bands stays so";
+  EXPECT_EQ(std::get<PointLight>(blue.lights()[0].kind).power, std::vector<double>{4});
+}
+
 }  // namespace
 }  // namespace etendue
