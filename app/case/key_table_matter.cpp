@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/key_table.h"
+#include "solver/angle/harmonics.h"
 #include "solver/problem/directional_scattering.h"
 
 namespace etendue {
@@ -81,8 +82,10 @@ std::vector<KeyDeclaration> matter_keys() {
        "scattering_degree",
        integer,
        {.default_note = "chosen",
-        .range = {.lowest = 0, .highest = 30},
-        .help = "Degree of the moments, where the choice by the phase function is not wanted."}},
+        .range = {.lowest = 0, .highest = highest_given_degree},
+        .help =
+            "Degree of the moments, where the choice by the phase function is not wanted; at most what the "
+            "direction set resolves, which the log says."}},
       {"media.NAME",
        "forward_peak",
        band_texts,

@@ -75,6 +75,12 @@ std::string stage(const char* name, double seconds) {
 std::string kernel_text(const KernelReport& kernel) {
   std::string text = fmt::format("    {}: {}; effective g {:.6g}, energy to {:.1e}", kernel.phase,
                                  kernel.backend, kernel.asymmetry, kernel.energy_error);
+  if (kernel.momentum_error > 0) text += fmt::format(", momentum to {:.1e}", kernel.momentum_error);
+  if (kernel.integral_error > 0)
+    text += fmt::format(", integrals of the formula to {:.1e}", kernel.integral_error);
+  if (kernel.integral_error > unremarkable_integral_error)
+    text += fmt::format(" (warning: more than {:.0e}, as kinks and sharp peaks make it)",
+                        unremarkable_integral_error);
   if (kernel.largest_forward > 0 || kernel.smallest_forward < 0)
     text += fmt::format("; {:.3g} to {:.3g} of it straight ahead, taken as not scattered",
                         kernel.smallest_forward, kernel.largest_forward);

@@ -21,6 +21,10 @@ using std::numbers::pi;
 /// Values that a person wrote with some digits agree to this part of the largest.
 constexpr double agreement = 1e-9;
 
+/// Part of itself by which the integral of a formula may be off: a tenth of what solutions on 100 directions
+/// are.
+constexpr double largest_uncertainty = 1e-3;
+
 std::string text_of(const Vec3& w) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", w.x(), w.y(), w.z()); }
 
 const Vec3& direction(const DirectionSet& set, Eigen::Index m) {
@@ -65,6 +69,15 @@ std::vector<double> absorbed(double extinction, const std::vector<double>& scatt
     absorbing.push_back(std::max(0.0, extinction - scattered[n]));
   }
   return absorbing;
+}
+
+/// Energy is only as good as the integral of the formula.
+void check_resolved(const OutgoingMoments& moments, const Vec3& before) {
+  if (!(moments.uncertainty <= largest_uncertainty))
+    throw InputError(fmt::format(
+        "what the kernel scatters out of the direction {}, {:.6g}, is uncertain by {:.2g} of itself (at most "
+        "{:.0e} is accepted); it is too sharp for a formula, use a phase function or a matrix",
+        text_of(before), moments.scattered, moments.uncertainty, largest_uncertainty));
 }
 
 double mean_over_directions(const std::vector<double>& values, const DirectionSet& set) {
@@ -131,7 +144,7 @@ DirectionalKernel make(const MicroFlakes& flakes, const DirectionSet& set) {
     result.absorbing.push_back(projection * (1 - flakes.albedo));
   }
   scale_to_momentum_transfer(rate, transfer, set);
-  result.kernel = without_diagonal(std::move(rate), std::move(scattered), set);
+  result.kernel = with_forward_part(std::move(rate), std::move(scattered), std::move(transfer), set);
   return result;
 }
 
@@ -145,9 +158,13 @@ DirectionalKernel make(const KernelFormula& formula, const DirectionSet& set) {
   check_signs(rate, set);
   if (formula.reciprocal) check_reciprocity(rate, set);
   std::vector<double> scattered, transfer;
+  double uncertainty = 0;
   for (const Vec3& w : set.directions()) {
-    scattered.push_back(outgoing_moment(formula, w, 0));
-    transfer.push_back(outgoing_moment(formula, w, 1));
+    const OutgoingMoments moments = outgoing_moments(formula, w);
+    check_resolved(moments, w);
+    scattered.push_back(moments.scattered);
+    transfer.push_back(moments.transfer);
+    uncertainty = std::max(uncertainty, moments.uncertainty);
   }
   DirectionalKernel result;
   result.reference = mean_scattering(formula);
@@ -155,8 +172,10 @@ DirectionalKernel make(const KernelFormula& formula, const DirectionSet& set) {
     result.absorbing = absorbed(*formula.extinction, scattered, set);
     result.reference = *formula.extinction;
   }
-  scale_to_momentum_transfer(rate, transfer, set);
-  result.kernel = without_diagonal(std::move(rate), std::move(scattered), set);
+  scale_to_momentum_transfer(rate, transfer, set,
+                             formula.reciprocal ? KeepSymmetry::always : KeepSymmetry::if_possible);
+  result.kernel = with_forward_part(std::move(rate), std::move(scattered), std::move(transfer), set);
+  result.kernel.uncertainty = uncertainty;
   return result;
 }
 

@@ -72,7 +72,8 @@ DiscreteHarmonics::DiscreteHarmonics(const DirectionSet& set, int degree) : spac
       functions.take(raw.col(column));
       degrees_.push_back(column == 0 ? 0 : 1);
     }
-  for (int l = 2; l <= degree; ++l)
+  // No more functions are independent than there are ordinates.
+  for (int l = 2; l <= degree && count() < set.count(); ++l)
     for (int column = harmonic_count(space_, l - 1); column < harmonic_count(space_, l); ++column)
       if (functions.take_new_part(raw.col(column))) degrees_.push_back(l);
 

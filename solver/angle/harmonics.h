@@ -49,6 +49,11 @@ class DiscreteHarmonics {
 /// As many harmonics as the set has ordinates: those of the lowest degrees that are independent on it.
 DiscreteHarmonics complete_harmonics(const DirectionSet& set);
 
+/// The highest degree that a person may want. The recurrences of the functions are stable far beyond (the
+/// addition theorem holds to 1e-11 at degree 128), but a set that resolves degree 128 has 16,641 directions
+/// or more, and as many moments at every node.
+inline constexpr int highest_given_degree = 128;
+
 /// How far the Legendre series of scattering is carried, and why.
 struct ScatteringDegree {
   int degree = 0;

@@ -5,10 +5,18 @@
 
 namespace etendue {
 
-/// The integral of k(before -> v) (1 - before.v)^power over v [1/length]: for power 0 the scattering
-/// coefficient of a direction, for 1 the momentum that it loses. By a rule that is fine around the direction
-/// itself: to rounding for smooth kernels, peaks of Henyey and Greenstein up to g = 0.9 among them.
-double outgoing_moment(const KernelFormula& kernel, const Vec3& before, int power);
+/// What a formula scatters out of a direction.
+struct OutgoingMoments {
+  double scattered = 0;  ///< the integral of k(before -> v) over v [1/length]
+  double transfer = 0;   ///< that of k(before -> v) (1 - before.v): the momentum that the direction loses
+  /// By how much of itself either may be off: the last change of a rule that is doubled, or the sum of the
+  /// changes of all patches of an adaptive one. 1: nothing is known, or a value is not finite.
+  double uncertainty = 0;
+};
+
+/// Rules around the direction are doubled until they agree: to rounding for smooth kernels, peaks of Henyey
+/// and Greenstein up to g = 0.9 among them. Kinks, steps and peaks elsewhere are left to the adaptive rule.
+OutgoingMoments outgoing_moments(const KernelFormula& kernel, const Vec3& before);
 
 /// The scattering coefficient in the mean over directions [1/length].
 double mean_scattering(const KernelFormula& kernel);

@@ -35,6 +35,9 @@ KernelReport of_matrix(const DenseKernel& kernel, const ScatteringTreatment& how
   report.negative_share = accuracy.negative_share;
   report.smallest_forward = accuracy.smallest_forward;
   report.largest_forward = accuracy.largest_forward;
+  report.momentum_error = accuracy.momentum_error;
+  report.reciprocity_error = accuracy.reciprocity_error;
+  report.integral_error = kernel.uncertainty;
   return report;
 }
 

@@ -55,14 +55,20 @@ struct KernelReport {
   std::string medium;
   std::string band;
   double asymmetry = 0;         ///< mean cosine of the discrete kernel, averaged over the directions
-  double energy_error = 0;      ///< largest |row sum - 1|
+  double energy_error = 0;      ///< largest |row sum - 1|, of a matrix see DenseAccuracy
   std::string backend;          ///< e.g. "moments, degree 5 (…)"
   std::string phase = {};       ///< the phase function's name
   double smallest = 0;          ///< value of the kernel where it is negative, relative to its mean; else 0
   double negative_share = 0;    ///< integral of |negative values| over that of all
   double smallest_forward = 0;  ///< over the directions: part of the scattered light that goes on straight
   double largest_forward = 0;   ///< ahead and is not counted as scattered
+  double momentum_error = 0;    ///< of a matrix: see DenseAccuracy
+  double reciprocity_error = 0;
+  double integral_error = 0;  ///< of a formula: by how much of itself its integral may be off
 };
+
+/// What a formula's integral may be off by without a warning.
+inline constexpr double unremarkable_integral_error = 1e-6;
 
 /// Wall-clock seconds of the stages of a solution.
 struct SolveSeconds {

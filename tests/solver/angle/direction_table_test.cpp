@@ -87,6 +87,16 @@ std::string name_of(const testing::TestParamInfo<Row>& row) {
   return name;
 }
 
+TEST(DocumentedSets, AreAllThatTheOverviewPrints) {
+  const std::vector<Row> rows = documented_rows();
+  for (const std::string& name : direction_set_names())
+    for (const int order : sample_orders(name, 5))
+      EXPECT_EQ(std::ranges::count_if(
+                    rows, [&](const Row& row) { return row[0] == name && row[1] == std::to_string(order); }),
+                1)
+          << name << " " << order;
+}
+
 INSTANTIATE_TEST_SUITE_P(Docs, DocumentedSet, testing::ValuesIn(documented_rows()), name_of);
 
 TEST(DocumentedSets, HaveARowOfEveryFamily) {

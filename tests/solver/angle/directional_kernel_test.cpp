@@ -82,6 +82,9 @@ TEST(LeafCanopy, ScattersAndAbsorbsWhatItsLeavesTake) {
       EXPECT_NEAR(kernel.absorbing[m], 0.5 * projection, 1e-14);
       EXPECT_LE(kernel.kernel.leaving[m], kernel.kernel.total[m] * (1 + 1e-12));
     }
+    // Sums over the matrix with its diagonal against Ross's G in closed form.
+    EXPECT_LT(dense_accuracy(kernel.kernel, set).energy_error, 1e-10)
+        << leaf_angle_names()[static_cast<std::size_t>(angles)];
   }
 }
 
@@ -179,6 +182,68 @@ TEST(KernelFormula, ThatIsHenyeyAndGreensteinsEqualsIt) {
       EXPECT_NEAR(kernel.kernel.leaving[m], 2 * expected.leaving[m], 1e-12);
     EXPECT_NEAR(kernel.reference, 2, 1e-12);
     EXPECT_TRUE(kernel.absorbing.empty());
+  }
+}
+
+TEST(KernelFormula, WithKinksAndStepsIsIntegrated) {
+  struct Known {
+    const char* text;
+    double (*scattered)(const Vec3&);
+    double most;
+  };
+  const auto step = [](const Vec3&) { return 1.0; };
+  const auto oblique = [](const Vec3&) { return pi * std::sqrt(1.34); };
+  for (const Known& known :
+       {Known{"max(0, wz*vz)", [](const Vec3& w) { return pi * std::abs(w.z()); }, 1e-7},
+        Known{"max(0, wx*vx+wy*vy+wz*vz)", [](const Vec3&) { return pi; }, 1e-7},
+        Known{"abs(vx*wy)", [](const Vec3& w) { return 2 * pi * std::abs(w.y()); }, 1e-7},
+        Known{"vz > 0 ? 1/(2*pi) : 0", step, 1e-7}, Known{"max(0, vx+0.5*vy-0.3*vz)", oblique, 1e-5}})
+    for (const Vec3& w : {Vec3(0.36, 0.48, 0.8), Vec3(-0.6, 0, 0.8), Vec3(0, 0, -1)}) {
+      const OutgoingMoments found = outgoing_moments(formula(known.text), w);
+      const double expected = known.scattered(w);
+      EXPECT_LT(found.uncertainty, known.most) << known.text;
+      EXPECT_NEAR(found.scattered, expected, (found.uncertainty + 1e-14) * expected) << known.text;
+    }
+}
+
+TEST(KernelFormula, WithANarrowMirrorImageIsIntegrated) {
+  // Half a degree wide about the image of the direction in z = 0.
+  const DirectionSet set = directions_ldfe_sq(1);
+  for (const Vec3& w : set.directions()) {
+    const OutgoingMoments found = outgoing_moments(formula("exp(-10000*(1-(wx*vx+wy*vy-wz*vz)))"), w);
+    EXPECT_NEAR(found.scattered, 2 * pi / 10000, 1e-6 * 2 * pi / 10000);
+    EXPECT_LT(found.uncertainty, 1e-6);
+  }
+}
+
+TEST(KernelFormula, ThatIsTooSharpToBeIntegratedIsRefused) {
+  const std::string text =
+      refusal(formula("exp(-1e8*(vx-0.36)^2)*(1+wx*vx)"), directions_ldfe_sq(1));  // a ring of 1e-4
+  EXPECT_EQ(text.rfind("what the kernel scatters out of the direction (", 0), 0u) << text;
+  EXPECT_NE(text.find("too sharp for a formula, use a phase function or a matrix"), std::string::npos)
+      << text;
+  EXPECT_NE(refusal(formula("1/(vx-vx)"), directions_ldfe_sq(1)), "");
+}
+
+TEST(KernelFormula, SaysHowFarItsIntegralMayBeOff) {
+  const DirectionSet set = directions_product(2);
+  EXPECT_LT(directional_kernel(formula(henyey_greenstein), set).kernel.uncertainty, 1e-10);
+  const DirectionalKernel kinked = directional_kernel(formula("max(0, 0.9*wx+vx+0.5*vy-0.3*vz)"), set);
+  EXPECT_GT(kinked.kernel.uncertainty, 1e-9);
+  EXPECT_LT(kinked.kernel.uncertainty, 1e-4);
+  EXPECT_GE(dense_accuracy(kinked.kernel, set).energy_error, kinked.kernel.uncertainty);
+}
+
+TEST(KernelFormula, ThatIsReciprocalMakesAMatrixThatIs) {
+  for (const char* text :
+       {"1 + 0.5*(wz - vz)", "(1 + 0.9*wx*vx)*(2 + wz - vz)", "max(0, -wz*vz)", "exp(wz-vz)"}) {
+    KernelFormula kernel = formula(text);
+    kernel.reciprocal = true;
+    for (const DirectionSet& set : {directions_ldfe_sq(1), directions_triangular(8)}) {
+      const DenseAccuracy accuracy = dense_accuracy(directional_kernel(kernel, set).kernel, set);
+      EXPECT_LT(accuracy.reciprocity_error, 1e-12) << text << " on " << label(set);
+      EXPECT_LT(accuracy.momentum_error, 1e-9) << text << " on " << label(set);
+    }
   }
 }
 

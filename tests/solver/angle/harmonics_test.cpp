@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -15,8 +16,8 @@ namespace {
 
 using std::numbers::pi;
 
-TEST(SphericalHarmonics, ObeyTheAdditionTheorem) {
-  constexpr int degree = 20;
+TEST(SphericalHarmonics, ObeyTheAdditionTheoremUpToTheHighestDegree) {
+  constexpr int degree = highest_given_degree;
   const Vec3 a = Vec3(0.2, -0.7, 0.4).normalized();
   for (const Vec3& b : {Vec3(0, 0, 1), Vec3(-0.5, 0.1, -0.3), Vec3(1, 0, 0), Vec3(0.2, -0.7, 0.4)}) {
     const Vec3 to = b.normalized();
@@ -31,6 +32,44 @@ TEST(SphericalHarmonics, ObeyTheAdditionTheorem) {
           << "degree " << l;
     }
   }
+}
+
+TEST(SphericalHarmonics, OfHighDegreesAreOrthonormal) {
+  // Lebedev's rule is exact for products of degree 131; every 43rd function up to 65.
+  constexpr int degree = 65, step = 43;
+  const DirectionSet set = directions_lebedev(131);
+  std::vector<double> values(harmonic_count(degree));
+  const int chosen = (harmonic_count(degree) + step - 1) / step;
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(chosen, chosen);
+  Eigen::VectorXd row(chosen);
+  for (int m = 0; m < set.count(); ++m) {
+    spherical_harmonics(set.direction(OrdinateIndex(m)), degree, values);
+    for (int k = 0; k < chosen; ++k) row(k) = values[static_cast<std::size_t>(k * step)];
+    gram += set.weight(OrdinateIndex(m)) / (4 * pi) * row * row.transpose();
+  }
+  EXPECT_LT((gram - Eigen::MatrixXd::Identity(chosen, chosen)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(DiscreteHarmonics, OfHighDegreesAreOrthonormalInThePlane) {
+  const DirectionSet set = directions_flatland(272);
+  const DiscreteHarmonics harmonics(set, highest_given_degree);
+  EXPECT_EQ(harmonics.count(), 2 * highest_given_degree + 1);
+  Eigen::MatrixXd values(set.count(), harmonics.count());
+  for (int m = 0; m < set.count(); ++m)
+    for (int k = 0; k < harmonics.count(); ++k) values(m, k) = harmonics.value(k, OrdinateIndex(m));
+  const Eigen::MatrixXd gram = values.transpose() * values / set.count();
+  EXPECT_LT((gram - Eigen::MatrixXd::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(GivenDegree, IsWhatTheSetResolvesOfIt) {
+  // 96 ordinates cannot tell more than 96 functions apart: of degree 9 there are 100.
+  const DirectionSet set = directions_ldfe_sq(1);
+  const ScatteringDegree found = given_degree(highest_given_degree, PhaseHenyeyGreenstein{0.9}, set);
+  EXPECT_LT(found.degree, 9);
+  EXPECT_EQ(found.degree, DiscreteHarmonics(set, 12).full_degree());
+  EXPECT_EQ(found.reason.rfind("all that the direction set resolves", 0), 0u) << found.reason;
+  const ScatteringDegree high = given_degree(100, PhaseHenyeyGreenstein{0.9}, directions_flatland(272));
+  EXPECT_EQ(high.degree, 100);
 }
 
 TEST(SphericalHarmonics, OfDegreeOneAreTheDirection) {
