@@ -2,12 +2,13 @@
 """One folder of validation/benchmarks: what is run, with what it is compared, and how near it must be."""
 
 import importlib.util
+import itertools
 import pathlib
 import tomllib
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "benchmarks"
 KEYS = {"title", "group", "text", "source", "references", "quick", "not_yet", "run", "tolerance", "plot", "picture", "sketch"}
-RUN_KEYS = {"name", "case", "set", "when", "balance", "study"}
+RUN_KEYS = {"name", "case", "set", "when", "balance", "study", "for", "column", "width"}
 
 
 class Benchmark:
@@ -43,7 +44,7 @@ class Benchmark:
     def runs(self, full):
         """Those of the quick or of the full set; `when` says to which a run belongs, without it to both."""
         wanted = "full" if full or not self.quick else "quick"
-        return [run for run in self.data.get("run", []) if run.get("when", wanted) == wanted]
+        return [one for run in self.data.get("run", []) if run.get("when", wanted) == wanted for one in expand(run)]
 
     def module(self):
         """compare.py of the folder: compare(runs) gives rows, lines(runs), if there is one, curves for the plots."""
@@ -51,6 +52,22 @@ class Benchmark:
         module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(module)
         return module
+
+
+def expand(run):
+    """With for = { a = [1, 2], b = [3] } the runs with {a} and {b} in name and set replaced by each combination."""
+    values = run.get("for", {})
+    for chosen in itertools.product(*values.values()):
+        words = dict(zip(values, chosen))
+        yield run | {key: replace(run[key], words) for key in ("name", "set") if key in run}
+
+
+def replace(text, words):
+    if isinstance(text, list):
+        return [replace(part, words) for part in text]
+    for word, value in words.items():
+        text = text.replace("{" + word + "}", str(value))
+    return text
 
 
 def read_all():

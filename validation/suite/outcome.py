@@ -6,6 +6,7 @@ import dataclasses
 import subprocess
 import time
 
+from suite import column
 from suite.result import Result
 from suite.row import judge
 
@@ -65,6 +66,8 @@ def execute(run, outcome, options):
     folder = options.output / outcome.benchmark.name / name.replace(", ", "-").replace(" ", "-")
     started = time.monotonic()
     if not options.keep:
+        if "column" in run:
+            column.write(options.output / outcome.benchmark.name / "column.msh", run["column"], run.get("width", 1.0))
         code = start([str(options.program), *arguments(run, case, folder)])
         if code not in (0, 1):
             outcome.faults.append(f"{name}: the run failed with exit code {code}")
@@ -79,6 +82,8 @@ def arguments(run, case, folder):
     study = run.get("study")
     words = ["study", str(case), "--refine", study["refine"], "--levels", str(study["levels"])] if study else ["run", str(case)]
     words += ["--output", str(folder), "--progress", "none"]
+    if "column" in run:
+        words += ["--set", f'mesh.file="{folder.parent.resolve() / "column.msh"}"']
     for override in run.get("set", []):
         words += ["--set", override]
     return words

@@ -23,3 +23,24 @@ def compare_parts(result, table, wanted, key, plot):
             found.append(Row(f"{name}, {key} = {band}", parts(result, band)[name], float(row[column]),
                              uncertainty=max(float(row["conv"]), 5e-10), plot=plot, curve=name, x=float(band)))
     return found
+
+
+def compare_thicknesses(runs, table):
+    """Runs named "g G, tau T" of cases whose bands are albedos."""
+    known = {(float(row["g"]), float(row["tau"]), float(row["w"])): row for row in read_reference(table)}
+    found = []
+    for name, result in runs.items():
+        g, tau = (float(word.split()[1]) for word in name.split(", "))
+        for band in result.bands:
+            if (g, tau, float(band)) in known:
+                found += part_rows(f"{name}, albedo {band}", parts(result, band), known[g, tau, float(band)])
+    return found
+
+
+def part_rows(label, computed, row):
+    found = []
+    for part, column, word in (("R", "R", "reflected"), ("T", "T_total", "transmitted")):
+        found.append(Row(f"{part}, {label}", computed[part], float(row[column]), uncertainty=max(float(row["conv"]), 5e-10),
+                         plot=f"{word} part, optical thickness {float(row['tau']):g}", curve=f"g = {float(row['g']):g}",
+                         x=float(row["w"])))
+    return found
