@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The rate of decay from three equally spaced fluences; bands are pairs of albedo and mean cosine."""
+
+import math
+
+from suite.result import last_digit, read_reference
+from suite.row import Row
+
+DEPTHS = (14.0, 17.0, 20.0)
+
+
+def compare(runs):
+    slab = runs["case"]
+    found = []
+    for row in read_reference("decay_constant.csv"):
+        band = f"{row['w']} {row['g']}"
+        if band in slab.bands:
+            near, middle, far = (slab.at((5, 5, depth), band)["fluence"] for depth in DEPTHS)
+            found.append(Row(f"k at w {row['w']}, g {row['g']}", rate(near, middle, far), float(row["k"]), last_digit(row["k"]),
+                             plot="rate of decay", curve=f"g = {row['g']}", x=float(row["w"])))
+    return found
+
+
+def rate(near, middle, far):
+    """Fluence is a exp(-k tau) + b exp(k tau), with light from the far face, so near + far = 2 cosh(3 k) middle."""
+    return math.acosh((near + far) / (2 * middle)) / (DEPTHS[1] - DEPTHS[0])

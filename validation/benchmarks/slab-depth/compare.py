@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Fluence and net flux at nine depths of seven slabs."""
+
+from suite.result import read_reference
+from suite.row import Row
+
+
+def compare(runs):
+    found = []
+    for row in read_reference("slab_depth.csv"):
+        name = f"w {row['w']}, tau {float(row['tau']):g}, g {row['g']}, {light(row)}"
+        depth = float(row["frac"])
+        point = runs[name].at((0.5, 0.5, depth))
+        uncertainty = max(float(row["conv"]), 5e-8)
+        found.append(Row(f"fluence, {name}, depth {depth:g} tau", point["fluence"], float(row["phi"]), uncertainty,
+                         plot="fluence by depth", curve=name, x=depth))
+        found.append(Row(f"net flux, {name}, depth {depth:g} tau", point["flux_z"], float(row["net"]), uncertainty))
+    return found
+
+
+def light(row):
+    return "diffuse" if row["kind"] == "diffuse" else f"mu {row['mu0']}"
