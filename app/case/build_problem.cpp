@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "solver/angle/directional_kernel.h"
+#include "solver/ordinates/kernel_places.h"
 
 namespace etendue {
 namespace {
@@ -85,6 +86,11 @@ Medium medium_of(const MediumCase& entry, const std::string& region, double volu
   throw InputError(fault_at(origin, "", error.faults().front().text));
 }
 
+bool differs_by_cell(const DirectionalScattering& kernel, const TetrahedralMesh& mesh, int region) {
+  const auto* formula = std::get_if<KernelFormula>(&kernel);
+  return formula != nullptr && !kernel_places(*formula, mesh, region).empty();
+}
+
 /// A kernel's scattering follows from its formula or matrix, and its absorption from what is given beside it.
 void add_kernel(Medium& medium, const BandValues& extinctions, const DirectionSet& directions,
                 const TetrahedralMesh& mesh, int region) {
@@ -92,6 +98,9 @@ void add_kernel(Medium& medium, const BandValues& extinctions, const DirectionSe
   try {
     for (std::size_t band = 0; band < medium.directional.size(); ++band) {
       medium.scattering[band] = kernel_scattering(medium.directional[band], directions, mesh, region);
+      if (medium.extinction_by_direction && differs_by_cell(medium.directional[band], mesh, region))
+        throw InputError(
+            "the kernel depends on the place and extinction is given beside it; give absorption instead");
       // A kernel that makes light, or is negative, is refused with the direction, before means hide it.
       if (band == 0 || medium.directional[band] != medium.directional[band - 1])
         directional_kernel(medium.directional[band], directions);

@@ -9,9 +9,8 @@
 namespace etendue {
 
 /// The scattering coefficient, in the mean over directions, that goes with a kernel: the same everywhere for
-/// a matrix, in proportion to the kernel for a formula, whose place is set to where it is large. Throws
-/// InputError where the formula is no product of a factor that depends on the place and one that depends on
-/// the directions.
+/// a matrix, in proportion to the kernel for a formula, whose place is set to where it is large; the mean
+/// over the region too for a formula that is no product of a factor of the place and one of the directions.
 Coefficient kernel_scattering(DirectionalScattering& kernel, const DirectionSet& directions,
                               const TetrahedralMesh& mesh, int region);
 

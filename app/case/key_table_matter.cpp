@@ -101,9 +101,9 @@ std::vector<KeyDeclaration> matter_keys() {
        {.unit = "1/(length sr)",
         .help =
             "Scattering from the direction (wx, wy, wz) into (vx, vy, vz) as a formula in these and x, y, z, "
-            "instead of scattering and phase: a factor that depends on the place times one that depends on "
-            "the "
-            "directions. Or { file = \"k.csv\" }, lines of from, into, k with numbers of directions. Beside "
+            "instead of scattering and phase. A factor that depends on the place times one that depends on "
+            "the directions takes one matrix; anything else a matrix in every cell, of its centroid. Or { "
+            "file = \"k.csv\" }, lines of from, into, k with numbers of directions. Beside "
             "it "
             "absorption or extinction."}},
       {"media.NAME",

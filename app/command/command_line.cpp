@@ -137,7 +137,9 @@ class Parser {
     add_case(*check_command_, check_);
     CLI::Option* mesh =
         check_command_->add_flag("--mesh", check_.mesh, "Also mesh it: quality, areas and volumes");
-    check_command_->add_flag("--phase", check_.phase, "Instead list its phase functions by angle, as CSV")
+    check_command_
+        ->add_flag("--phase", check_.phase,
+                   "Instead list its phase functions, leaves, flakes and kernels by angle, as CSV")
         ->excludes(mesh);
   }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/angle/kernel_profile.h"
+
 namespace etendue {
 
 std::vector<std::string> phase_texts(const Case& input) {
@@ -32,6 +34,21 @@ std::vector<double> angles() {
   return degrees;
 }
 
+/// Directions before scattering for which leaves, flakes and kernels are listed: down, aslant and level.
+const std::vector<Vec3> shown_directions = {{0, 0, -1}, {0.6, 0, -0.8}, {1, 0, 0}};
+
+void add_profiles(const std::string& name, const std::string& band, const DirectionalScattering& scattering,
+                  std::string& text) {
+  for (const Vec3& before : shown_directions) {
+    const KernelProfile profile(scattering, before);
+    if (!profile.is_known()) continue;
+    // Straight ahead flakes have no value.
+    for (int degrees = 1; degrees <= 180; ++degrees)
+      text += fmt::format("{} from ({:g} {:g} {:g}),{},{},{:.9g}\n", name, before.x(), before.y(), before.z(),
+                          band, degrees, profile(std::cos(degrees * std::numbers::pi / 180)));
+  }
+}
+
 }  // namespace
 
 std::string phase_values(const Case& input) {
@@ -44,6 +61,9 @@ std::string phase_values(const Case& input) {
         text += fmt::format("{},{},{:.6g},{:.9g}\n", name, input.bands.names[band], degrees,
                             phase_value(phase, std::cos(degrees * std::numbers::pi / 180)));
     }
+  for (const auto& [name, medium] : input.media)
+    for (std::size_t band = 0; band < medium.directional.size(); ++band)
+      add_profiles(name, input.bands.names[band], medium.directional[band], text);
   return text;
 }
 

@@ -13,7 +13,8 @@ namespace etendue {
 std::vector<std::string> phase_texts(const Case& input);
 
 /// The phase functions by the angle of deflection, closer near 0: lines of medium, band, degrees, p [1/sr]
-/// (in the plane 1/rad), as CSV.
+/// (in the plane 1/rad), as CSV. Leaves, flakes and formulas of kernels follow by the direction that light
+/// comes from, "NAME from (0 0 -1)" and two others, in the mean over azimuths.
 std::string phase_values(const Case& input);
 
 }  // namespace etendue

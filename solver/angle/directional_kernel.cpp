@@ -115,25 +115,13 @@ DirectionalKernel make(const LeafCanopy& leaves, const DirectionSet& set) {
   return result;
 }
 
-/// Specular micro-flakes: k = albedo D(h)/4 with h half way between v and -w, and D the SGGX distribution
-/// 1/(pi sqrt|S| (h^T S^-1 h)^2) (Heitz et al. 2015, equations 10 and 12). Straight ahead h may be any normal
-/// that is seen edge on, and k has no value: momentum, which does not ask for it, says the rest, as of a
-/// phase function.
+/// Straight ahead flakes have no value: momentum, which does not ask for it, says the rest, as of a phase
+/// function.
 DirectionalKernel make(const MicroFlakes& flakes, const DirectionSet& set) {
-  const double along = flakes.along * flakes.along, across = flakes.across * flakes.across;
-  const double root = flakes.along * flakes.across * flakes.across;
   Eigen::MatrixXd rate(set.count(), set.count());
   for (Eigen::Index n = 0; n < rate.cols(); ++n)
-    for (Eigen::Index m = 0; m < rate.rows(); ++m) {
-      if (m == n) {
-        rate(m, n) = 0;
-        continue;
-      }
-      const Vec3 half = (direction(set, m) - direction(set, n)).normalized();
-      const double cosine = flakes.axis.dot(half);
-      const double stretched = cosine * cosine / along + (1 - cosine * cosine) / across;
-      rate(m, n) = flakes.albedo / (4 * pi * root * stretched * stretched);
-    }
+    for (Eigen::Index m = 0; m < rate.rows(); ++m)
+      rate(m, n) = m == n ? 0 : flake_value(flakes, direction(set, n), direction(set, m));
   DirectionalKernel result;
   result.reference = mean_flake_projection(flakes);
   std::vector<double> scattered, transfer;

@@ -140,4 +140,11 @@ double mean_scattering(const KernelFormula& kernel) {
   return sum;
 }
 
+KernelFormula kernel_at(const KernelFormula& kernel, const Vec3& place) {
+  KernelFormula copy = kernel;
+  copy.formula = std::make_shared<const Expression>(*kernel.formula);
+  copy.place = place;
+  return copy;
+}
+
 }  // namespace etendue

@@ -21,4 +21,7 @@ OutgoingMoments outgoing_moments(const KernelFormula& kernel, const Vec3& before
 /// The scattering coefficient in the mean over directions [1/length].
 double mean_scattering(const KernelFormula& kernel);
 
+/// A copy at another place, which another thread may evaluate.
+KernelFormula kernel_at(const KernelFormula& kernel, const Vec3& place);
+
 }  // namespace etendue

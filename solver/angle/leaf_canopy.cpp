@@ -85,4 +85,14 @@ double leaf_projection(LeafAngles angles, const Vec3& direction) {
   return sum;
 }
 
+double leaf_value(const LeafCanopy& leaves, const LeafNormals& normals, const Vec3& before,
+                  const Vec3& after) {
+  double sum = 0;
+  for (std::size_t i = 0; i < normals.normals.size(); ++i) {
+    const double both = before.dot(normals.normals[i]) * after.dot(normals.normals[i]);
+    sum += normals.shares[i] * (both > 0 ? leaves.transmittance * both : -leaves.reflectance * both);
+  }
+  return sum / pi;
+}
+
 }  // namespace etendue

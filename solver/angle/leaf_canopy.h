@@ -19,4 +19,10 @@ LeafNormals leaf_normals(LeafAngles angles);
 /// directions.
 double leaf_projection(LeafAngles angles, const Vec3& direction);
 
+/// Ross's kernel k(before -> after) for a leaf area density of 1 [1/sr]: the mean over leaves of
+/// |before.n||after.n|/pi times the transmittance where light goes through, else the reflectance. `normals`
+/// are those of its leaves.
+double leaf_value(const LeafCanopy& leaves, const LeafNormals& normals, const Vec3& before,
+                  const Vec3& after);
+
 }  // namespace etendue

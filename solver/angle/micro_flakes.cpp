@@ -66,4 +66,12 @@ double flake_momentum_transfer(const MicroFlakes& flakes, const Vec3& direction)
   return 2 * size * size * size / pi * sum;
 }
 
+double flake_value(const MicroFlakes& flakes, const Vec3& before, const Vec3& after) {
+  const double along = flakes.along * flakes.along, across = flakes.across * flakes.across;
+  const double root = flakes.along * flakes.across * flakes.across;
+  const double cosine = flakes.axis.dot((after - before).normalized());
+  const double stretched = cosine * cosine / along + (1 - cosine * cosine) / across;
+  return flakes.albedo / (4 * std::numbers::pi * root * stretched * stretched);
+}
+
 }  // namespace etendue

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/ordinates/dense_scattering.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
+#include "solver/angle/kernel_formula.h"
 #include "solver/ordinates/directional_absorption.h"
+#include "solver/ordinates/kernel_places.h"
 #include "solver/ordinates/processor_timer.h"
 
 namespace etendue {
@@ -26,6 +30,12 @@ double replaced(const Problem& problem, const DenseGroup& group, CellIndex cell,
          (group.matter.absorbing.empty() ? 0 : problem.absorption(cell, band));
 }
 
+[[noreturn]] void fail(const Medium& medium, const InputError& error, const std::string& where = "") {
+  Origin origin = medium.origin;
+  if (origin.key.empty()) origin.key = "media." + medium.name;
+  throw InputError(fault_at(origin, "", where + error.faults().front().text));
+}
+
 DirectionalKernel matter_of(const Medium& medium, int band, ScatteringBackend backend,
                             const DirectionSet& directions) {
   const PhaseFunction& phase = medium.phase[static_cast<std::size_t>(band)];
@@ -37,10 +47,34 @@ DirectionalKernel matter_of(const Medium& medium, int band, ScatteringBackend ba
             {},
             1};
   } catch (const InputError& error) {
-    Origin origin = medium.origin;
-    if (origin.key.empty()) origin.key = "media." + medium.name;
-    throw InputError(fault_at(origin, "", error.faults().front().text));
+    fail(medium, error);
   }
+}
+
+/// A group for every place of a kernel that differs from cell to cell.
+void add_places(const Problem& problem, const DirectionSet& directions, int region, int band,
+                std::vector<KernelPlace> places, std::vector<DenseGroup>& groups) {
+  const Medium& medium = problem.medium(region);
+  const auto& kernel = std::get<KernelFormula>(medium.directional[static_cast<std::size_t>(band)]);
+  const std::size_t first = groups.size();
+  groups.resize(first + places.size());
+  std::vector<std::string> failed(places.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    try {
+      groups[first + i] = {region,
+                           {band},
+                           std::move(places[i].cells),
+                           directional_kernel(kernel_at(kernel, places[i].place), directions)};
+    } catch (const InputError& error) {
+      failed[i] = error.faults().front().text;
+    }
+  }
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (!failed[i].empty())
+      fail(medium, InputError(failed[i]),
+           fmt::format("at ({:.4g}, {:.4g}, {:.4g}) ", places[i].place.x(), places[i].place.y(),
+                       places[i].place.z()));
 }
 
 }  // namespace
@@ -65,10 +99,15 @@ std::vector<DenseGroup> dense_groups(const Problem& problem, const DirectionSet&
       const auto found =
           std::find_if(groups.begin() + static_cast<std::ptrdiff_t>(first), groups.end(), alike);
       if (found != groups.end()) {
-        found->bands.push_back(band);
+        for (auto group = found; group != groups.end(); ++group)
+          if (alike(*group)) group->bands.push_back(band);
         continue;
       }
-      groups.push_back({region, {band}, matter_of(medium, band, backend, directions)});
+      std::vector<KernelPlace> places = kernel_places(problem, region, band);
+      if (places.empty())
+        groups.push_back({region, {band}, {}, matter_of(medium, band, backend, directions)});
+      else
+        add_places(problem, directions, region, band, std::move(places), groups);
     }
   }
   return groups;
@@ -81,7 +120,7 @@ std::vector<DenseGroup> of_bands(const std::vector<DenseGroup>& groups, std::spa
     for (std::size_t i = 0; i < bands.size(); ++i)
       if (std::find(group.bands.begin(), group.bands.end(), bands[i]) != group.bands.end())
         kept.push_back(static_cast<int>(i));
-    if (!kept.empty()) result.push_back({group.region, std::move(kept), group.matter});
+    if (!kept.empty()) result.push_back({group.region, std::move(kept), group.cells, group.matter});
   }
   return result;
 }
@@ -89,16 +128,22 @@ std::vector<DenseGroup> of_bands(const std::vector<DenseGroup>& groups, std::spa
 std::vector<double> effective_extinction(const Problem& problem, std::span<const double> extinction,
                                          const std::vector<ScatteringTreatment>& plan,
                                          const std::vector<DenseGroup>& groups) {
-  std::vector<const DenseGroup*> group_of(plan.size(), nullptr);
+  std::vector<const DenseGroup*> group_of(plan.size(), nullptr), group_in(extinction.size(), nullptr);
   for (const DenseGroup& group : groups)
-    for (const int band : group.bands) group_of[at(problem, group.region, band)] = &group;
+    for (const int band : group.bands) {
+      group_of[at(problem, group.region, band)] = &group;
+      for (const CellIndex cell : group.cells)
+        group_in[cell.at() * static_cast<std::size_t>(problem.band_count()) +
+                 static_cast<std::size_t>(band)] = &group;
+    }
   std::vector<double> result(extinction.begin(), extinction.end());
   for (std::int32_t c = 0; c < problem.mesh().cell_count(); ++c)
     for (int band = 0; band < problem.band_count(); ++band) {
       const CellIndex cell(c);
       const std::size_t of_plan = at(problem, problem.mesh().region(cell), band);
-      double& value = result[static_cast<std::size_t>(c * problem.band_count() + band)];
-      if (const DenseGroup* group = group_of[of_plan])
+      const auto place = static_cast<std::size_t>(c * problem.band_count() + band);
+      double& value = result[place];
+      if (const DenseGroup* group = group_in[place] != nullptr ? group_in[place] : group_of[of_plan])
         value += group->amplitude(problem, cell, band) * mean_extinction(*group) -
                  replaced(problem, *group, cell, band);
       else
@@ -108,7 +153,7 @@ std::vector<double> effective_extinction(const Problem& problem, std::span<const
 }
 
 double DenseGroup::amplitude(const Problem& problem, CellIndex cell, int band) const {
-  return replaced(problem, *this, cell, band) / matter.reference;
+  return !cells.empty() ? 1 : replaced(problem, *this, cell, band) / matter.reference;
 }
 
 DenseScattering::DenseScattering(const Problem& problem, const DirectionSet& directions,
@@ -132,18 +177,24 @@ DenseScattering::DenseScattering(const Problem& problem, const DirectionSet& dir
   source_ = AlignedArray(radiance_size());
 }
 
+std::vector<CellIndex> DenseScattering::cells_of(const DenseGroup& group) const {
+  if (!group.cells.empty()) return group.cells;
+  std::vector<CellIndex> cells;
+  for (const std::int32_t c : rows_)
+    if (problem_.mesh().region(CellIndex(c)) == group.region) cells.emplace_back(c);
+  return cells;
+}
+
 void DenseScattering::add_group(const DenseGroup& group) {
   Lanes lanes;
-  for (const std::int32_t c : rows_) {
-    if (problem_.mesh().region(CellIndex(c)) != group.region) continue;
+  for (const CellIndex cell : cells_of(group))
     for (const int band : group.bands) {
-      lanes.rows.push_back(row_of_[static_cast<std::size_t>(c)]);
+      lanes.rows.push_back(row_of_[cell.at()]);
       lanes.bands.push_back(band);
-      lanes.amplitude.push_back(group.amplitude(problem_, CellIndex(c), band));
+      lanes.amplitude.push_back(group.amplitude(problem_, cell, band));
       removed_[static_cast<std::size_t>(lanes.rows.back() * problem_.band_count() + band)] -=
-          replaced(problem_, group, CellIndex(c), band);
+          replaced(problem_, group, cell, band);
     }
-  }
   const Eigen::Index count = group.kernel().rate.rows();
   lanes.matrix = AlignedArray(static_cast<std::size_t>(count * count));
   for (Eigen::Index m = 0; m < count; ++m)
@@ -186,16 +237,17 @@ void DenseScattering::form_source(const TransportState& last, const SweepKernels
                                   double& seconds) {
   const std::size_t pairs = product_lanes / static_cast<std::size_t>(cells_.nodes());
   const std::size_t panel = static_cast<std::size_t>(directions_.count()) * product_lanes;
-  for (const Lanes& lanes : lanes_) {
-    const auto blocks = static_cast<std::int64_t>((lanes.rows.size() + pairs - 1) / pairs);
+  // A medium with one matrix has many blocks, one with a matrix in every cell many matrices.
+  std::vector<std::pair<const Lanes*, std::size_t>> blocks;
+  for (const Lanes& lanes : lanes_)
+    for (std::size_t first = 0; first < lanes.rows.size(); first += pairs) blocks.emplace_back(&lanes, first);
 #pragma omp parallel num_threads(threads)
-    {
-      const ProcessorTimer timer(seconds);
-      AlignedArray factor(panel), result(panel);
+  {
+    const ProcessorTimer timer(seconds);
+    AlignedArray factor(panel), result(panel);
 #pragma omp for schedule(static)
-      for (std::int64_t block = 0; block < blocks; ++block)
-        product(lanes, static_cast<std::size_t>(block) * pairs, last, kernels, factor.data(), result.data());
-    }
+    for (std::size_t block = 0; block < blocks.size(); ++block)
+      product(*blocks[block].first, blocks[block].second, last, kernels, factor.data(), result.data());
   }
 }
 

@@ -17,7 +17,8 @@ namespace etendue {
 struct DenseGroup {
   int region = 0;
   std::vector<int> bands;
-  DirectionalKernel matter;  ///< of a phase function for a scattering coefficient of 1
+  std::vector<CellIndex> cells;  ///< in which the matrix holds; empty: in all of the region
+  DirectionalKernel matter;      ///< of a phase function for a scattering coefficient of 1
 
   const DenseKernel& kernel() const { return matter.kernel; }
   /// What the matrix is multiplied by in a cell: sigma_s of a phase function, a density.
@@ -86,6 +87,8 @@ class DenseScattering {
     std::vector<double>
         absorption;  ///< [ordinate][pair] where a formula depends on the direction; else empty
   };
+  /// The cells of a group, in the order of the mesh.
+  std::vector<CellIndex> cells_of(const DenseGroup& group) const;
   void add_group(const DenseGroup& group);
   void add_absorption(const DenseGroup& group, Lanes& lanes);
   void product(const Lanes& lanes, std::size_t first, const TransportState& last, const SweepKernels& kernels,

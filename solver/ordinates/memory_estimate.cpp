@@ -7,6 +7,7 @@
 #include "solver/angle/spherical_harmonics.h"
 #include "solver/ordinates/directional_emission.h"
 #include "solver/ordinates/gmres.h"
+#include "solver/ordinates/kernel_places.h"
 #include "solver/ordinates/positive_iteration.h"
 #include "solver/ordinates/scattering_plan.h"
 #include "solver/ordinates/solve.h"
@@ -42,6 +43,15 @@ bool mirrors(const Wall& wall) {
   return std::any_of(wall.specular.begin(), wall.specular.end(), [](double r) { return r > 0; });
 }
 
+/// One, or where the kernel differs from cell to cell one for each place, which all bands share.
+double matrices_of(const Problem& problem, std::size_t of_plan) {
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  const auto region = static_cast<int>(of_plan / bands);
+  const auto places = kernel_places(problem, region, static_cast<int>(of_plan % bands)).size();
+  if (places == 0) return 1;
+  return of_plan % bands == 0 ? static_cast<double>(places) : 0;
+}
+
 Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const SolveOptions& options) {
   const TetrahedralMesh& mesh = problem.mesh();
   const Basis basis = options.order == SpaceOrder::linear ? Basis::linear : Basis::constant;
@@ -58,7 +68,7 @@ Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const Sol
   std::vector<int> degrees(problem.media().size(), 0);
   for (std::size_t i = 0; i < plan.size(); ++i) {
     degrees[i / bands] = std::max(degrees[i / bands], plan[i].degree);
-    if (plan[i].is_dense()) sizes.matrices += 1;
+    if (plan[i].is_dense()) sizes.matrices += matrices_of(problem, i);
   }
   sizes.dense_cells = static_cast<double>(dense_cells(problem, plan).size());
   sizes.angular_cells = sizes.dense_cells;
@@ -75,7 +85,7 @@ Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const Sol
     if (scatters_so) highest = std::max(highest, degree);
   }
   sizes.angular_cells = std::min(sizes.angular_cells, sizes.cells);
-  sizes.moments = harmonic_count(highest);
+  sizes.moments = harmonic_count(directions.space(), highest);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     if (mirrors(problem.wall(mesh.wall(FaceIndex(f))))) sizes.mirrors += 1;
   return sizes;

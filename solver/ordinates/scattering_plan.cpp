@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "solver/angle/harmonics.h"
+#include "solver/ordinates/kernel_places.h"
 #include "solver/ordinates/sweep_kernel.h"
 
 namespace etendue {
@@ -26,9 +27,18 @@ ScatteringTreatment by_moments(const ScatteringChoice& choice, const PhaseFuncti
   return treatment;
 }
 
+constexpr double mebibyte = 1024 * 1024;
+
 std::string memory_text(double bytes) {
-  constexpr double mebibyte = 1024 * 1024;
   return fmt::format("{:.3g} MiB for the angular solution", bytes / mebibyte);
+}
+
+/// What kernels that differ from cell to cell cost.
+std::string places_text(const Problem& problem, const DirectionSet& directions, int region, int band) {
+  const std::size_t places = kernel_places(problem, region, band).size();
+  return places == 0 ? ""
+                     : fmt::format(", {:.3g} MiB for the matrices of {} places",
+                                   static_cast<double>(places) * matrix_bytes(directions) / mebibyte, places);
 }
 
 ScatteringTreatment treat(const ScatteringChoice& choice, const PhaseFunction& phase,
@@ -50,6 +60,10 @@ ScatteringTreatment treat(const ScatteringChoice& choice, const PhaseFunction& p
 
 }  // namespace
 
+double matrix_bytes(const DirectionSet& directions) {
+  return 2.0 * sizeof(double) * directions.count() * directions.count();
+}
+
 std::vector<double> angular_bytes(const Problem& problem, const DirectionSet& directions) {
   std::vector<double> bytes(problem.media().size(), 0);
   const double of_cell = static_cast<double>(sizeof(double)) * directions.count() *
@@ -70,7 +84,8 @@ std::vector<ScatteringTreatment> plan_scattering(const Problem& problem, const D
       if (medium.is_directional(band))
         plan.push_back(
             {ScatteringBackend::dense, 0, 0,
-             fmt::format("it depends on the directions themselves; {}", memory_text(bytes[region]))});
+             fmt::format("it depends on the directions themselves; {}{}", memory_text(bytes[region]),
+                         places_text(problem, directions, static_cast<int>(region), band))});
       else if (medium.absorbs_by_direction(band))
         plan.push_back(
             {medium.choice_of(band).backend == ScatteringBackend::galerkin ? ScatteringBackend::galerkin

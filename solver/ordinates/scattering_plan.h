@@ -26,6 +26,9 @@ inline constexpr double largest_automatic_dense = 256.0 * 1024 * 1024;
 /// [region] bytes of the angular solution in a region, with linear elements.
 std::vector<double> angular_bytes(const Problem& problem, const DirectionSet& directions);
 
+/// Bytes of one scattering matrix, which is kept as it is and as the sweep multiplies with it.
+double matrix_bytes(const DirectionSet& directions);
+
 /// [region * bands + band].
 std::vector<ScatteringTreatment> plan_scattering(const Problem& problem, const DirectionSet& directions);
 

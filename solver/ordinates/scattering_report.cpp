@@ -23,9 +23,27 @@ KernelReport of_moments(const PhaseFunction& phase, const ScatteringTreatment& h
   return report;
 }
 
-KernelReport of_matrix(const DenseKernel& kernel, const ScatteringTreatment& how,
-                       const DirectionSet& directions) {
-  const DenseAccuracy accuracy = dense_accuracy(kernel, directions);
+/// The worst of several matrices; the asymmetry is their mean.
+DenseAccuracy worst_of(const std::vector<const DenseGroup*>& groups, const DirectionSet& directions) {
+  DenseAccuracy worst = dense_accuracy(groups.front()->kernel(), directions);
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    const DenseAccuracy next = dense_accuracy(groups[i]->kernel(), directions);
+    worst.asymmetry += next.asymmetry;
+    worst.energy_error = std::max(worst.energy_error, next.energy_error);
+    worst.momentum_error = std::max(worst.momentum_error, next.momentum_error);
+    worst.reciprocity_error = std::max(worst.reciprocity_error, next.reciprocity_error);
+    worst.smallest_forward = std::min(worst.smallest_forward, next.smallest_forward);
+    worst.largest_forward = std::max(worst.largest_forward, next.largest_forward);
+    worst.smallest = std::min(worst.smallest, next.smallest);
+    worst.negative_share = std::max(worst.negative_share, next.negative_share);
+  }
+  worst.asymmetry /= static_cast<double>(groups.size());
+  return worst;
+}
+
+KernelReport of_matrices(const std::vector<const DenseGroup*>& groups, const ScatteringTreatment& how,
+                         const DirectionSet& directions) {
+  const DenseAccuracy accuracy = worst_of(groups, directions);
   KernelReport report;
   report.asymmetry = accuracy.asymmetry;
   report.energy_error = accuracy.energy_error;
@@ -37,7 +55,8 @@ KernelReport of_matrix(const DenseKernel& kernel, const ScatteringTreatment& how
   report.largest_forward = accuracy.largest_forward;
   report.momentum_error = accuracy.momentum_error;
   report.reciprocity_error = accuracy.reciprocity_error;
-  report.integral_error = kernel.uncertainty;
+  for (const DenseGroup* group : groups)
+    report.integral_error = std::max(report.integral_error, group->kernel().uncertainty);
   return report;
 }
 
@@ -55,11 +74,11 @@ std::vector<KernelReport> report_kernels(const Problem& problem, const Direction
           medium.scattering[band].at(Vec3::Zero()) == 0)
         continue;
       const ScatteringTreatment& how = plan[static_cast<std::size_t>(region * problem.band_count() + b)];
-      const auto group = std::find_if(groups.begin(), groups.end(), [&](const DenseGroup& g) {
-        return g.region == region && std::count(g.bands.begin(), g.bands.end(), b) > 0;
-      });
-      KernelReport report = group == groups.end() ? of_moments(medium.phase[band], how, directions)
-                                                  : of_matrix(group->kernel(), how, directions);
+      std::vector<const DenseGroup*> matrices;
+      for (const DenseGroup& group : groups)
+        if (group.region == region && std::ranges::count(group.bands, b) > 0) matrices.push_back(&group);
+      KernelReport report = matrices.empty() ? of_moments(medium.phase[band], how, directions)
+                                             : of_matrices(matrices, how, directions);
       report.medium = medium.name;
       report.band = problem.bands().names[band];
       report.phase = medium.is_directional(b) ? directional_name(medium.directional[band])

@@ -19,9 +19,18 @@ double henyey_greenstein_cosine(double g, double u) {
   return std::clamp((1 + g * g - root * root) / (2 * g), -1.0, 1.0);
 }
 
-std::size_t node_count(const PhaseFunction& phase) {
+template <class Parts>
+std::size_t nodes_of(const Parts& phase) {
   const auto* series = std::get_if<PhaseLegendre>(&phase);
-  return std::max(fewest_nodes, series ? nodes_per_degree * series->moments.size() : 0);
+  return series != nullptr ? nodes_per_degree * series->moments.size() : 0;
+}
+
+/// As fine as the longest series asks, alone or in a mixture.
+std::size_t node_count(const PhaseFunction& phase) {
+  std::size_t nodes = std::max(fewest_nodes, nodes_of(phase));
+  if (const auto* mixture = std::get_if<PhaseMixture>(&phase))
+    for (const PhasePart& part : mixture->parts) nodes = std::max(nodes, nodes_of(part));
+  return nodes;
 }
 
 }  // namespace

@@ -131,6 +131,21 @@ TEST(BuildProblem, RefusesTheKernelsThatARunRefuses) {
             std::string::npos);
 }
 
+TEST(BuildProblem, TakesAKernelThatIsNoProductWithItsMeanOverTheRegion) {
+  const std::string kernel = "[media.air]\nkernel = \"(1+x)*(1+0.5*x*wx*vx)/(4*pi)\"\n";
+  const Case input = case_of(cube + kernel);
+  const TetrahedralMesh mesh = build_mesh(input);
+  const Problem problem = build_problem(input, mesh);
+  double mean = 0;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
+    for (const std::int32_t v : mesh.vertices(CellIndex(c)))
+      mean += (1 + mesh.point(VertexIndex(v)).x()) / 4 / mesh.cell_count();
+  EXPECT_NEAR(problem.scattering(CellIndex(0), 0), mean, 0.1 * mean);
+  EXPECT_NE(build_faults(case_of(cube + kernel + "extinction = \"2 + wx\"\n"))
+                .find("the kernel depends on the place and extinction is given beside it"),
+            std::string::npos);
+}
+
 TEST(CheckKernels, RefusesWithoutAMeshWhatARunRefuses) {
   const auto refused = [](const std::string& kernel) {
     try {

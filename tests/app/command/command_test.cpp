@@ -116,6 +116,17 @@ TEST(Command, CheckListsThePhaseFunctionsByAngle) {
   EXPECT_TRUE(has(outcome.out, "\nsmoke,blue,180,0.0176838")) << outcome.out.substr(outcome.out.size() - 80);
 }
 
+TEST(Command, CheckListsLeavesByTheDirectionThatTheyAreLitFrom) {
+  const CaseFolder folder;
+  const Outcome outcome =
+      etendue_says({"check", folder.file(), "--phase", "--set",
+                    "media.smoke={leaves={area_density=1,angles='horizontal',reflectance=0.5}}"});
+  EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  // Lambert's 1/pi straight back, where light comes from above.
+  EXPECT_TRUE(has(outcome.out, "\nsmoke from (0 0 -1),red,180,0.318309886\n")) << outcome.out.substr(0, 300);
+  EXPECT_FALSE(has(outcome.out, "from (1 0 0)")) << "level leaves are not seen from the side";
+}
+
 TEST(Command, DirectionsShowsAllSetsOrOneInFull) {
   const Outcome all = etendue_says({"directions"});
   EXPECT_EQ(all.code, ExitCode::done);

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
 
 #include "solver/angle/dense_kernel.h"
 #include "solver/measure/balance.h"
+#include "solver/ordinates/kernel_places.h"
 #include "solver/ordinates/solve.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
@@ -163,6 +165,95 @@ TEST(GeneralKernel, ThatIsHenyeyAndGreensteinsGivesItsAnswer) {
   for (std::size_t i = 0; i < a.fluence.size(); ++i)
     EXPECT_NEAR(a.fluence[i], b.fluence[i], 1e-12 * b.fluence[i]);
   EXPECT_NEAR(a.kernels[0].asymmetry, 0.6, 1e-10);
+}
+
+/// The cells of a mesh in two regions, below and above z = 0.5 by their centroids.
+TetrahedralMesh in_two_regions(const TetrahedralMesh& mesh) {
+  RawMesh raw;
+  raw.points.assign(mesh.points().begin(), mesh.points().end());
+  raw.region_names = {"below", "above"};
+  for (const auto& cell : mesh.cell_vertices()) {
+    const auto point = [&](std::size_t i) { return mesh.point(VertexIndex(cell[i])); };
+    const double turn = (point(1) - point(0)).cross(point(2) - point(0)).dot(point(3) - point(0));
+    raw.cells.push_back({cell[0], cell[1], cell[turn > 0 ? 2 : 3], cell[turn > 0 ? 3 : 2]});
+    double height = 0;
+    for (const std::int32_t v : cell) height += mesh.point(VertexIndex(v)).z() / 4;
+    raw.cell_regions.push_back(height < 0.5 ? 0 : 1);
+  }
+  return TetrahedralMesh(raw);
+}
+
+const std::string first_kernel = "(1-0.3^2)/(4*pi)/(1+0.3^2-2*0.3*(wx*vx+wy*vy+wz*vz))^1.5";
+const std::string second_kernel = "(2+wx*vy)/(4*pi)";
+
+TEST(KernelByCell, OfTwoKindsGivesTheAnswerOfTwoRegions) {
+  const TetrahedralMesh one = moved_mesh(cube_mesh(6e-2), [](const Vec3& point) { return point; });
+  const TetrahedralMesh two = in_two_regions(one);
+  Medium below = medium_of(kernel(first_kernel), 0.3, 1), above = medium_of(kernel(second_kernel), 0.3, 2);
+  below.name = "below";
+  above.name = "above";
+  Wall wall = uniform_wall(1, 1, 0, 0);
+  wall.name = two.wall_names().front();
+  const Problem expected(two, Bands{}, {below, above}, {wall});
+  wall.name = one.wall_names().front();
+  const Problem problem(
+      one, Bands{}, {medium_of(kernel("z < 0.5 ? " + first_kernel + " : " + second_kernel), 0.3, 1)}, {wall});
+  EXPECT_EQ(kernel_places(problem, 0, 0).size(), 2u);
+  SolveOptions options = tight_options();
+  options.tolerance = 1e-13;
+  const Solution a = solve(problem, directions_product(4), options);
+  const Solution b = solve(expected, directions_product(4), options);
+  ASSERT_TRUE(a.converged());
+  for (std::size_t i = 0; i < a.fluence.size(); ++i)
+    EXPECT_NEAR(a.fluence[i], b.fluence[i], 1e-11 * b.fluence[i]);
+}
+
+TEST(KernelByCell, WhoseAsymmetryDependsOnThePlaceLosesNothing) {
+  const TetrahedralMesh mesh = cube_mesh(6e-2);
+  const Problem problem(mesh, Bands{}, {medium_of(kernel("2/(4*pi)*(1+0.9*z*(wx*vx+wy*vy+wz*vz))"), 0, 2)},
+                        column(mesh));
+  const DirectionSet directions = directions_product(4);
+  const Solution solution = solve(problem, directions, tight_options());
+  ASSERT_TRUE(solution.converged());
+  expect_balance(problem, solution);
+  EXPECT_LT(solution.kernels[0].energy_error, 1e-9);
+  EXPECT_LT(solution.kernels[0].momentum_error, 1e-9);
+  EXPECT_NEAR(solution.kernels[0].asymmetry, 0.3 * 0.5, 0.02);
+  // Every height has its matrix, which the log says and the estimate of memory counts.
+  const auto places = static_cast<double>(kernel_places(problem, 0, 0).size());
+  EXPECT_GT(places, 50);
+  EXPECT_NE(solution.kernels[0].backend.find("MiB for the matrices of "), std::string::npos);
+  const Problem alike(mesh, Bands{}, {medium_of(kernel(first_kernel), 0, 1)}, column(mesh));
+  const double matrix = 16.0 * directions.count() * directions.count();
+  EXPECT_NEAR(static_cast<double>(estimate_memory(problem, directions, {})) -
+                  static_cast<double>(estimate_memory(alike, directions, {})),
+              (places - 1) * matrix, 8);
+}
+
+TEST(KernelByCell, IsOneMatrixForAProduct) {
+  const TetrahedralMesh mesh = cube_mesh(6e-2);
+  const auto places = [&](const std::string& text) {
+    return kernel_places(std::get<KernelFormula>(kernel(text)), mesh, 0);
+  };
+  EXPECT_TRUE(places(first_kernel).empty());
+  EXPECT_TRUE(places("(1+x*z)*" + first_kernel).empty());
+  std::size_t cells = 0;
+  for (const KernelPlace& place : places("1+x*wz*vz")) cells += place.cells.size();
+  EXPECT_EQ(cells, static_cast<std::size_t>(mesh.cell_count()));
+}
+
+TEST(KernelByCell, ThatIsNegativeNamesItsMediumAndThePlace) {
+  const TetrahedralMesh mesh = cube_mesh(6e-2);
+  const Problem problem(mesh, Bands{}, {medium_of(kernel("1 + 2*z*wx*vx"), 0, 1)}, column(mesh));
+  try {
+    solve(problem, directions_product(4), tight_options());
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("media.domain"), std::string::npos) << text;
+    EXPECT_NE(text.find("at ("), std::string::npos) << text;
+    EXPECT_NE(text.find("the kernel is -"), std::string::npos) << text;
+  }
 }
 
 TEST(GeneralKernel, GivenAsTheMatrixOfHenyeyAndGreensteinGivesItsAnswer) {

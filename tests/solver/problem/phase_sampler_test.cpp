@@ -41,6 +41,18 @@ TEST(PhaseSampler, DrawsTheMomentsOfTheFunction) {
   }
 }
 
+TEST(PhaseSampler, FollowsALongSeriesInAMixture) {
+  // A peak of 0.005 radians: 1,500 moments of exp(-l (l + 1)/400^2), half of the light.
+  PhaseLegendre peak{{}};
+  for (int l = 0; l < 1500; ++l) peak.moments.push_back(std::exp(-l * (l + 1.0) / (400.0 * 400.0)));
+  const PhaseSampler sampler(PhaseMixture{{0.5, 0.5}, {PhaseIsotropic{}, peak}});
+  // The share of the peak beyond the angle t is exp(-(200 t)^2) where angles are small.
+  for (const double share : {0.2, 0.5, 0.8}) {
+    const double angle = std::acos(sampler.cosine(0.5 + 0.5 * share));
+    EXPECT_NEAR(angle, std::sqrt(-std::log(share)) / 200, 2e-6);
+  }
+}
+
 TEST(PhaseSampler, RisesFromBackwardToForward) {
   for (const PhaseFunction& phase : functions()) {
     const PhaseSampler sampler(phase);
