@@ -8,6 +8,9 @@ namespace etendue {
 namespace {
 
 constexpr double per_sphere = 1 / (4 * std::numbers::pi);
+/// Part of the way to the cell's centroid from which a vertex of a flat light is looked at: in its own plane
+/// it is dark.
+constexpr double step_inside = 1e-6;
 
 std::vector<CellIndex> cells_of_vertices(const TetrahedralMesh& mesh) {
   std::vector<CellIndex> cells(static_cast<std::size_t>(mesh.vertex_count()), CellIndex(0));
@@ -17,19 +20,23 @@ std::vector<CellIndex> cells_of_vertices(const TetrahedralMesh& mesh) {
   return cells;
 }
 
-/// The light at a vertex: what arrives, else, in the dark, what would arrive without obstacles.
-void look(const LightSource& source, const PointInCell& here, LightBeams& beams) {
-  beams.clear();
-  source.add_beams(here, Sight::attenuated, coarse_light, beams);
-  const auto dark = [&] {
-    for (std::size_t i = 0; i < beams.size(); ++i)
-      for (const double value : beams.fluence(i))
-        if (value > 0) return false;
-    return true;
-  };
-  if (!dark()) return;
-  beams.clear();
-  source.add_beams(here, Sight::clear, coarse_light, beams);
+bool dark(const LightBeams& beams) {
+  for (std::size_t i = 0; i < beams.size(); ++i)
+    for (const double value : beams.fluence(i))
+      if (value > 0) return false;
+  return true;
+}
+
+/// The light at a vertex of a cell: what arrives; in the dark what would arrive without obstacles; in the
+/// plane of a flat light what arrives beside it.
+void look(const LightSource& source, const PointInCell& here, const Vec3& centroid, LightBeams& beams) {
+  const PointInCell inside{here.cell, here.position + step_inside * (centroid - here.position)};
+  for (const PointInCell& from : {here, inside})
+    for (const Sight sight : {Sight::attenuated, Sight::clear}) {
+      beams.clear();
+      source.add_beams(from, sight, coarse_light, beams);
+      if (!dark(beams)) return;
+    }
 }
 
 }  // namespace
@@ -61,7 +68,7 @@ void FirstCollision::tabulate(const LightSetup& lights, int threads) {
         std::vector<double> values(ordinates);
 #pragma omp for schedule(dynamic, 64)
         for (std::size_t v = 0; v < vertices; ++v) {
-          look(*lights.sources()[s], {cells[v], mesh.points()[v]}, beams);
+          look(*lights.sources()[s], {cells[v], mesh.points()[v]}, mesh.centroid(cells[v]), beams);
           std::fill(values.begin(), values.end(), 0.0);
           double sum = 0;
           for (std::size_t k = 0; k < beams.size(); ++k) {

@@ -73,6 +73,43 @@ TEST(SolveSplit, KeepsThePowerOfTheFirstCollisions) {
   }
 }
 
+// A wall of the same radiance everywhere lights its own points from half of all directions: their mean is
+// half the normal, and what scatters keeps g of it.
+TEST(FirstCollision, SendsTheLightOfAWallForwardBesideIt) {
+  const TetrahedralMesh mesh = cube_mesh(0.005);
+  const std::vector<Medium> media(1, uniform_medium(1, 0, 1, 0, PhaseHenyeyGreenstein{0.8}));
+  std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
+  const int lit = mesh.wall(FaceIndex(0));
+  walls[static_cast<std::size_t>(lit)] = uniform_wall(1, 1, 0, 0);
+  walls[static_cast<std::size_t>(lit)].uncollided = Uncollided::yes;
+  const Problem problem(mesh, {}, media, walls);
+  const LightSetup lights(problem);
+  const DirectionSet directions = directions_ldfe_sq(2);
+  const UncollidedField field = uncollided_field(lights.paths(), lights.sources(), 1);
+  const FirstCollision source(lights, field, directions, 1);
+  const Vec3 inwards = -mesh.area_normal(FaceIndex(0)).normalized();
+  const double offset = inwards.dot(mesh.centroid(FaceIndex(0)));
+  int seen = 0;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3 place = mesh.point(VertexIndex(mesh.vertices(CellIndex(c))[i]));
+      const Vec3 from_middle = (place - Vec3(0.5, 0.5, 0.5)).cwiseAbs();
+      // On edges of the wall the limit depends on the side from which they are looked at.
+      if (std::abs(inwards.dot(place) - offset) > 1e-12 || (from_middle.array() > 0.49).count() > 1) continue;
+      ++seen;
+      double sum = 0, forward = 0;
+      for (std::int32_t m = 0; m < directions.count(); ++m) {
+        std::vector<double> values(4, 0);
+        source.add_source(OrdinateIndex(m), CellIndex(c), values);
+        sum += directions.weight(OrdinateIndex(m)) * values[i];
+        forward += directions.weight(OrdinateIndex(m)) * values[i] *
+                   directions.directions()[static_cast<std::size_t>(m)].dot(inwards);
+      }
+      EXPECT_NEAR(forward / sum, 0.8 * 0.5, 0.02);
+    }
+  EXPECT_GT(seen, 0);
+}
+
 TEST(LightSetup, RefusesALampBesideLeaves) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   Medium leaves = uniform_medium(1, 0.3, 0.2, 0, PhaseIsotropic{});
