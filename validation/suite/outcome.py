@@ -72,6 +72,9 @@ def execute(run, outcome, options):
         if code not in (0, 1):
             outcome.faults.append(f"{name}: the run failed with exit code {code}")
             return
+    if not (folder / ("study.json" if "study" in run else "summary.json")).is_file():
+        outcome.faults.append(f"{name}: there are no results")
+        return
     result = Result(name, folder, time.monotonic() - started)
     outcome.results[name] = result
     if "study" not in run:
@@ -107,7 +110,11 @@ def faults_of(result, limit):
 
 def compare(outcome):
     module = outcome.benchmark.module()
-    found = module.compare(outcome.results)
+    try:
+        found = module.compare(outcome.results)
+    except (KeyError, ValueError, OSError) as error:  # a value that is not there: the other benchmarks go on
+        outcome.faults.append(f"nothing was compared: {error!r}")
+        return
     outcome.rows = [judge(row, outcome.benchmark.tolerances) for row in found]
     outcome.lines = module.lines(outcome.results) if hasattr(module, "lines") else []
     if not outcome.judged:

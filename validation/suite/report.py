@@ -5,6 +5,7 @@ import csv
 import dataclasses
 import pathlib
 import subprocess
+import tomllib
 from types import SimpleNamespace
 
 from suite import html, markdown, plots
@@ -48,9 +49,10 @@ def figures_of(outcome):
     found = []
     if not outcome.results:
         return found
-    chosen = outcome.results.get(benchmark.sketch.get("run", ""), next(iter(outcome.results.values())))
-    if "study" not in next((r for r in benchmark.data["run"]), {}):
-        sketch = draw_sketch(chosen, benchmark.sketch)
+    sketched = [result for result in outcome.results.values() if not (result.folder / "study.json").is_file()]
+    if sketched:
+        chosen = outcome.results.get(benchmark.sketch.get("run", ""), sketched[0])
+        sketch = draw_sketch(chosen, benchmark.sketch, column_of(benchmark, chosen))
         if sketch:
             found.append(Figure(f"{benchmark.name}-sketch", "Set-up", "svg", sketch))
     for number, plot in enumerate(benchmark.plots):
@@ -64,6 +66,12 @@ def figures_of(outcome):
         if (result.folder / "study.json").is_file():
             found.append(Figure(f"{benchmark.name}-{name}", f"Convergence: {name}", "png", plots.draw_study(result)))
     return found
+
+
+def column_of(benchmark, result):
+    """The layers of the column that a run was solved on."""
+    return next((run["column"] for run in benchmark.data["run"] if "column" in run
+                 and "file" in tomllib.loads(result.summary["case"])["mesh"]), None)
 
 
 def field(outcome, picture, number):

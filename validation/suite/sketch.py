@@ -12,9 +12,12 @@ FILLS = ["#dce9f5", "#f8e3cf", "#d9efe3", "#f3dcea", "#fbf0cc", "#e3e3e3"]
 HATCHES = ["", "//", "..", "xx", "\\\\", "++"]
 
 
-def draw_sketch(result, options):
-    """The cut `normal` = `at` through the primitives; None for a mesh from a file."""
+def draw_sketch(result, options, column=None):
+    """The cut `normal` = `at` through the primitives or the layers of a column; None for another mesh from a file."""
     case = tomllib.loads(result.summary["case"])
+    if column:
+        case["mesh"] = {"box": layers(column)}
+        case["probe"] = []
     mesh = case["mesh"]
     if not any(kind in mesh for kind in ("box", "sphere", "cylinder")):
         return None
@@ -41,6 +44,14 @@ def draw_sketch(result, options):
     return save(figure)
 
 
+def layers(column):
+    """A column's parts as boxes, drawn a third as wide as all of them are high."""
+    width = (column[-1]["to"] - column[0]["from"]) / 3
+    walls = {"xmin": "side", "xmax": "side", "ymin": "side", "ymax": "side"}
+    return [{"region": part["region"], "min": [0, 0, part["from"]], "max": [width, width, part["to"]], "walls": walls}
+            for part in column]
+
+
 class Cut:
     def __init__(self, normal, at, case):
         self.normal = normal
@@ -58,24 +69,22 @@ class Cut:
         return min(width, height) < 0.15 * max(width, height)
 
     def _style(self, region):
+        """Regions of the same matter look alike and share an entry of the legend."""
         if region is None:
             return {"facecolor": "white", "edgecolor": "0.2", "hatch": "xxx"}
-        number = self.fills.setdefault(region, len(self.fills))
+        matter = self._matter(region)
+        new = matter not in self.fills
+        number = self.fills.setdefault(matter, len(self.fills))
         style = {"facecolor": FILLS[number % len(FILLS)], "edgecolor": "0.5", "linewidth": 0.7,
                  "hatch": HATCHES[number // len(FILLS) % len(HATCHES)]}
-        return style if number != len(self.fills) - 1 or region in self._named else style | {"label": self._label(region)}
+        return style | {"label": f"{region.split('-')[0]}: {matter}"} if new else style
 
-    @property
-    def _named(self):
-        return self.__dict__.setdefault("named", set())
-
-    def _label(self, region):
-        self._named.add(region)
+    def _matter(self, region):
         medium = self.case["media"].get(region, self.case["media"].get("*", {}))
         words = [f"{symbol} {short(medium[key])}" for key, symbol in
                  (("absorption", "σa"), ("scattering", "σs"), ("extinction", "σt"), ("albedo", "albedo"),
-                  ("emission", "q"), ("power_density", "4πq")) if medium.get(key)]
-        return f"{region}: {', '.join(words) or 'void'}"
+                  ("emission", "q"), ("power_density", "4πq"), ("power", "power")) if medium.get(key)]
+        return ", ".join(words) or "void"
 
     def add_box(self, axes, box):
         if not box["min"][self.axis] - 1e-12 <= self.at <= box["max"][self.axis] + 1e-12:
