@@ -113,6 +113,14 @@ struct CameraCase {
   Origin origin;
 };
 
+/// Of solve.method = "photons".
+struct PhotonCase {
+  double photons = 1e6;  ///< histories per band that a run adds
+  double until = 0;      ///< relative error to reach; 0: all histories
+  double probe_photons = 2e4;
+  int seed = 1;
+};
+
 /// A radiance that is meant to be the answer: source and inflow follow from it.
 struct ExactCase {
   std::string radiance;  ///< a formula in x, y, z, wx, wy, wz; the same in all bands
@@ -149,7 +157,8 @@ struct Case {
   AngularSpace angular_space = AngularSpace::sphere;
   Origin directions_origin;
   SolveOptions solve;
-  std::optional<InputFile> initial;  ///< a solution to start from
+  std::optional<PhotonCase> photons;  ///< solve by photons
+  std::optional<InputFile> initial;   ///< a solution to start from
   std::optional<ExactCase> exact;
   std::vector<Probe> probes;
   std::vector<CameraCase> cameras;

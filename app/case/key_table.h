@@ -17,7 +17,8 @@ std::vector<KeyDeclaration> picture_keys();  ///< cameras
 
 namespace key_range {
 
-inline constexpr double largest_count = 1e9;  // fits an int
+inline constexpr double largest_count = 1e9;       // fits an int
+inline constexpr double largest_histories = 1e15;  // a double counts them exactly
 inline constexpr Range positive{.lowest = 0, .lowest_excluded = true};
 inline constexpr Range not_negative{.lowest = 0};
 inline constexpr Range fraction{.lowest = 0, .highest = 1};

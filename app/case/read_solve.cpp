@@ -82,12 +82,28 @@ void read_space(Section space, SolveOptions& options) {
     space.fault("positivity", "constant elements are never negative; use \"none\", or order = 1");
 }
 
+namespace {
+
+/// Read with every method: one case serves several, and `compare` asks for them side by side.
+std::optional<PhotonCase> read_photons(Section& solve) {
+  PhotonCase photons;
+  photons.photons = solve.number("photons");
+  photons.until = solve.number_if("until").value_or(0);
+  photons.probe_photons = solve.number("probe_photons");
+  photons.seed = solve.integer("seed");
+  if (solve.text("method") != "photons") return std::nullopt;
+  return photons;
+}
+
+}  // namespace
+
 void read_solve(Section solve, const std::filesystem::path& case_folder, Case& result) {
   SolveOptions& options = result.solve;
   const std::string method = solve.text("method");
   options.method = method == "gmres"              ? Method::gmres
                    : method == "source-iteration" ? Method::source_iteration
                                                   : Method::automatic;
+  result.photons = read_photons(solve);
   const std::string acceleration = solve.text("acceleration");
   options.acceleration = acceleration == "diffusion" ? Acceleration::diffusion
                          : acceleration == "none"    ? Acceleration::none

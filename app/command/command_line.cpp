@@ -17,6 +17,7 @@ const char* const examples = R"(Examples:
   etendue run case.toml --set solve.tolerance=1e-8 --set directions.order=2 --output fine
   etendue render smoke-room --camera front
   etendue study case.toml --refine mesh --levels 3
+  etendue compare case.toml --methods ordinates,photons
   etendue check case.toml --mesh
   etendue mesh case.toml -o mesh.vtu
   etendue directions --set ldfe-sq --order 2 -o set.vtp
@@ -45,11 +46,11 @@ class Parser {
     add_run();
     add_render();
     add_study();
+    add_compare();
     add_check();
     add_mesh();
     add_directions();
     app_.add_subcommand("keys", "Every key of the case file");
-    add_later_commands();
   }
 
   Request parse(std::vector<std::string> arguments) {
@@ -71,9 +72,9 @@ class Parser {
     if (arguments.empty() || arguments.front().starts_with('-')) return;
     const auto named = [&](const CLI::App* command) { return command->get_name() == arguments.front(); };
     if (!app_.get_subcommands(named).empty()) return;
-    throw InputError(
-        "command line: " + arguments.front() +
-        ": no such command; use run, render, study, check, mesh, directions or keys (see etendue --help)");
+    throw InputError("command line: " + arguments.front() +
+                     ": no such command; use run, render, study, compare, check, mesh, directions or keys "
+                     "(see etendue --help)");
   }
 
   void add_run() {
@@ -165,12 +166,19 @@ class Parser {
         ->type_name("FILE");
   }
 
-  void add_later_commands() {
-    for (const char* name : {"compare"}) {
-      CLI::App* command = app_.add_subcommand(name, "Not in this version");
-      command->group("")->prefix_command();
-      later_.push_back(command);
-    }
+  void add_compare() {
+    compare_command_ =
+        app_.add_subcommand("compare", "Solve a case by several methods and compare their answers");
+    add_run_options(*compare_command_);
+    compare_command_
+        ->add_option(
+            "--methods", compare_.methods,
+            "ordinates and photons, with a comma between; the first is what others are compared with")
+        ->required()
+        ->delimiter(',')
+        ->expected(2)
+        ->check(CLI::IsMember({"ordinates", "photons"}))
+        ->type_name("METHODS");
   }
 
   static void add_case(CLI::App& command, CaseRequest& request) {
@@ -195,13 +203,10 @@ class Parser {
   }
 
   Request request() {
-    for (const CLI::App* command : later_)
-      if (command->parsed())
-        throw InputError("command line: " + command->get_name() +
-                         ": not in this version; use run, render, study, check, mesh, directions or keys");
     if (run_command_->parsed()) return finished_run();
     if (render_command_->parsed()) return finished_render();
     if (study_command_->parsed()) return finished_study();
+    if (compare_command_->parsed()) return finished_compare();
     if (check_command_->parsed()) return check_;
     if (mesh_command_->parsed()) return mesh_;
     if (directions_command_->parsed()) return directions_;
@@ -235,17 +240,26 @@ class Parser {
     return study_;
   }
 
+  CompareRequest finished_compare() {
+    compare_.run = finished_run();
+    if (compare_.methods[0] == compare_.methods[1])
+      throw InputError("command line: compare: --methods = " + compare_.methods[0] + "," +
+                       compare_.methods[1] + ": the same method twice; use ordinates,photons");
+    return compare_;
+  }
+
   CLI::App app_;
   CLI::App* run_command_ = nullptr;
   CLI::App* render_command_ = nullptr;
   CLI::App* study_command_ = nullptr;
+  CLI::App* compare_command_ = nullptr;
   CLI::App* check_command_ = nullptr;
   CLI::App* mesh_command_ = nullptr;
   CLI::App* directions_command_ = nullptr;
-  std::vector<CLI::App*> later_;
   RunRequest run_;
   RenderRequest render_;
   StudyRequest study_;
+  CompareRequest compare_;
   CheckRequest check_;
   MeshRequest mesh_;
   DirectionsRequest directions_;

@@ -44,6 +44,12 @@ struct StudyRequest {
   bool resume = false;
 };
 
+/// Several methods on one case. The first is what the others are compared with.
+struct CompareRequest {
+  RunRequest run;
+  std::vector<std::string> methods;  ///< "ordinates", "photons"
+};
+
 struct CheckRequest : CaseRequest {
   bool mesh = false;
   bool phase = false;  ///< the values of the phase functions, and nothing else
@@ -68,8 +74,8 @@ struct ShowText {
   std::string text;
 };
 
-using Request = std::variant<RunRequest, RenderRequest, StudyRequest, CheckRequest, MeshRequest,
-                             DirectionsRequest, KeysRequest, ShowText>;
+using Request = std::variant<RunRequest, RenderRequest, StudyRequest, CompareRequest, CheckRequest,
+                             MeshRequest, DirectionsRequest, KeysRequest, ShowText>;
 
 /// What the arguments (without the program's name) ask for. Throws InputError.
 Request parse_command_line(const std::vector<std::string>& arguments);

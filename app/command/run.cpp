@@ -10,9 +10,11 @@
 #include "app/command/interruption.h"
 #include "app/command/memory.h"
 #include "app/command/phase_text.h"
+#include "app/command/photon_text.h"
 #include "app/command/pictures.h"
 #include "app/command/probes.h"
 #include "app/command/progress.h"
+#include "app/command/run_photons.h"
 #include "app/command/run_report.h"
 #include "app/command/verbose_log.h"
 #include "app/write/output_folder.h"
@@ -42,11 +44,15 @@ class Stopwatch {
   Clock::time_point lap_ = start_;
 };
 
+int thread_count(const Case& input) {
+  return input.solve.threads > 0 ? input.solve.threads
+                                 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 /// The solver's options as the case has them, with all that this run adds.
 SolveOptions solve_options(const Case& input, std::vector<IrradianceMeter> meters) {
   SolveOptions options = input.solve;
-  if (options.threads == 0)
-    options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.threads = thread_count(input);
   options.keep_ordinates = input.output.radiance_ordinates;
   options.meters = std::move(meters);
   return options;
@@ -131,10 +137,62 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) 
     return ExitCode::interrupted;
   }
   if (result.solution.converged()) return ExitCode::done;
-  err << fmt::format(
-      "not converged to solve.tolerance = {} within solve.max_sweeps = {}; the results are marked; {}",
-      result.input.solve.tolerance, result.input.solve.max_sweeps, how_to_go_on(result));
+  if (result.errors)
+    err << fmt::format(
+        "the error is above solve.until = {} after solve.photons = {} histories in each band; the results "
+        "are "
+        "marked; {}",
+        result.input.photons->until, result.input.photons->photons, how_to_go_on(result));
+  else
+    err << fmt::format(
+        "not converged to solve.tolerance = {} within solve.max_sweeps = {}; the results are marked; {}",
+        result.input.solve.tolerance, result.input.solve.max_sweeps, how_to_go_on(result));
   return ExitCode::not_converged;
+}
+
+/// A run up to where the methods part.
+struct BegunRun {
+  const RunRequest& request;
+  const Case& input;
+  const Problem& problem;
+  RunSeconds seconds;
+  const Stopwatch& watch;
+  Interruption& interruption;
+};
+
+ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& err,
+                        const ResultReader& reader) {
+  check_for_photons(run.input, run.problem);
+  const CellLocator locator(run.problem.mesh());
+  place_probes(run.input.probes, run.problem.mesh(), locator);
+  const int threads = thread_count(run.input);
+  out << fmt::format("photons; bands: {}; threads: {}\n", run.problem.band_count(), threads)
+      << check_memory(estimate_photon_memory(run.problem, threads), run.problem.mesh(),
+                      run.problem.band_count())
+      << std::flush;
+  if (!run.input.cameras.empty())
+    out << "  photons take no pictures in this version: the cameras of the case do nothing here\n";
+  run.interruption.note_the_first();
+  const ProgressStyle style = resolved_style(run.request.progress, out);
+  PhotonRun found = run_photons({run.input, run.problem, locator, threads, style}, out,
+                                [&] { return run.interruption.noted(); });
+  run.interruption.note_all();
+  RunResult result{.input = run.input,
+                   .problem = run.problem,
+                   .solution = found.solution,
+                   .probes = std::move(found.probes),
+                   .balances = balances(run.problem, found.solution),
+                   .walls = wall_powers(run.problem, found.solution),
+                   .regions = region_powers(run.problem, found.solution),
+                   .errors = std::move(found.errors),
+                   .seconds = run.seconds,
+                   .threads = threads};
+  result.seconds.total = run.watch.total();
+  const WrittenResults written = write_results(result);
+  out << photons_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
+      << errors_text(result) << closing_text(result, written);
+  if (reader) reader(result);
+  return conclude(result, run.interruption.noted(), err);
 }
 
 }  // namespace
@@ -154,6 +212,8 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   seconds.mesh = watch.lap();
   out << mesh_line(mesh) << std::flush;
   const Problem problem = build_problem(input, mesh);
+  if (input.photons)
+    return run_by_photons({request, input, problem, seconds, watch, interruption}, out, err, reader);
   check_cameras(input.cameras, problem);
   const DirectionSet directions = build_directions(input);
   const LightSetup lights(problem);

@@ -239,9 +239,12 @@ std::string closing_text(const RunResult& result, const WrittenResults& written)
                      stage("low order", solve.low_order) + stage("lights", solve.lights) +
                      stage("write", written.seconds) +
                      fmt::format("  total {:.3g}", result.seconds.total + written.seconds);
-  text +=
-      fmt::format(" (threads: {}; a sweep took {:.3g} ns of processor time per cell, direction and band)\n",
-                  result.threads, result.solution.sweep_cost);
+  if (result.errors)
+    text += fmt::format(" (threads: {})\n", result.threads);
+  else
+    text +=
+        fmt::format(" (threads: {}; a sweep took {:.3g} ns of processor time per cell, direction and band)\n",
+                    result.threads, result.solution.sweep_cost);
   const std::string directory = written.directory.string();
   text += "written to " + directory + ":";
   for (const std::string& name : written.files) text += " " + name;

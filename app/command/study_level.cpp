@@ -35,22 +35,6 @@ std::string scaled(const SizeBound& bound, double factor) {
   return "{ " + entries + " }";
 }
 
-std::string refined_directions(const Case& input, int times) {
-  return fmt::format("directions.order={}", std::ldexp(input.direction_order, times));
-}
-
-std::string refined_mesh(const Case& input, int times) {
-  const MeshCase& mesh = input.mesh;
-  if (mesh.file)
-    throw InputError(
-        fault_at(mesh.file->origin, "",
-                 "a mesh that is read cannot be refined in this version; give a geometry or a surface, "
-                 "or refine directions"));
-  if (mesh.max_volume) return "mesh.max_volume=" + scaled(*mesh.max_volume, std::ldexp(1.0, -3 * times));
-  if (mesh.edge_length) return "mesh.edge_length=" + scaled(*mesh.edge_length, std::ldexp(1.0, -times));
-  throw InputError(fault_at(mesh.origin, "", "has no cell size to refine; give max_volume or edge_length"));
-}
-
 /// Makes the values of one run.
 class Values {
  public:
@@ -124,6 +108,22 @@ bool is_whole(const Case& input) {
 }
 
 }  // namespace
+
+std::string refined_directions(const Case& input, int times) {
+  return fmt::format("directions.order={}", std::ldexp(input.direction_order, times));
+}
+
+std::string refined_mesh(const Case& input, int times) {
+  const MeshCase& mesh = input.mesh;
+  if (mesh.file)
+    throw InputError(
+        fault_at(mesh.file->origin, "",
+                 "a mesh that is read cannot be refined in this version; give a geometry or a surface, "
+                 "or refine directions"));
+  if (mesh.max_volume) return "mesh.max_volume=" + scaled(*mesh.max_volume, std::ldexp(1.0, -3 * times));
+  if (mesh.edge_length) return "mesh.edge_length=" + scaled(*mesh.edge_length, std::ldexp(1.0, -times));
+  throw InputError(fault_at(mesh.origin, "", "has no cell size to refine; give max_volume or edge_length"));
+}
 
 Refinements refinements(const StudyRequest& study, int level) {
   switch (study.refinement) {

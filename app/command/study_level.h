@@ -14,6 +14,10 @@ struct Refinements {
   int mesh = 0;
   int directions = 0;
 };
+/// What makes the case's directions or mesh finer, `times` times: the order doubled, volumes divided by 8;
+/// coarser where `times` is negative. Throws InputError where that cannot be.
+std::string refined_directions(const Case& input, int times);
+std::string refined_mesh(const Case& input, int times);
 /// Of level `level` (from 1); of both, the directions go first.
 Refinements refinements(const StudyRequest& study, int level);
 /// Levels of a study: of both, those of the grid.

@@ -11,6 +11,7 @@
 #include "solver/measure/balance.h"
 #include "solver/measure/probe.h"
 #include "solver/ordinates/solution.h"
+#include "solver/photons/solve_photons.h"
 #include "solver/problem/problem.h"
 
 namespace etendue {
@@ -22,6 +23,12 @@ struct RunSeconds {
   double total = 0;  ///< from the start of the program to the start of the writing
 };
 
+/// The standard errors of a probe's values.
+struct ProbeErrors {
+  std::vector<ProbeValue> values;                 ///< [band]
+  std::optional<std::vector<double>> irradiance;  ///< [band]
+};
+
 /// A value of probes.csv.
 struct ProbeRow {
   std::string name;
@@ -31,6 +38,21 @@ struct ProbeRow {
   std::optional<std::vector<double>> irradiance;  ///< [band], where a normal was given
   /// [band] of the P1 field, where uncollided light makes `values` differ from it
   std::optional<std::vector<double>> fluence_field = {};
+  std::optional<ProbeErrors> errors = {};  ///< where values are drawn by lot
+};
+
+/// Standard errors of what a run writes, where it was drawn by lot: each in the place of its value.
+struct RunErrors {
+  std::vector<double> fluence;       ///< [cell][4][band]
+  std::vector<double> fluence_mean;  ///< [cell][band]
+  std::vector<double> net_flux;      ///< [cell][4][3][band]
+  std::vector<double> irradiance;    ///< [boundary face][3][band]
+  std::vector<Balance> balances;
+  std::vector<std::vector<WallPower>> walls;
+  std::vector<std::vector<double>> net;  ///< [wall][band] of incoming - outgoing, which are not independent
+  std::vector<std::vector<RegionPower>> regions;
+  PhotonReport report;
+  double histories = 0;  ///< per band, all runs
 };
 
 /// All that the writers need; nothing of it is changed by them.
@@ -42,6 +64,7 @@ struct RunResult {
   std::vector<Balance> balances;                  ///< [band]
   std::vector<std::vector<WallPower>> walls;      ///< [wall][band]
   std::vector<std::vector<RegionPower>> regions;  ///< [region][band]
+  std::optional<RunErrors> errors = {};           ///< of a solution by photons
   std::optional<ExactComparison> exact = {};      ///< of a case that says what the answer is
   RunSeconds seconds;
   int threads = 1;

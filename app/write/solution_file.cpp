@@ -31,7 +31,7 @@ namespace {
 
 constexpr const char* file_name = "solution.vtu";
 // Changes with the meaning of what is in the file.
-constexpr const char* format = "etendue solution 1";
+constexpr const char* format = "etendue solution 2";
 
 /// The parts of a state beside the fluence, which is data of the cells.
 struct Part {
@@ -42,7 +42,8 @@ constexpr Part parts[] = {{"moments", &SavedState::moments},
                           {"wall_irradiance", &SavedState::irradiance},
                           {"mirror_traces", &SavedState::mirrors},
                           {"lagged_traces", &SavedState::lagged},
-                          {"radiance_where_dense", &SavedState::radiance}};
+                          {"radiance_where_dense", &SavedState::radiance},
+                          {"photons", &SavedState::photons}};
 
 vtkSmartPointer<vtkUnstructuredGrid> grid_of(const TetrahedralMesh& mesh) {
   std::vector<double> coordinates;

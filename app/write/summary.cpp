@@ -29,6 +29,19 @@ Json as_json(const Balance& balance) {
           {"residual", balance.residual}};
 }
 
+Json as_json(const RunErrors& errors) {
+  const PhotonReport& report = errors.report;
+  return {{"histories", errors.histories},
+          {"error", report.error},
+          {"cell_error", report.cell_error},
+          {"figure_of_merit", report.figure},
+          {"photons_per_ms", report.seconds > 0 ? 1e-3 * report.histories / report.seconds : 0},
+          {"steps", report.segments},
+          {"collisions", report.collisions},
+          {"lost", report.lost},
+          {"balance_error", array_of(errors.balances, [](const Balance& b) { return as_json(b); })}};
+}
+
 Json as_json(const UncollidedBalance& balance) {
   return {{"sent", balance.sent},           {"absorbed", balance.absorbed}, {"collided", balance.collided},
           {"reflected", balance.reflected}, {"kept", balance.kept},         {"residual", balance.residual}};
@@ -115,6 +128,7 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   if (!solution.lights.balance.empty())
     summary["uncollided"] =
         array_of(solution.lights.balance, [](const UncollidedBalance& b) { return as_json(b); });
+  if (result.errors) summary["photons"] = as_json(*result.errors);
   summary["negative"] = array_of(solution.negative, [](const NegativeCensus& n) { return as_json(n); });
   if (!solution.fixups.empty())
     summary["positivity"] = array_of(fixup_totals(solution), [](const FixupTotal& total) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <iterator>
 
 namespace etendue {
@@ -22,46 +23,76 @@ void add_row(std::string& table, fmt::format_string<Values...> row, Values&&... 
   table += '\n';
 }
 
+bool with_errors(const RunResult& result) { return result.errors.has_value(); }
+
+/// Numbers as more columns of a row.
+std::string columns(std::initializer_list<double> numbers) {
+  std::string text;
+  for (const double number : numbers) text += fmt::format(",{}", number);
+  return text;
+}
+
+std::string probe_errors(const ProbeRow& row, std::size_t band) {
+  if (!row.errors) return "";
+  const ProbeValue& error = row.errors->values[band];
+  return columns({error.fluence, error.net_flux[0], error.net_flux[1], error.net_flux[2]}) + "," +
+         (row.errors->irradiance ? fmt::to_string((*row.errors->irradiance)[band]) : "");
+}
+
 }  // namespace
 
 std::string probes_csv(const RunResult& result) {
   const std::vector<std::string>& bands = result.problem.bands().names;
   const bool with_field = !result.solution.lights.fluence.empty();
   std::string table = "probe,index,x,y,z,band,fluence,flux_x,flux_y,flux_z,irradiance";
-  table += with_field ? ",fluence_field\n" : "\n";
+  table += with_field ? ",fluence_field" : "";
+  table +=
+      with_errors(result) ? ",fluence_error,flux_x_error,flux_y_error,flux_z_error,irradiance_error\n" : "\n";
   for (const ProbeRow& row : result.probes)
     for (std::size_t b = 0; b < bands.size(); ++b) {
       const ProbeValue& value = row.values[b];
-      add_row(table, "{},{},{},{},{},{},{},{},{},{},{}{}", quoted(row.name), row.index, row.point.x(),
+      add_row(table, "{},{},{},{},{},{},{},{},{},{},{}{}{}", quoted(row.name), row.index, row.point.x(),
               row.point.y(), row.point.z(), quoted(bands[b]), value.fluence, value.net_flux[0],
               value.net_flux[1], value.net_flux[2],
               row.irradiance ? fmt::to_string((*row.irradiance)[b]) : "",
-              with_field ? fmt::format(",{}", (*row.fluence_field)[b]) : "");
+              with_field ? fmt::format(",{}", (*row.fluence_field)[b]) : "", probe_errors(row, b));
     }
   return table;
 }
 
 std::string walls_csv(const RunResult& result) {
   const std::vector<std::string>& bands = result.problem.bands().names;
-  std::string table = "wall,band,area,irradiance_mean,incoming,outgoing,net\n";
+  std::string table = "wall,band,area,irradiance_mean,incoming,outgoing,net";
+  table += with_errors(result) ? ",irradiance_mean_error,incoming_error,outgoing_error,net_error\n" : "\n";
   for (std::size_t w = 0; w < result.walls.size(); ++w)
     for (std::size_t b = 0; b < bands.size(); ++b) {
       const WallPower& power = result.walls[w][b];
-      add_row(table, "{},{},{},{},{},{},{}", quoted(result.problem.walls()[w].name), quoted(bands[b]),
+      std::string errors;
+      if (result.errors) {
+        const WallPower& error = result.errors->walls[w][b];
+        errors = columns({error.irradiance_mean, error.incoming, error.outgoing, result.errors->net[w][b]});
+      }
+      add_row(table, "{},{},{},{},{},{},{}{}", quoted(result.problem.walls()[w].name), quoted(bands[b]),
               power.area, power.irradiance_mean, power.incoming, power.outgoing,
-              power.incoming - power.outgoing);
+              power.incoming - power.outgoing, errors);
     }
   return table;
 }
 
 std::string regions_csv(const RunResult& result) {
   const std::vector<std::string>& bands = result.problem.bands().names;
-  std::string table = "region,band,volume,fluence_mean,absorbed,emitted\n";
+  std::string table = "region,band,volume,fluence_mean,absorbed,emitted";
+  table += with_errors(result) ? ",fluence_mean_error,absorbed_error\n" : "\n";
   for (std::size_t r = 0; r < result.regions.size(); ++r)
     for (std::size_t b = 0; b < bands.size(); ++b) {
       const RegionPower& power = result.regions[r][b];
-      add_row(table, "{},{},{},{},{},{}", quoted(result.problem.media()[r].name), quoted(bands[b]),
-              power.volume, power.fluence_mean, power.absorbed, power.emitted);
+      std::string errors;
+      if (result.errors) {
+        const RegionPower& error = result.errors->regions[r][b];
+        errors = columns({error.fluence_mean, error.absorbed});
+      }
+      add_row(table, "{},{},{},{},{},{}{}", quoted(result.problem.media()[r].name), quoted(bands[b]),
+              power.volume, power.fluence_mean, power.absorbed, power.emitted, errors);
     }
   return table;
 }

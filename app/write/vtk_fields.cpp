@@ -67,7 +67,8 @@ class FieldsOfCells {
   vtkSmartPointer<vtkUnstructuredGrid> grid() {
     add_regions();
     if (asked("fluence")) add_fluence();
-    if (asked("net_flux")) add_net_flux();
+    if (asked("net_flux")) add_net_flux("net_flux", result_.solution.net_flux);
+    if (result_.errors) add_errors(*result_.errors);
     for (const OrdinateRadiance& kept : result_.solution.radiance) add_radiance(kept);
     if (asked("media")) add_media();
     return grid_;
@@ -103,14 +104,24 @@ class FieldsOfCells {
   }
 
   /// The solution keeps [cell][4][3][band]; a vector array per band wants the three together.
-  void add_net_flux() {
-    const std::vector<double>& flux = result_.solution.net_flux;
+  void add_net_flux(const std::string& label, const std::vector<double>& flux) {
     std::vector<double> vectors(flux.size() / bands_.size());
     for (std::size_t band = 0; band < bands_.size(); ++band) {
       for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = flux[i * bands_.size() + band];
-      const std::string name = bands_.size() == 1 ? "net_flux" : "net_flux_" + bands_[band];
+      const std::string name = bands_.size() == 1 ? label : label + "_" + bands_[band];
       grid_->GetPointData()->AddArray(vtk_array({name, {"x", "y", "z"}, units_.flux}, 3, vectors));
     }
+  }
+
+  /// Standard errors of what was asked for.
+  void add_errors(const RunErrors& errors) {
+    if (asked("fluence")) {
+      grid_->GetPointData()->AddArray(
+          vtk_array({"fluence_error", bands_, units_.flux}, band_count(), errors.fluence));
+      grid_->GetCellData()->AddArray(
+          vtk_array({"fluence_mean_error", bands_, units_.flux}, band_count(), errors.fluence_mean));
+    }
+    if (asked("net_flux")) add_net_flux("net_flux_error", errors.net_flux);
   }
 
   void add_radiance(const OrdinateRadiance& kept) {

@@ -81,6 +81,7 @@ vtkSmartPointer<vtkPolyData> fields_of_walls(const RunResult& result) {
     surface->GetPointData()->AddArray(vtk_array({name, bands.names, unit}, bands.count(), values));
   };
   add("irradiance", solution.irradiance);
+  if (result.errors) add("irradiance_error", result.errors->irradiance);
   add("exitance", solution.exitance);
   add("net_flux", differences(solution.irradiance, solution.exitance));
   if (are_display_primaries(bands)) {

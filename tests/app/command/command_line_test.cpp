@@ -76,8 +76,15 @@ TEST(CommandLine, SaysInOneLineWhatIsWrong) {
   }
 }
 
-TEST(CommandLine, RefusesCommandsOfLaterVersions) {
-  EXPECT_NE(fault_of({"compare", "case.toml", "--levels", "3"}).find("not in this version"),
+TEST(CommandLine, ReadsWhatToCompare) {
+  const auto compare = parsed<CompareRequest>(
+      {"compare", "case.toml", "--methods", "ordinates,photons", "--output", "out", "--threads", "2"});
+  EXPECT_EQ(compare.methods, (std::vector<std::string>{"ordinates", "photons"}));
+  EXPECT_EQ(compare.run.file, "case.toml");
+  EXPECT_EQ(compare.run.overrides.size(), 2U);
+  EXPECT_NE(fault_of({"compare", "case.toml", "--methods", "photons,photons"}).find("the same method twice"),
+            std::string::npos);
+  EXPECT_NE(fault_of({"compare", "case.toml", "--methods", "photons,magic"}).find("magic"),
             std::string::npos);
 }
 

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/method_answer.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/command/study_level.h"
+#include "mesh/base/errors.h"
+#include "mesh/tetrahedra/cell_locator.h"
+#include "solver/angle/direction_set.h"
+
+namespace etendue {
+namespace {
+
+constexpr const char* by_ordinates = "solve.method=\"auto\"";
+
+/// [cell][band] means of a P1 field.
+std::vector<double> means_of(const RunResult& run) {
+  const std::size_t bands = run.problem.bands().names.size();
+  const std::vector<double>& fluence = run.solution.fluence;
+  std::vector<double> means(fluence.size() / 4);
+  for (std::size_t i = 0; i < means.size(); ++i)
+    for (std::size_t node = 0; node < 4; ++node)
+      means[i] += fluence[(i / bands * 4 + node) * bands + i % bands] / 4;
+  return means;
+}
+
+/// Lists the numbers of a run in an order that depends on the case alone.
+class Numbers {
+ public:
+  explicit Numbers(const RunResult& run) : run_(run) {}
+
+  std::vector<AnswerNumber> all() {
+    for (std::size_t b = 0; b < run_.balances.size(); ++b) {
+      band_ = b;
+      add_powers();
+      add_probes();
+    }
+    return std::move(numbers_);
+  }
+
+ private:
+  void add(const std::string& where, const char* quantity, double value, double error) {
+    numbers_.push_back({where, run_.problem.bands().names[band_], quantity, value, error});
+  }
+
+  void add_powers() {
+    const RunErrors* errors = run_.errors ? &*run_.errors : nullptr;
+    const Balance& balance = run_.balances[band_];
+    add("balance", "absorbed", balance.absorbed, errors ? errors->balances[band_].absorbed : 0);
+    add("balance", "outflow", balance.outflow, errors ? errors->balances[band_].outflow : 0);
+    for (std::size_t r = 0; r < run_.regions.size(); ++r) {
+      const RegionPower& power = run_.regions[r][band_];
+      const std::string where = "region " + run_.problem.media()[r].name;
+      add(where, "fluence", power.fluence_mean, errors ? errors->regions[r][band_].fluence_mean : 0);
+      add(where, "absorbed", power.absorbed, errors ? errors->regions[r][band_].absorbed : 0);
+    }
+    for (std::size_t w = 0; w < run_.walls.size(); ++w) {
+      const WallPower& power = run_.walls[w][band_];
+      const std::string where = "wall " + run_.problem.walls()[w].name;
+      add(where, "incoming", power.incoming, errors ? errors->walls[w][band_].incoming : 0);
+      add(where, "net", power.incoming - power.outgoing, errors ? errors->net[w][band_] : 0);
+    }
+  }
+
+  void add_probes() {
+    for (const ProbeRow& row : run_.probes) {
+      const std::string where = fmt::format("probe {} {}", row.name, row.index);
+      add(where, "fluence", row.values[band_].fluence, row.errors ? row.errors->values[band_].fluence : 0);
+      if (!row.irradiance) continue;
+      const bool drawn = row.errors && row.errors->irradiance;
+      add(where, "irradiance", (*row.irradiance)[band_], drawn ? (*row.errors->irradiance)[band_] : 0);
+    }
+  }
+
+  const RunResult& run_;
+  std::size_t band_ = 0;
+  std::vector<AnswerNumber> numbers_;
+};
+
+RunRequest request_for(const RunRequest& run, const std::filesystem::path& directory,
+                       const std::vector<std::string>& overrides) {
+  RunRequest request = run;
+  request.overrides.insert(request.overrides.end(), overrides.begin(), overrides.end());
+  request.overrides.push_back("output.directory=" + nlohmann::json(directory.string()).dump());
+  return request;
+}
+
+/// Adds a change in quadrature.
+void widen(double& error, double change) { error = std::hypot(error, change); }
+
+/// A lower order that the set has, from half of it on; without any, twice the order.
+std::string other_directions(const Case& input) {
+  for (int order = (input.direction_order + 1) / 2; order < input.direction_order; ++order)
+    if (check_direction_order(input.direction_set, order).empty())
+      return fmt::format("directions.order={}", order);
+  return refined_directions(input, 1);
+}
+
+/// Runs the case with other directions; the cells are the same.
+void add_error_of_directions(const ComparedCase& base, MethodAnswer& answer, std::ostream& out,
+                             std::ostream& err) {
+  try {
+    const Case input = read_case(base.run.file, base.run.overrides);
+    const RunRequest request = request_for(base.run, base.directory / "ordinates-directions",
+                                           {by_ordinates, other_directions(input)});
+    run_case(request, out, err, [&](const RunResult& fine) {
+      const MethodAnswer other = answer_of(fine);
+      for (std::size_t i = 0; i < answer.numbers.size(); ++i)
+        widen(answer.numbers[i].error, other.numbers[i].value - answer.numbers[i].value);
+      for (std::size_t i = 0; i < answer.cells.size(); ++i)
+        widen(answer.cell_errors[i], other.cells[i] - answer.cells[i]);
+      answer.whole = answer.whole && other.whole;
+    });
+  } catch (const InputError& error) {
+    answer.notes.push_back(std::string("the error of the directions is not known: ") + error.what());
+  }
+}
+
+/// Runs the case on cells of eight times the volume, and looks at them from the middles of its own.
+void add_error_of_mesh(const ComparedCase& base, MethodAnswer& answer, std::ostream& out, std::ostream& err) {
+  try {
+    const Case input = read_case(base.run.file, base.run.overrides);
+    const RunRequest request =
+        request_for(base.run, base.directory / "ordinates-mesh", {by_ordinates, refined_mesh(input, -1)});
+    run_case(request, out, err, [&](const RunResult& coarse) {
+      const MethodAnswer other = answer_of(coarse);
+      for (std::size_t i = 0; i < answer.numbers.size(); ++i)
+        widen(answer.numbers[i].error, other.numbers[i].value - answer.numbers[i].value);
+      const CellLocator locator(coarse.problem.mesh());
+      const std::size_t bands = coarse.problem.bands().names.size();
+      for (std::int32_t c = 0; c < base.mesh.cell_count(); ++c) {
+        // Bodies of facets may be smaller on coarse cells: there nothing is known.
+        const std::vector<ProbeValue> there =
+            probe(coarse.problem, coarse.solution, locator, base.mesh.centroid(CellIndex(c)));
+        for (std::size_t b = 0; b < there.size(); ++b) {
+          const std::size_t i = static_cast<std::size_t>(c) * bands + b;
+          widen(answer.cell_errors[i], there[b].fluence - answer.cells[i]);
+        }
+      }
+      answer.whole = answer.whole && other.whole;
+    });
+  } catch (const InputError& error) {
+    answer.notes.push_back(std::string("the error of the cells is not known: ") + error.what());
+  }
+}
+
+}  // namespace
+
+MethodAnswer answer_of(const RunResult& run) {
+  MethodAnswer answer;
+  answer.method = run.solution.method;
+  answer.numbers = Numbers(run).all();
+  answer.cells = means_of(run);
+  answer.cell_errors = run.errors ? run.errors->fluence_mean : std::vector<double>(answer.cells.size(), 0);
+  answer.seconds = run.seconds.total;
+  answer.whole = !run.solution.interrupted;
+  return answer;
+}
+
+MethodAnswer answer_by_ordinates(const ComparedCase& compared, std::ostream& out, std::ostream& err) {
+  MethodAnswer answer;
+  run_case(request_for(compared.run, compared.directory / "ordinates", {by_ordinates}), out, err,
+           [&](const RunResult& result) { answer = answer_of(result); });
+  answer.method = "ordinates";
+  if (answer.whole) {
+    out << "\nwhat other directions change\n";
+    add_error_of_directions(compared, answer, out, err);
+  }
+  if (answer.whole) {
+    out << "\nwhat coarser cells change\n";
+    add_error_of_mesh(compared, answer, out, err);
+  }
+  return answer;
+}
+
+MethodAnswer answer_by_photons(const ComparedCase& compared, std::ostream& out, std::ostream& err) {
+  MethodAnswer answer;
+  run_case(request_for(compared.run, compared.directory / "photons", {"solve.method=\"photons\""}), out, err,
+           [&](const RunResult& result) { answer = answer_of(result); });
+  return answer;
+}
+
+}  // namespace etendue

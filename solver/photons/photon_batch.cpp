@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/photons/photon_batch.h"
+
+#include <algorithm>
+#include <ctime>
+
+namespace etendue {
+namespace {
+
+// Relative to the weight at the start. Survivors weigh ten times as much.
+constexpr double roulette = 1e-3;
+// Starts that are made at a time.
+constexpr std::size_t chunk = 4096;
+
+double processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
+PhotonBatches::PhotonBatches(const Problem& problem, const CellLocator& locator, std::uint64_t seed)
+    : problem_(problem), seed_(seed), kernels_(choose_photon_kernels()) {
+  for (int b = 0; b < problem.band_count(); ++b)
+    bands_.push_back(std::make_unique<Band>(problem, locator, b));
+}
+
+PhotonBatches::Outcome PhotonBatches::walk(std::uint64_t first, std::size_t count) const {
+  Outcome outcome{empty_fields(problem_), {}, 0};
+  TallySums sums(problem_.mesh());
+  const double start = processor_seconds();
+  for (int b = 0; b < problem_.band_count(); ++b) {
+    const Band& band = *bands_[static_cast<std::size_t>(b)];
+    if (band.sources.power() == 0) continue;
+    sums.clear();
+    for (std::size_t done = 0; done < count; done += chunk) {
+      const std::vector<PhotonStart> starts =
+          band.sources.starts(seed_, {first, count}, done, std::min(chunk, count - done));
+      const PhotonCounts counts =
+          kernels_.follow(band.mesh.view(), {starts, first + done, seed_, roulette}, sums.view());
+      outcome.counts.segments += counts.segments;
+      outcome.counts.collisions += counts.collisions;
+      outcome.counts.lost += counts.lost;
+    }
+    sums.to_fields(problem_, b, band.sources.power() / static_cast<double>(count), outcome.fields);
+  }
+  complete_fields(problem_, outcome.fields);
+  outcome.seconds = processor_seconds() - start;
+  return outcome;
+}
+
+}  // namespace etendue

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/photons/photon_kernel.h"
+
+#include <cmath>
+#include <cstring>
+#include <new>
+#include <utility>
+
+#include "solver/photons/photon_turns.h"
+#include "solver/photons/random_stream.h"
+
+namespace etendue {
+namespace {
+
+using Four = double __attribute__((vector_size(32)));
+
+// Steps without a way forward, one behind the other, around an edge or a vertex, until a photon is given up;
+// and steps of one history in all: only light caught between mirrors in a void goes on for so long.
+constexpr int longest_stand = 200;
+constexpr std::int64_t longest_history = 50'000'000;
+// Those that survive the roulette have this many times the weight at which it is played.
+constexpr double survivor = 10;
+constexpr double endless = 1e300;
+
+ETENDUE_PHOTON_INLINE Four load(const double* from) {
+  Four value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+ETENDUE_PHOTON_INLINE void add(double* to, const Four& value) {
+  const Four sum = load(to) + value;
+  std::memcpy(to, &sum, sizeof sum);
+}
+
+/// A history while it is walked.
+struct Photon {
+  double x[3];
+  double w[3];
+  double weight;
+  double depth;  ///< scattering optical depth until it scatters
+  std::int32_t cell;
+  std::int32_t entered;
+  std::int32_t standing = 0;
+  std::int64_t steps = 0;
+  Event event;
+  RandomStream random;
+
+  ETENDUE_PHOTON_MEMBER Photon(const PhotonStart& start, const RandomStream& numbers)
+      : weight(start.weight), cell(start.cell), entered(start.entered), random(numbers) {
+    std::memcpy(x, start.position, sizeof x);
+    std::memcpy(w, start.direction, sizeof w);
+    event.draw(random);
+    depth = event.depth;
+    event.draw(random);
+  }
+};
+
+/// The way through a cell.
+struct Passage {
+  Four coordinate;  ///< barycentric, where it begins
+  Four rate;        ///< their change for each length
+  double length;
+  std::int32_t exit;
+};
+
+ETENDUE_PHOTON_INLINE Passage passage_of(const PhotonCell& cell, const Photon& photon) {
+  Passage way;
+  const Four gx = load(cell.gx), gy = load(cell.gy), gz = load(cell.gz);
+  way.rate = gx * photon.w[0] + gy * photon.w[1] + gz * photon.w[2];
+  way.coordinate = gx * photon.x[0] + gy * photon.x[1] + gz * photon.x[2] + load(cell.offset);
+  Four distance = -way.coordinate / way.rate;
+  const Four never = {endless, endless, endless, endless};
+  distance = way.rate < 0 ? distance : never;
+  // The face that it came in by is behind it, whatever rounding says.
+  using Places = long long __attribute__((vector_size(32)));
+  const Places place = {0, 1, 2, 3};
+  distance = place == static_cast<long long>(photon.entered) ? never : distance;
+  const bool one = distance[1] < distance[0], three = distance[3] < distance[2];
+  const double low = one ? distance[1] : distance[0], high = three ? distance[3] : distance[2];
+  const bool upper = high < low;
+  way.exit = upper ? 2 + three : 0 + one;
+  way.length = upper ? high : low;
+  if (way.length < 0) way.length = 0;
+  return way;
+}
+
+/// Mean of exp(-x t) over 0 < t < 1, and the mean of t exp(-x t).
+struct Attenuated {
+  double mean, first;
+};
+ETENDUE_PHOTON_INLINE Attenuated attenuated(double x) {
+  // Below this the series is exact to 1e-16: its next term is x^7/8!.
+  if (x < 0.02) {
+    constexpr double a[] = {1, 1. / 2, 1. / 6, 1. / 24, 1. / 120, 1. / 720, 1. / 5040};
+    constexpr double b[] = {1. / 2, 1. / 3, 1. / 8, 1. / 30, 1. / 144, 1. / 840, 1. / 5760};
+    const double y = x * x, z = y * y;
+    // Alternating sums, in pairs so that they do not wait for each other.
+    const double mean = (a[0] - a[1] * x) + (a[2] - a[3] * x) * y + (a[4] - a[5] * x + a[6] * y) * z;
+    const double first = (b[0] - b[1] * x) + (b[2] - b[3] * x) * y + (b[4] - b[5] * x + b[6] * y) * z;
+    return {mean, first};
+  }
+  const double left = std::exp(-x);
+  const double mean = (1 - left) / x;
+  return {mean, (mean - left) / x};
+}
+
+/// Whether the photon lives on; it then weighs what those that died did.
+ETENDUE_PHOTON_INLINE bool survives(Photon& photon, double roulette) {
+  if (!(photon.weight > 0)) return false;
+  const double target = survivor * roulette;
+  std::uint32_t word[4];
+  photon.random.next(word);
+  if (uniform(word[0]) * target >= photon.weight) return false;
+  photon.weight = target;
+  return true;
+}
+
+struct Forward {
+  const PhotonTally& tally;
+
+  ETENDUE_PHOTON_MEMBER void pass(const Photon& photon, const PhotonCell&, const Four& moments, double) {
+    double* sums = tally.cells + 16 * static_cast<std::ptrdiff_t>(photon.cell);
+    add(sums, moments);
+    add(sums + 4, moments * photon.w[0]);
+    add(sums + 8, moments * photon.w[1]);
+    add(sums + 12, moments * photon.w[2]);
+  }
+  ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
+                                    const Four& coordinate) {
+    double* sums = tally.faces + 4 * static_cast<std::ptrdiff_t>(face);
+    const double a = coordinate[wall.corner[0]], b = coordinate[wall.corner[1]],
+                 c = coordinate[wall.corner[2]];
+    const double share = photon.weight / (a + b + c);
+    sums[0] += share * a;
+    sums[1] += share * b;
+    sums[2] += share * c;
+  }
+};
+
+struct Backward {
+  double score = 0;
+
+  ETENDUE_PHOTON_MEMBER void pass(const Photon&, const PhotonCell& cell, const Four&, double weighted) {
+    score += cell.emission * weighted;
+  }
+  ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t, const PhotonFace& wall, const Four&) {
+    score += wall.radiance * photon.weight;
+  }
+};
+
+/// One step: to the next face or collision. Whether the photon lives on.
+template <class Score>
+ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, Photon& photon, Score& score,
+                                PhotonCounts& counts) {
+  const PhotonCell& cell = scene.cells[photon.cell];
+  Passage way = passage_of(cell, photon);
+  if (way.length == endless) {
+    ++counts.lost;
+    return false;
+  }
+  const double depth = cell.scattering * way.length;
+  const bool scatters = depth >= photon.depth;
+  if (scatters) way.length = photon.depth / cell.scattering;
+  const Attenuated part = attenuated(cell.absorption * way.length);
+  const double weighted = photon.weight * way.length;
+  const double integral = weighted * part.mean;
+  score.pass(photon, cell, way.coordinate * integral + way.rate * (weighted * way.length * part.first),
+             integral);
+  photon.weight -= cell.absorption * integral;
+  for (int axis = 0; axis < 3; ++axis) photon.x[axis] += way.length * photon.w[axis];
+  ++photon.steps;
+  if (scatters) {
+    deflect(scene, scene.deflections[cell.deflection], photon.event, photon.w);
+    photon.depth = photon.event.depth;
+    photon.event.draw(photon.random);
+    photon.entered = -1;
+    photon.standing = 0;
+    ++counts.collisions;
+  } else {
+    photon.depth -= depth;
+    const std::int32_t across = cell.across[way.exit];
+    photon.standing = way.length > 0 ? 0 : photon.standing + 1;
+    if (across >= 0) {
+      photon.cell = across >> 2;
+      photon.entered = across & 3;
+    } else {
+      const PhotonFace& wall = scene.faces[-1 - across];
+      score.arrive(photon, -1 - across, wall, way.coordinate + way.rate * way.length);
+      const double kept = wall.diffuse + wall.specular;
+      if (kept <= 0) return false;
+      photon.weight *= kept;
+      std::uint32_t word[4];
+      photon.random.next(word);
+      reflect(scene, wall, uniform(word[0]) * kept < wall.diffuse, word, photon.w);
+      photon.entered = way.exit;
+    }
+    if (photon.standing > longest_stand || photon.steps > longest_history) {
+      ++counts.lost;
+      return false;
+    }
+  }
+  return photon.weight >= roulette || survives(photon, roulette);
+}
+
+/// Walks histories, `together` of them step by step in turn: one computes while another waits for its next
+/// cell. `score_of(i)` takes what history i leaves.
+template <int together, class ScoreOf>
+ETENDUE_PHOTON_INLINE PhotonCounts walk(const PhotonSceneView& scene, const HistoryRange& range,
+                                        RandomUse use, ScoreOf&& score_of) {
+  PhotonCounts counts;
+  const PhotonStart* start = range.starts.data();
+  const std::uint64_t count = range.starts.size();
+  alignas(64) unsigned char space[together][sizeof(Photon)];
+  Photon* photon[together];
+  std::uint64_t history[together];
+  std::uint64_t next = 0;
+  int alive = 0;
+  const auto begin = [&](int place) {
+    photon[place] = new (space[place]) Photon(start[next], RandomStream(range.seed, range.first + next, use));
+    history[place] = next++;
+  };
+  while (alive < together && next < count) begin(alive++);
+  while (alive > 0) {
+    for (int place = 0; place < alive; ++place) {
+      auto& score = score_of(history[place]);
+      if (step(scene, range.roulette, *photon[place], score, counts)) continue;
+      counts.segments += photon[place]->steps;
+      if (next < count) {
+        begin(place);
+        continue;
+      }
+      --alive;
+      std::swap(photon[place], photon[alive]);
+      std::swap(history[place], history[alive]);
+      --place;
+    }
+  }
+  return counts;
+}
+
+constexpr int walked_together = 2;
+
+PhotonCounts follow_all(const PhotonSceneView& scene, const HistoryRange& range, const PhotonTally& tally) {
+  Forward score{tally};
+  return walk<walked_together>(scene, range, RandomUse::flight,
+                               [&](std::uint64_t) -> Forward& { return score; });
+}
+
+PhotonCounts collect_all(const PhotonSceneView& scene, const HistoryRange& range, double* scores) {
+  Backward* score = reinterpret_cast<Backward*>(scores);
+  for (std::uint64_t i = 0; i < range.starts.size(); ++i) scores[i] = 0;
+  return walk<walked_together>(scene, range, RandomUse::reverse,
+                               [&](std::uint64_t i) -> Backward& { return score[i]; });
+}
+
+}  // namespace
+
+PhotonKernels ETENDUE_PHOTON_KERNEL_NAME() { return {ETENDUE_PHOTON_KERNEL_ISA, follow_all, collect_all}; }
+
+}  // namespace etendue

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "solver/photons/photon_scene.h"
+
+namespace etendue {
+
+/// Histories that follow each other.
+struct HistoryRange {
+  std::span<const PhotonStart> starts;
+  std::uint64_t first = 0;  ///< number of the first; the random numbers of each depend on its number alone
+  std::uint64_t seed = 1;
+  double roulette = 0;  ///< weight below which a photon plays for its life
+};
+
+/// Functions that walk histories, compiled for one instruction set. The walk takes no account of where it is
+/// going: light is weakened by absorption along its way and by walls, turned by scattering, and dies by
+/// roulette alone (Lux and Koblinger 1991, chapter 5).
+struct PhotonKernels {
+  const char* name;
+  /// From the light on: what the photons leave is added to the tally.
+  PhotonCounts (*follow)(const PhotonSceneView& scene, const HistoryRange& range, const PhotonTally& tally);
+  /// Against the light: starts travel the way that light came. score[i] becomes the radiance that history i
+  /// collects from media and walls, times its weight.
+  PhotonCounts (*collect)(const PhotonSceneView& scene, const HistoryRange& range, double* score);
+};
+
+/// The widest that this machine has, or what ETENDUE_ISA names (baseline, avx2).
+PhotonKernels choose_photon_kernels();
+
+}  // namespace etendue

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/photons/photon_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/problem/problem_checks.h"
+
+namespace etendue {
+namespace {
+
+/// A unit vector in the wall, level where the wall stands upright.
+Vec3 tangent_of(const Vec3& normal) {
+  const Vec3 level = Vec3::UnitZ().cross(normal);
+  return level.norm() > 1e-6 ? level.normalized() : Vec3(normal.unitOrthogonal());
+}
+
+void copy(const Vec3& from, double (&to)[3]) { std::copy(from.begin(), from.end(), to); }
+
+}  // namespace
+
+double sampled_cosine(const PhaseSampler& sampler, double u) { return sampler.cosine(u); }
+
+PhotonMesh::PhotonMesh(const Problem& problem, int band) : in_plane_(problem.space() == AngularSpace::plane) {
+  add_cells(problem, band);
+  add_faces(problem, band);
+  add_deflections(problem, band);
+}
+
+// The gradient of coordinate i is -(area normal of face i out of the cell) / (3 V).
+void PhotonMesh::add_cells(const Problem& problem, int band) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  cells_.resize(static_cast<std::size_t>(mesh.cell_count()));
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const CellIndex index(c);
+    PhotonCell& cell = cells_[index.at()];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const FaceIndex face(mesh.faces(index)[i]);
+      const bool owned = mesh.owner(face) == index;
+      const Vec3 gradient = (owned ? -1.0 : 1.0) / (3 * mesh.volume(index)) * mesh.area_normal(face);
+      cell.gx[i] = gradient.x();
+      cell.gy[i] = gradient.y();
+      cell.gz[i] = gradient.z();
+      cell.offset[i] = -gradient.dot(mesh.point(VertexIndex(mesh.vertices(index)[i == 0 ? 1 : 0])));
+      if (face.value() < mesh.boundary_face_count()) {
+        cell.across[i] = -1 - face.value();
+        continue;
+      }
+      const CellIndex other = owned ? mesh.neighbour(face) : mesh.owner(face);
+      const auto& beyond = mesh.faces(other);
+      const auto local = std::find(beyond.begin(), beyond.end(), face.value()) - beyond.begin();
+      cell.across[i] = 4 * other.value() + static_cast<std::int32_t>(local);
+    }
+    cell.scattering = problem.scattering(index, band);
+    cell.absorption = problem.absorption(index, band);
+    cell.emission = problem.emission(index, band);
+    cell.deflection = mesh.region(index);
+  }
+}
+
+void PhotonMesh::add_faces(const Problem& problem, int band) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  const auto b = static_cast<std::size_t>(band);
+  faces_.resize(static_cast<std::size_t>(mesh.boundary_face_count()));
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex index(f);
+    PhotonFace& face = faces_[index.at()];
+    const Wall& wall = problem.wall(mesh.wall(index));
+    const Vec3 normal = -mesh.area_normal(index).normalized();
+    copy(normal, face.normal);
+    copy(tangent_of(normal), face.tangent);
+    face.diffuse = wall.diffuse[b];
+    face.specular = wall.specular[b];
+    face.radiance = wall.radiance[b];
+    face.cell = mesh.owner(index).value();
+    const auto& faces = mesh.faces(mesh.owner(index));
+    face.local = static_cast<std::int32_t>(std::find(faces.begin(), faces.end(), f) - faces.begin());
+    // Vertices are sorted in faces as in cells.
+    for (std::int32_t i = 0; i < 3; ++i) face.corner[i] = i + (i >= face.local ? 1 : 0);
+  }
+}
+
+void PhotonMesh::add_deflections(const Problem& problem, int band) {
+  const PhaseList phases(problem);
+  for (const PhaseFunction& phase : phases.phases())
+    samplers_.push_back(std::make_unique<PhaseSampler>(phase));
+  for (int region = 0; region < static_cast<int>(problem.media().size()); ++region) {
+    const int number = phases.of(region, static_cast<std::size_t>(band));
+    if (number < 0) {
+      deflections_.push_back({});
+      continue;
+    }
+    const auto at = static_cast<std::size_t>(number);
+    Deflection how;
+    if (const auto* hg = std::get_if<PhaseHenyeyGreenstein>(&phases.phases()[at])) {
+      how.kind = Deflection::Kind::henyey_greenstein;
+      how.asymmetry = hg->asymmetry;
+      how.half_inverse = hg->asymmetry != 0 ? 1 / (2 * hg->asymmetry) : 0;
+    } else {
+      how.kind = Deflection::Kind::sampled;
+      how.sampler = samplers_[at].get();
+    }
+    deflections_.push_back(how);
+  }
+}
+
+double PhotonMesh::way_through(CellIndex index, const Vec3& x, const Vec3& w) const {
+  const PhotonCell& cell = cells_[index.at()];
+  double way = HUGE_VAL;
+  for (int i = 0; i < 4; ++i) {
+    const double rate = cell.gx[i] * w.x() + cell.gy[i] * w.y() + cell.gz[i] * w.z();
+    const double at = cell.gx[i] * x.x() + cell.gy[i] * x.y() + cell.gz[i] * x.z() + cell.offset[i];
+    if (rate < 0) way = std::min(way, -at / rate);
+  }
+  return way;
+}
+
+void refuse_for_photons(const Problem& problem) {
+  const auto any = [](const auto& formulas) {
+    return std::ranges::any_of(formulas, [](const auto& formula) { return formula.has_value(); });
+  };
+  std::vector<Fault> faults;
+  const auto refuse = [&](const Origin& origin, const std::string& what) {
+    faults.push_back(fault_at(origin, "",
+                              what +
+                                  " and photons do not know that (not in this version); use solve.method = "
+                                  "\"auto\", or what is the same in all directions"));
+  };
+  for (const Medium& medium : problem.media()) {
+    const auto directional = [](const DirectionalScattering& s) { return s.index() != 0; };
+    if (std::ranges::any_of(medium.directional, directional))
+      refuse(medium.origin, "scatters by the directions themselves (leaves, flakes or a kernel)");
+    if (any(medium.absorption_by_direction))
+      refuse(origin_of(medium, "absorption"), "depends on the direction");
+    if (any(medium.emission_by_direction)) refuse(origin_of(medium, "emission"), "depends on the direction");
+  }
+  for (const Wall& wall : problem.walls())
+    if (any(wall.radiance_by_direction))
+      refuse(origin_of(wall, "radiance"), "depends on the place or the direction");
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+}  // namespace etendue

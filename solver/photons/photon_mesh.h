@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solver/photons/photon_scene.h"
+#include "solver/problem/phase_list.h"
+#include "solver/problem/phase_sampler.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// One band of a problem as photons see it. Coefficients are the means of cells, as everywhere.
+class PhotonMesh {
+ public:
+  /// The problem must outlive it.
+  PhotonMesh(const Problem& problem, int band);
+  PhotonMesh(const PhotonMesh&) = delete;
+  PhotonMesh& operator=(const PhotonMesh&) = delete;
+
+  PhotonSceneView view() const { return {cells_.data(), faces_.data(), deflections_.data(), in_plane_}; }
+  const std::vector<PhotonCell>& cells() const { return cells_; }
+  const std::vector<PhotonFace>& faces() const { return faces_; }
+  /// How far a ray goes in a cell; below zero where it starts outside.
+  double way_through(CellIndex cell, const Vec3& point, const Vec3& direction) const;
+
+ private:
+  void add_cells(const Problem& problem, int band);
+  void add_faces(const Problem& problem, int band);
+  void add_deflections(const Problem& problem, int band);
+
+  bool in_plane_;
+  std::vector<PhotonCell> cells_;
+  std::vector<PhotonFace> faces_;  ///< [boundary face]
+  std::vector<std::unique_ptr<PhaseSampler>> samplers_;
+  std::vector<Deflection> deflections_;  ///< [region]
+};
+
+/// What photons do not know yet in a problem: scattering, absorption and emission that depend on the
+/// direction itself. Throws InputError that names each.
+void refuse_for_photons(const Problem& problem);
+
+}  // namespace etendue

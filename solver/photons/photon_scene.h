@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace etendue {
+
+class PhaseSampler;
+
+/// Draws a cosine of deflection (PhaseSampler::cosine), for code that must not include it.
+double sampled_cosine(const PhaseSampler& sampler, double u);
+
+/// A cell as photons see it, in one band. The barycentric coordinate of vertex i at x is
+/// gx[i] x + gy[i] y + gz[i] z + offset[i]; it vanishes on face i and is positive inside.
+struct alignas(64) PhotonCell {
+  double gx[4], gy[4], gz[4];  ///< gradient [1/length]
+  double offset[4];
+  std::int32_t across[4];  ///< behind face i: 4 × cell + its face, or -1 - boundary face
+  double scattering;       ///< [1/length]
+  double absorption;       ///< [1/length]
+  double emission;         ///< [power/(length^3 sr)]
+  std::int32_t deflection;
+};
+static_assert(sizeof(PhotonCell) == 192);
+
+/// A boundary face, in one band.
+struct alignas(64) PhotonFace {
+  double normal[3];   ///< unit, into the domain
+  double tangent[3];  ///< unit; in the plane it lies in the plane too
+  double diffuse, specular;
+  double radiance;           ///< [power/(length^2 sr)]
+  std::int32_t corner[3];    ///< places of its vertices among those of its cell
+  std::int32_t cell, local;  ///< the face is face `local` of this cell
+};
+
+/// How light turns in a medium.
+struct Deflection {
+  enum class Kind : std::int32_t { isotropic, henyey_greenstein, sampled };
+  Kind kind = Kind::isotropic;
+  double asymmetry = 0;     ///< g
+  double half_inverse = 0;  ///< 1/(2 g); 0 for g = 0
+  const PhaseSampler* sampler = nullptr;
+};
+
+/// All that a history of one band meets. Arrays belong to a PhotonScene.
+struct PhotonSceneView {
+  const PhotonCell* cells;
+  const PhotonFace* faces;
+  const Deflection* deflections;
+  bool in_plane;
+};
+
+/// Where a history stands.
+struct PhotonStart {
+  double position[3];
+  double direction[3];  ///< unit
+  double weight;
+  std::int32_t cell;
+  std::int32_t entered;  ///< the face of the cell that the photon lies on, -1: none
+};
+
+/// What a history leaves, as sums over histories. Cells: the moments of the barycentric coordinates,
+/// [cell][4 (1, wx, wy, wz)][4], each the sum of weight × integral of the coordinate along the track
+/// [power length]; faces: [face][4 (3 used)] the sum of weight × coordinate [power].
+struct PhotonTally {
+  double* cells;
+  double* faces;
+};
+
+struct PhotonCounts {
+  std::int64_t segments = 0;
+  std::int64_t collisions = 0;
+  std::int64_t lost = 0;  ///< given up, mostly caught between mirrors in a void
+};
+
+}  // namespace etendue

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/tetrahedra/cell_locator.h"
+#include "solver/photons/angle_table.h"
+#include "solver/photons/photon_mesh.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// Everything that sends light in one band, and where and in which direction histories begin. All histories
+/// begin with the same weight; how many begin where is stratified over the power, in the order of the cells:
+/// neighbours in number are neighbours in space.
+class PhotonSources {
+ public:
+  /// The arguments must outlive it.
+  PhotonSources(const Problem& problem, const PhotonMesh& mesh, const CellLocator& locator, int band);
+
+  double power() const { return cumulative_.empty() ? 0 : cumulative_.back(); }
+
+  /// The histories of a batch, by number.
+  struct Batch {
+    std::uint64_t first;
+    std::size_t count;
+  };
+  /// The starts of `count` histories of a batch from number `from` on; all weigh 1.
+  std::vector<PhotonStart> starts(std::uint64_t seed, const Batch& batch, std::size_t from,
+                                  std::size_t count) const;
+
+ private:
+  enum class Kind : std::int32_t { cell, face, point, beam, triangle };
+  struct Source {
+    Kind kind;
+    std::int32_t index;  ///< of a cell, a face or a light
+    std::int32_t part;   ///< the face that a beam comes in by, the triangle of a light
+  };
+  class Numbers;
+  void add(Source source, double power);
+  void add_media();
+  void add_walls();
+  void add_lights();
+  PhotonStart start_of(const Source& source, Numbers& random) const;
+  void start_inside(const Vec3& point, const Vec3& direction, PhotonStart& start) const;
+  Vec3 isotropic(Numbers& random) const;
+  Vec3 lambert(const Vec3& normal, const Vec3& tangent, Numbers& random) const;
+
+  const Problem& problem_;
+  const PhotonMesh& mesh_;
+  const CellLocator& locator_;
+  std::size_t band_;
+  bool in_plane_;
+  std::vector<Source> sources_;
+  std::vector<double> cumulative_;  ///< [source] power of it and of all before it
+  std::vector<AngleTable> angles_;  ///< [light] of a point light
+};
+
+}  // namespace etendue

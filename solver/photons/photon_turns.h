@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "solver/photons/photon_scene.h"
+#include "solver/photons/random_stream.h"
+
+namespace etendue {
+
+// How photons change direction.
+
+/// A point of the unit circle at an angle that is uniform over it: within a quarter by series up to pi/4, off
+/// by 1e-15, the quarter by the first two bits.
+ETENDUE_PHOTON_INLINE void unit_circle(std::uint32_t word, double& cosine, double& sine) {
+  constexpr double part = 1.5707963267948966 / 1073741824.0;
+  const double t = (static_cast<double>(word & 0x3FFFFFFF) + 0.5) * part - 0.78539816339744831;
+  const double s = t * t, q = s * s, o = q * q;
+  constexpr double a[] = {1,          -1. / 2,       1. / 24,        -1. / 720,
+                          1. / 40320, -1. / 3628800, 1. / 479001600, -1. / 87178291200.};
+  constexpr double b[] = {1,           -1. / 6,        1. / 120,         -1. / 5040,
+                          1. / 362880, -1. / 39916800, 1. / 6227020800., -1. / 1307674368000.};
+  const double c =
+      (a[0] + a[1] * s) + (a[2] + a[3] * s) * q + ((a[4] + a[5] * s) + (a[6] + a[7] * s) * q) * o;
+  const double v =
+      t * ((b[0] + b[1] * s) + (b[2] + b[3] * s) * q + ((b[4] + b[5] * s) + (b[6] + b[7] * s) * q) * o);
+  const bool swap = (word & 0x40000000) != 0;
+  const double sign = (word & 0x80000000) != 0 ? -1.0 : 1.0;
+  cosine = sign * (swap ? -v : c);
+  sine = sign * (swap ? c : v);
+}
+
+/// The direction at the cosine mu from w, at the given azimuth, from a frame without branches (Duff et al.
+/// 2017). The length is put right to first order, so that errors do not grow.
+ETENDUE_PHOTON_INLINE void turn(double (&w)[3], double mu, double azimuth_cosine, double azimuth_sine) {
+  const double radius = 1 - mu * mu;
+  const double sine = radius > 0 ? std::sqrt(radius) : 0.0;
+  const double u = sine * azimuth_cosine, v = sine * azimuth_sine;
+  const double sign = std::copysign(1.0, w[2]);
+  const double a = -1 / (sign + w[2]), b = w[0] * w[1] * a;
+  double next[3] = {mu * w[0] + u * (1 + sign * w[0] * w[0] * a) + v * b,
+                    mu * w[1] + u * (sign * b) + v * (sign + w[1] * w[1] * a),
+                    mu * w[2] - u * (sign * w[0]) - v * w[1]};
+  const double square = next[0] * next[0] + next[1] * next[1] + next[2] * next[2];
+  const double scale = 1.5 - 0.5 * square;
+  for (int axis = 0; axis < 3; ++axis) w[axis] = scale * next[axis];
+}
+
+/// The same in the plane z = const, to the left or to the right.
+ETENDUE_PHOTON_INLINE void turn_in_plane(double (&w)[3], double mu, bool left) {
+  const double radius = 1 - mu * mu;
+  const double sine = radius > 0 ? (left ? 1 : -1) * std::sqrt(radius) : 0.0;
+  const double x = mu * w[0] - sine * w[1], y = mu * w[1] + sine * w[0];
+  const double scale = 1.5 - 0.5 * (x * x + y * y);
+  w[0] = scale * x;
+  w[1] = scale * y;
+}
+
+/// What the next scattering needs of chance. It is drawn as soon as the one before is done: the processor
+/// computes it beside the way through the next cells, which does not wait for it.
+struct Event {
+  double depth;         ///< scattering optical depth after it
+  double cosine_draw;   ///< uniform number for the cosine of deflection
+  double cosine, sine;  ///< of the azimuth
+  bool left;            ///< the side to turn to in the plane
+
+  ETENDUE_PHOTON_MEMBER void draw(RandomStream& random) {
+    std::uint32_t word[4];
+    random.next(word);
+    depth = -std::log(uniform(word[0]));
+    cosine_draw = uniform(word[1]);
+    unit_circle(word[2], cosine, sine);
+    left = (word[3] & 1) != 0;
+  }
+};
+
+/// Henyey and Greenstein's (1941) cosine, inverted in closed form; to first order in g where g is small.
+ETENDUE_PHOTON_INLINE double henyey_greenstein(const Deflection& how, double u) {
+  const double g = how.asymmetry;
+  if (std::abs(g) < 1e-4) return 2 * u - 1 + 1.5 * g * (1 - (2 * u - 1) * (2 * u - 1));
+  const double root = (1 - g * g) / (1 - g + 2 * g * u);
+  const double mu = (1 + g * g - root * root) * how.half_inverse;
+  return mu < -1 ? -1 : (mu > 1 ? 1 : mu);
+}
+
+/// Scatters.
+ETENDUE_PHOTON_INLINE void deflect(const PhotonSceneView& scene, const Deflection& how, const Event& event,
+                                   double (&w)[3]) {
+  if (how.kind == Deflection::Kind::isotropic) {
+    if (scene.in_plane) {
+      w[0] = event.cosine;
+      w[1] = event.sine;
+      return;
+    }
+    const double mu = 2 * event.cosine_draw - 1, sine = std::sqrt(1 - mu * mu);
+    w[0] = sine * event.cosine;
+    w[1] = sine * event.sine;
+    w[2] = mu;
+    return;
+  }
+  const double mu = how.kind == Deflection::Kind::henyey_greenstein
+                        ? henyey_greenstein(how, event.cosine_draw)
+                        : sampled_cosine(*how.sampler, event.cosine_draw);
+  if (scene.in_plane) return turn_in_plane(w, mu, event.left);
+  turn(w, mu, event.cosine, event.sine);
+}
+
+/// Leaves a wall as Lambert says, or as from a mirror. The first random word is already used.
+ETENDUE_PHOTON_INLINE void reflect(const PhotonSceneView& scene, const PhotonFace& wall, bool diffusely,
+                                   const std::uint32_t (&word)[4], double (&w)[3]) {
+  const double* n = wall.normal;
+  if (!diffusely) {
+    const double twice = 2 * (w[0] * n[0] + w[1] * n[1] + w[2] * n[2]);
+    for (int axis = 0; axis < 3; ++axis) w[axis] -= twice * n[axis];
+    return;
+  }
+  if (scene.in_plane) {
+    const double along = 2 * uniform(word[1]) - 1, out = std::sqrt(1 - along * along);
+    for (int axis = 0; axis < 3; ++axis) w[axis] = out * n[axis] + along * wall.tangent[axis];
+    return;
+  }
+  double c, s;
+  unit_circle(word[2], c, s);
+  for (int axis = 0; axis < 3; ++axis) w[axis] = n[axis];
+  turn(w, std::sqrt(uniform(word[1])), c, s);
+}
+
+}  // namespace etendue

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command/small_case.h"
+
+namespace etendue {
+namespace {
+
+using nlohmann::json;
+using test::CaseFolder;
+using test::etendue_says;
+using test::Outcome;
+using test::ScratchFolder;
+using test::text_of;
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::vector<std::string> by_photons(const CaseFolder& folder, const std::string& results,
+                                    const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments = {"run",      folder.file(),
+                                        "--set",    "solve.method=\"photons\"",
+                                        "--set",    "solve.photons=3000",
+                                        "--set",    "solve.probe_photons=500",
+                                        "--output", results};
+  for (const std::string& argument : more) arguments.push_back(argument);
+  return arguments;
+}
+
+json summary_in(const std::filesystem::path& results) {
+  return json::parse(text_of(results / "summary.json"));
+}
+
+TEST(RunPhotons, WritesWhatOtherMethodsWriteWithErrors) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says(by_photons(folder, folder.results()));
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_EQ(ScratchFolder::names_in(folder.results()),
+            (std::vector<std::string>{"fields.vtu", "history.csv", "probes.csv", "regions.csv",
+                                      "solution.vtu", "summary.json", "walls.csv", "walls.vtp"}));
+  EXPECT_TRUE(has(outcome.out, "figure of merit")) << outcome.out;
+  EXPECT_TRUE(has(text_of(folder.path() / "results/walls.csv"), "incoming_error"));
+  EXPECT_TRUE(has(text_of(folder.path() / "results/regions.csv"), "absorbed_error"));
+  EXPECT_TRUE(has(text_of(folder.path() / "results/probes.csv"), "irradiance_error"));
+  EXPECT_TRUE(has(text_of(folder.path() / "results/fields.vtu"), "Name=\"fluence_error\""));
+  const json summary = summary_in(folder.results());
+  EXPECT_EQ(summary["method"], "photons");
+  EXPECT_EQ(summary["photons"]["histories"], 3000);
+  for (const json& balance : summary["balance"]) EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-2);
+}
+
+TEST(RunPhotons, HasTheSameBitsForAnyNumberOfThreads) {
+  const CaseFolder folder;
+  for (const char* threads : {"1", "3"})
+    ASSERT_EQ(
+        etendue_says(by_photons(folder, (folder.path() / threads).string(), {"--threads", threads})).code,
+        ExitCode::done);
+  for (const char* name : {"fields.vtu", "walls.vtp", "walls.csv", "regions.csv", "probes.csv"})
+    EXPECT_EQ(text_of(folder.path() / "1" / name), text_of(folder.path() / "3" / name)) << name;
+}
+
+TEST(RunPhotons, AddsToAnEarlierRun) {
+  const CaseFolder folder;
+  ASSERT_EQ(etendue_says(by_photons(folder, folder.results())).code, ExitCode::done);
+  const std::string initial = "solve.initial=\"" + folder.results() + "/solution.vtu\"";
+  const Outcome outcome =
+      etendue_says(by_photons(folder, (folder.path() / "more").string(), {"--set", initial}));
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_EQ(summary_in(folder.path() / "more")["photons"]["histories"], 6000);
+}
+
+TEST(RunPhotons, SaysThatTheErrorIsStillTooLarge) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says(by_photons(folder, folder.results(), {"--set", "solve.until=1e-4"}));
+  EXPECT_EQ(outcome.code, ExitCode::not_converged);
+  EXPECT_TRUE(has(outcome.err, "the error is above solve.until = 0.0001 after solve.photons = 3000"))
+      << outcome.err;
+}
+
+TEST(RunPhotons, StartsFromPhotonsOnly) {
+  const CaseFolder folder;
+  ASSERT_EQ(etendue_says({"run", folder.file()}).code, ExitCode::done);
+  const std::string initial = "solve.initial=\"" + folder.results() + "/solution.vtu\"";
+  const Outcome outcome =
+      etendue_says(by_photons(folder, (folder.path() / "more").string(), {"--set", initial}));
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "is not a solution by photons")) << outcome.err;
+}
+
+}  // namespace
+}  // namespace etendue

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/photons/photon_turns.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "solver/photons/angle_table.h"
+
+namespace etendue {
+namespace {
+
+// The next terms of the series are (pi/4)^16/16! = 1e-15 of the cosine and (pi/4)^17/17! of the sine.
+TEST(PhotonTurns, CircleIsRoundToTheEndOfItsSeries) {
+  constexpr double next_term = 2e-15;
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    const std::uint32_t word = i * 4294967u;
+    double c, s;
+    unit_circle(word, c, s);
+    EXPECT_NEAR(c * c + s * s, 1, 2 * next_term);
+    const double angle =
+        std::numbers::pi / 2 * ((word & 0x3FFFFFFF) + 0.5) / 1073741824.0 - std::numbers::pi / 4;
+    // Quarters are chosen by the first two bits.
+    const bool quarter = (word & 0x40000000) != 0, half = (word & 0x80000000) != 0;
+    const double turned = angle + (quarter ? std::numbers::pi / 2 : 0) + (half ? std::numbers::pi : 0);
+    EXPECT_NEAR(c, std::cos(turned), next_term);
+    EXPECT_NEAR(s, std::sin(turned), next_term);
+  }
+}
+
+TEST(PhotonTurns, TurnKeepsTheLengthAndTheCosine) {
+  for (const double z : {-1.0, -0.3, 0.0, 0.9, 1.0})
+    for (const double mu : {-1.0, -0.2, 0.7, 1.0}) {
+      const double w[3] = {std::sqrt(1 - z * z), 0, z};
+      double turned[3] = {w[0], w[1], w[2]};
+      turn(turned, mu, std::cos(1.1), std::sin(1.1));
+      EXPECT_NEAR(turned[0] * w[0] + turned[1] * w[1] + turned[2] * w[2], mu, 1e-15);
+      EXPECT_NEAR(turned[0] * turned[0] + turned[1] * turned[1] + turned[2] * turned[2], 1, 1e-15);
+    }
+}
+
+// Intensity 1 to pi/3, then falling to 0 at pi/2: the mean cosine by its integrals.
+TEST(AngleTable, DrawsTheAnglesOfItsIntensity) {
+  using std::numbers::pi;
+  const double angle[] = {0, pi / 3, pi / 2}, intensity[] = {1, 1, 0};
+  const AngleTable table(angle, intensity);
+  double sum = 0;
+  constexpr int count = 20000;
+  for (int i = 0; i < count; ++i) sum += std::cos(table.draw((i + 0.5) / count));
+  double power = 0, moment = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const double t = pi / 2 * (i + 0.5) / 100000;
+    const double density = (t < pi / 3 ? 1 : (pi / 2 - t) / (pi / 6)) * std::sin(t);
+    power += density;
+    moment += density * std::cos(t);
+  }
+  EXPECT_NEAR(sum / count, moment / power, 1e-5);
+}
+
+}  // namespace
+}  // namespace etendue

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/photons/solve_photons.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/measure/balance.h"
+#include "solver/problem/cell_rule.h"
+#include "tests/solver/ordinates/sample_problems.h"
+
+namespace etendue {
+namespace {
+
+using std::numbers::pi;
+
+PhotonSolution solved(const Problem& problem, double photons, int threads = 2) {
+  const CellLocator locator(problem.mesh());
+  PhotonOptions options;
+  options.photons = photons;
+  options.threads = threads;
+  return solve_photons(problem, locator, options);
+}
+
+// Everything at one temperature: u = B everywhere, whatever the medium and the walls do.
+TEST(SolvePhotons, FurnaceIsEverywhereTheSame) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const double radiance = 2;
+  const Problem problem =
+      uniform_problem(mesh, uniform_medium(1, 0.7, 1.3, 0.7 * radiance, PhaseHenyeyGreenstein{0.5}),
+                      uniform_wall(1, 0.5 * radiance, 0.3, 0.2));
+  const PhotonSolution found = solved(problem, 40000);
+  double square = 0;
+  for (std::size_t c = 0; c < found.sums.cell_means.size(); ++c)
+    square +=
+        std::pow((found.sums.cell_means.mean(c) - 4 * pi * radiance) / found.sums.cell_means.error(c), 2);
+  EXPECT_NEAR(square / static_cast<double>(found.sums.cell_means.size()), 1, 0.25);
+  EXPECT_LT(found.report.error[0], 0.06);
+  EXPECT_EQ(found.report.lost, 0);
+}
+
+// With a black cold enclosure nothing is drawn by lot but the roulette.
+TEST(SolvePhotons, BalanceCloses) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.5, 2, 1), uniform_wall(1, 0, 0, 0));
+  const PhotonSolution found = solved(problem, 4000);
+  const Balance balance = balances(problem, found.solution)[0];
+  EXPECT_NEAR(balance.emitted, 4 * pi, 1e-12);
+  EXPECT_LT(std::abs(balance.residual), 1e-3);
+}
+
+TEST(SolvePhotons, ThreadsDoNotChangeABit) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const Problem problem = uniform_problem(mesh, uniform_medium(2, 0.5, 2, 1), uniform_wall(2, 0.1, 0.5, 0.3));
+  const PhotonSolution one = solved(problem, 3000, 1), three = solved(problem, 3000, 3);
+  EXPECT_EQ(one.solution.fluence, three.solution.fluence);
+  EXPECT_EQ(one.sums.packed(), three.sums.packed());
+}
+
+// A beam that enters by z = 0 into a medium that only absorbs: fluence E exp(-a z) on every depth, its mean
+// over a cell by the histories that meet it, and a net flux along z that is the same.
+TEST(SolvePhotons, BeamFadesInAnAbsorber) {
+  const TetrahedralMesh mesh = cube_mesh(0.01);
+  const double absorption = 3;
+  const auto& names = mesh.wall_names();
+  const int floor = static_cast<int>(std::ranges::find(names, "zmin") - names.begin());
+  const Problem problem(mesh, {}, {uniform_medium(1, absorption, 0, 0)},
+                        std::vector<Wall>(names.size(), uniform_wall(1, 0, 0, 0)), AngularSpace::sphere,
+                        {{"beam", BeamLight{Vec3::UnitZ(), {2}, {floor}}, {}}});
+  const PhotonSolution found = solved(problem, 20000);
+  const Balance balance = balances(problem, found.solution)[0];
+  EXPECT_NEAR(balance.inflow, 2, 1e-12);
+  EXPECT_NEAR(balance.outflow, 2 * std::exp(-absorption), 1e-12);
+  EXPECT_NEAR(balance.absorbed, 2 * (1 - std::exp(-absorption)), 1e-12);
+  double square = 0;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    double mean = 0;
+    for (const CellRulePoint& node : cell_rule()) {
+      double z = 0;
+      for (std::size_t i = 0; i < 4; ++i)
+        z += node.barycentric[i] * mesh.point(VertexIndex(mesh.vertices(CellIndex(c))[i])).z();
+      mean += node.weight * 2 * std::exp(-absorption * z);
+    }
+    const auto at = static_cast<std::size_t>(c);
+    square += std::pow((found.sums.cell_means.mean(at) - mean) / found.sums.cell_means.error(at), 2);
+    EXPECT_NEAR(found.solution.net_flux[12 * at + 2], found.solution.fluence[4 * at], 1e-12);
+  }
+  EXPECT_NEAR(square / mesh.cell_count(), 1, 0.25);
+}
+
+// A point in void: through each wall of a cube around it a sixth of its power.
+TEST(SolvePhotons, PointLightsAllSidesOfACube) {
+  const TetrahedralMesh mesh = cube_mesh(0.01);
+  PointLight lamp;
+  lamp.position = Vec3(0.5, 0.5, 0.5);
+  lamp.power = {6};
+  const Problem problem(mesh, {}, {uniform_medium(1, 0, 0, 0)},
+                        std::vector<Wall>(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0)),
+                        AngularSpace::sphere, {{"lamp", lamp, {}}});
+  const PhotonSolution found = solved(problem, 40000);
+  for (const auto& wall : wall_powers(problem, found.solution)) EXPECT_NEAR(wall[0].incoming, 1, 0.03);
+}
+
+// The same numbers whether histories are walked in one run or added to those of an earlier one, but for the
+// shares of the power that batches of other sizes begin in.
+TEST(SolvePhotons, HistoriesAddToThoseOfAnEarlierRun) {
+  const TetrahedralMesh mesh = cube_mesh(0.05);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.5, 2, 1), uniform_wall(1, 0, 0.2, 0));
+  const CellLocator locator(mesh);
+  PhotonOptions options;
+  options.photons = 64 * 50;
+  const PhotonSolution first = solve_photons(problem, locator, options);
+  const PhotonSums saved = PhotonSums::unpacked(first.solution.state.photons);
+  EXPECT_EQ(saved.packed(), first.sums.packed());
+  options.initial = &saved;
+  const PhotonSolution both = solve_photons(problem, locator, options);
+  EXPECT_EQ(both.sums.histories, 2 * first.sums.histories);
+  EXPECT_EQ(both.sums.fluence.batches(), 128);
+  EXPECT_NEAR(both.report.error[0] / first.report.error[0], std::sqrt(0.5), 0.1);
+  EXPECT_NE(both.solution.fluence, first.solution.fluence);
+}
+
+TEST(SolvePhotons, StopsAtTheErrorThatWasAskedFor) {
+  const TetrahedralMesh mesh = cube_mesh(0.05);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.5, 2, 1), uniform_wall(1, 0, 0.2, 0));
+  const CellLocator locator(mesh);
+  PhotonOptions options;
+  options.until = 0.02;
+  const PhotonSolution found = solve_photons(problem, locator, options);
+  EXPECT_LE(found.report.error[0], 0.02);
+  EXPECT_GT(found.report.error[0], 0.01);
+  EXPECT_TRUE(found.solution.converged());
+  options.photons = 1000;
+  EXPECT_FALSE(solve_photons(problem, locator, options).solution.converged());
+}
+
+// A mirror of its half: the same as the whole.
+TEST(SolvePhotons, MirrorsStandForTheOtherHalf) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names())
+    walls.push_back(name == "zmin" ? uniform_wall(1, 1, 0, 0)
+                                   : uniform_wall(1, 0, 0, name == "zmax" ? 0 : 1));
+  // Mirrors on four sides: a slab without scattering passes 2 E_3(a) of the light from a Lambertian side.
+  const Problem problem(mesh, {}, {uniform_medium(1, 1, 0, 0)}, walls);
+  const Balance balance = balances(problem, solved(problem, 40000).solution)[0];
+  const double third_exponential_integral = 0.1096919669;  // E_3(1), Abramowitz and Stegun, table 5.4
+  EXPECT_NEAR(balance.outflow, pi * 2 * third_exponential_integral, 0.004);
+  EXPECT_LT(std::abs(balance.residual), 1e-3);
+}
+
+TEST(SolvePhotons, RefusesAbsorptionThatDependsOnTheDirection) {
+  const TetrahedralMesh mesh = cube_mesh(0.1);
+  Medium medium = uniform_medium(1, 1, 0, 1);
+  medium.origin = {"case.toml", 7, "media.fog"};
+  medium.absorption_by_direction = {AngularFormula("1 + 0.5*wz")};
+  const Problem problem = uniform_problem(mesh, medium, uniform_wall(1, 0, 0, 0));
+  try {
+    solved(problem, 100);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("case.toml:7: media.fog.absorption: depends on the direction"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace etendue
