@@ -39,7 +39,7 @@ std::string whole_number(const std::string& text) {
 /// The parser and the places that it fills.
 class Parser {
  public:
-  Parser() : app_("Radiative transport by discrete ordinates on tetrahedra.", "etendue") {
+  Parser() : app_("Radiative transport by discrete ordinates and photons on tetrahedra.", "etendue") {
     app_.set_version_flag("--version", "etendue " + program_version());
     app_.footer(examples);
     app_.require_subcommand(1);

@@ -7,12 +7,10 @@
 #include <utility>
 
 #include "solver/photons/photon_turns.h"
-#include "solver/photons/random_stream.h"
+#include "solver/photons/random_events.h"
 
 namespace etendue {
 namespace {
-
-using Four = double __attribute__((vector_size(32)));
 
 // Steps without a way forward, one behind the other, around an edge or a vertex, until a photon is given up;
 // and steps of one history in all: only light caught between mirrors in a void goes on for so long.
@@ -42,16 +40,28 @@ struct Photon {
   std::int32_t entered;
   std::int32_t standing = 0;
   std::int64_t steps = 0;
-  Event event;
+  std::int32_t used = 0;  ///< of the events
   RandomStream random;
+  EventBlock events;
 
   ETENDUE_PHOTON_MEMBER Photon(const PhotonStart& start, const RandomStream& numbers)
       : weight(start.weight), cell(start.cell), entered(start.entered), random(numbers) {
     std::memcpy(x, start.position, sizeof x);
     std::memcpy(w, start.direction, sizeof w);
-    event.draw(random);
-    depth = event.depth;
-    event.draw(random);
+    events.draw(random);
+    depth = events.depth[0];
+  }
+
+  /// The next event, and the way to the one after it.
+  ETENDUE_PHOTON_MEMBER Event next_event() {
+    const Event event{events.cosine_draw[used], events.cosine[used], events.sine[used],
+                      (events.side[used] & 1) != 0};
+    if (++used == 4) {
+      events.draw(random);
+      used = 0;
+    }
+    depth = events.depth[used];
+    return event;
   }
 };
 
@@ -170,9 +180,8 @@ ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, P
   for (int axis = 0; axis < 3; ++axis) photon.x[axis] += way.length * photon.w[axis];
   ++photon.steps;
   if (scatters) {
-    deflect(scene, scene.deflections[cell.deflection], photon.event, photon.w);
-    photon.depth = photon.event.depth;
-    photon.event.draw(photon.random);
+    const Event event = photon.next_event();
+    deflect(scene, scene.deflections[cell.deflection], event, photon.w);
     photon.entered = -1;
     photon.standing = 0;
     ++counts.collisions;

@@ -56,22 +56,11 @@ ETENDUE_PHOTON_INLINE void turn_in_plane(double (&w)[3], double mu, bool left) {
   w[1] = scale * y;
 }
 
-/// What the next scattering needs of chance. It is drawn as soon as the one before is done: the processor
-/// computes it beside the way through the next cells, which does not wait for it.
+/// What a scattering needs of chance.
 struct Event {
-  double depth;         ///< scattering optical depth after it
   double cosine_draw;   ///< uniform number for the cosine of deflection
   double cosine, sine;  ///< of the azimuth
   bool left;            ///< the side to turn to in the plane
-
-  ETENDUE_PHOTON_MEMBER void draw(RandomStream& random) {
-    std::uint32_t word[4];
-    random.next(word);
-    depth = -std::log(uniform(word[0]));
-    cosine_draw = uniform(word[1]);
-    unit_circle(word[2], cosine, sine);
-    left = (word[3] & 1) != 0;
-  }
 };
 
 /// Henyey and Greenstein's (1941) cosine, inverted in closed form; to first order in g where g is small.

@@ -24,6 +24,15 @@ class RandomStream {
     philox4x32(word, static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32));
   }
 
+  ETENDUE_PHOTON_MEMBER std::uint64_t seed() const { return seed_; }
+  ETENDUE_PHOTON_MEMBER std::uint64_t history() const { return history_; }
+  ETENDUE_PHOTON_MEMBER std::uint32_t use() const { return use_; }
+  /// The number of the next call; skips `count` of them.
+  ETENDUE_PHOTON_MEMBER std::uint32_t take(std::uint32_t count) {
+    event_ += count;
+    return event_ - count;
+  }
+
  private:
   std::uint64_t seed_;
   std::uint64_t history_;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "solver/photons/angle_table.h"
+#include "solver/photons/random_events.h"
 
 namespace etendue {
 namespace {
@@ -26,6 +27,26 @@ TEST(PhotonTurns, CircleIsRoundToTheEndOfItsSeries) {
     const double turned = angle + (quarter ? std::numbers::pi / 2 : 0) + (half ? std::numbers::pi : 0);
     EXPECT_NEAR(c, std::cos(turned), next_term);
     EXPECT_NEAR(s, std::sin(turned), next_term);
+  }
+}
+
+// Four at a time as one by one.
+TEST(RandomEvents, AreThoseOfTheStream) {
+  RandomStream one(7, 0x123456789, RandomUse::flight), four = one;
+  EventBlock block;
+  for (int round = 0; round < 100; ++round) {
+    block.draw(four);
+    for (int i = 0; i < 4; ++i) {
+      std::uint32_t word[4];
+      one.next(word);
+      double c, s;
+      unit_circle(word[2], c, s);
+      EXPECT_NEAR(block.depth[i], -std::log(uniform(word[0])), 1e-15 * (1 + block.depth[i]));
+      EXPECT_EQ(block.cosine_draw[i], uniform(word[1]));
+      EXPECT_EQ(block.cosine[i], c);
+      EXPECT_EQ(block.sine[i], s);
+      EXPECT_EQ(block.side[i], word[3]);
+    }
   }
 }
 
