@@ -51,9 +51,9 @@ const Check keys[] = {
 
 const Check later[] = {
     {"Sensor", "[[sensor]]\nname = \"front\"\n", "slab.toml:7: sensor: not in this version; remove it"},
-    {"Method", "[solve]\nmethod = \"photons\"\n",
-     "slab.toml:8: solve.method = \"photons\": not in this version; use \"auto\", \"gmres\" or "
-     "\"source-iteration\""},
+    {"Method", "[solve]\nmethod = \"radiosity\"\n",
+     "slab.toml:8: solve.method = \"radiosity\": not in this version; use \"auto\", \"gmres\", "
+     "\"source-iteration\" or \"photons\""},
     {"Acceleration", "[space]\norder = 0\n[solve]\nacceleration = \"diffusion\"\n",
      "slab.toml:10: solve.acceleration = \"diffusion\": takes linear elements; use space.order = 1, or "
      "\"auto\" "
