@@ -16,9 +16,9 @@ struct HistoryRange {
   double roulette = 0;  ///< weight below which a photon plays for its life
 };
 
-/// Functions that walk histories, compiled for one instruction set. The walk takes no account of where it is
-/// going: light is weakened by absorption along its way and by walls, turned by scattering, and dies by
-/// roulette alone (Lux and Koblinger 1991, chapter 5).
+/// Functions that walk histories, compiled for one instruction set. Absorption and walls take from the weight
+/// of a photon (implicit capture), scattering turns it, and it ends where nothing is left, by roulette, or
+/// where it leaves (Lux and Koblinger 1991, chapter 5).
 struct PhotonKernels {
   const char* name;
   /// From the light on: what the photons leave is added to the tally.

@@ -11,10 +11,7 @@ namespace etendue {
 namespace {
 
 using std::numbers::pi;
-
-struct Triangle {
-  std::array<Vec3, 3> corner;
-};
+using Triangle = EmittingTriangle;
 
 Triangle triangle_of(const TetrahedralMesh& mesh, FaceIndex face) {
   const auto& v = mesh.vertices(face);
@@ -162,67 +159,77 @@ void PhotonSources::start_inside(const Vec3& point, const Vec3& direction, Photo
   }
 }
 
-PhotonStart PhotonSources::start_of(const Source& source, Numbers& random) const {
-  const TetrahedralMesh& mesh = problem_.mesh();
+PhotonStart PhotonSources::started(const Vec3& point, const Vec3& direction) const {
   PhotonStart start{{}, {}, 1, 0, -1};
-  Vec3 x, w;
-  const auto from_face = [&](std::int32_t f) -> const PhotonFace& {
-    const PhotonFace& face = mesh_.faces()[static_cast<std::size_t>(f)];
-    const double u = random.number(), v = random.number();
-    x = point_in(triangle_of(mesh, FaceIndex(f)), u, v);
-    start.cell = face.cell;
-    start.entered = face.local;
-    return face;
+  std::copy(point.begin(), point.end(), start.position);
+  std::copy(direction.begin(), direction.end(), start.direction);
+  return start;
+}
+
+PhotonStart PhotonSources::from_cell(std::int32_t cell, Numbers& random) const {
+  const double s = random.number(), t = random.number(), u = random.number();
+  const Vec3 point = point_in(problem_.mesh(), CellIndex(cell), s, t, u);
+  PhotonStart start = started(point, isotropic(random));
+  start.cell = cell;
+  return start;
+}
+
+PhotonStart PhotonSources::from_face(std::int32_t f, const Vec3* beam, Numbers& random) const {
+  const PhotonFace& face = mesh_.faces()[static_cast<std::size_t>(f)];
+  const double u = random.number(), v = random.number();
+  const Vec3 point = point_in(triangle_of(problem_.mesh(), FaceIndex(f)), u, v);
+  PhotonStart start = started(
+      point, beam != nullptr ? *beam : lambert(vector_of(face.normal), vector_of(face.tangent), random));
+  start.cell = face.cell;
+  start.entered = face.local;
+  return start;
+}
+
+PhotonStart PhotonSources::from_point(const PointLight& light, const AngleTable& angles,
+                                      Numbers& random) const {
+  Vec3 direction;
+  if (angles.empty()) {
+    direction = isotropic(random);
+  } else {
+    double c, s, turned[3] = {light.axis.x(), light.axis.y(), light.axis.z()};
+    unit_circle(random.word(), c, s);
+    turn(turned, std::cos(angles.draw(random.number())), c, s);
+    direction = vector_of(turned);
+  }
+  PhotonStart start = started(light.position, direction);
+  start_inside(light.position, direction, start);
+  return start;
+}
+
+PhotonStart PhotonSources::from_surface(const Triangle& triangle, Numbers& random) const {
+  const double u = random.number(), v = random.number();
+  const Vec3 point = point_in(triangle, u, v);
+  const auto& [a, b, c] = triangle.corner;
+  const Vec3 normal = (b - a).cross(c - a).normalized();
+  const Vec3 direction = lambert(normal, normal.unitOrthogonal(), random);
+  PhotonStart start = started(point, direction);
+  start_inside(point, direction, start);
+  return start;
+}
+
+PhotonStart PhotonSources::start_of(const Source& source, Numbers& random) const {
+  const auto light = [&]() -> const Light& {
+    return problem_.lights()[static_cast<std::size_t>(source.index)];
   };
   switch (source.kind) {
-    case Kind::cell: {
-      const double s = random.number(), t = random.number(), u = random.number();
-      x = point_in(mesh, CellIndex(source.index), s, t, u);
-      w = isotropic(random);
-      start.cell = source.index;
-      break;
-    }
-    case Kind::face: {
-      const PhotonFace& face = from_face(source.index);
-      w = lambert(vector_of(face.normal), vector_of(face.tangent), random);
-      break;
-    }
+    case Kind::cell:
+      return from_cell(source.index, random);
+    case Kind::face:
+      return from_face(source.index, nullptr, random);
     case Kind::beam:
-      from_face(source.part);
-      w = std::get<BeamLight>(problem_.lights()[static_cast<std::size_t>(source.index)].kind).direction;
+      return from_face(source.part, &std::get<BeamLight>(light().kind).direction, random);
+    case Kind::point:
+      return from_point(std::get<PointLight>(light().kind), angles_[static_cast<std::size_t>(source.index)],
+                        random);
+    case Kind::triangle:
       break;
-    case Kind::point: {
-      const auto i = static_cast<std::size_t>(source.index);
-      const auto& light = std::get<PointLight>(problem_.lights()[i].kind);
-      x = light.position;
-      w = light.axis;
-      if (angles_[i].empty()) {
-        w = isotropic(random);
-      } else {
-        double c, s, turned[3] = {w.x(), w.y(), w.z()};
-        unit_circle(random.word(), c, s);
-        turn(turned, std::cos(angles_[i].draw(random.number())), c, s);
-        w = vector_of(turned);
-      }
-      start_inside(x, w, start);
-      break;
-    }
-    case Kind::triangle: {
-      const auto& light =
-          std::get<SurfaceLight>(problem_.lights()[static_cast<std::size_t>(source.index)].kind);
-      const Triangle triangle = triangle_of(light, source.part);
-      const double u = random.number(), v = random.number();
-      x = point_in(triangle, u, v);
-      const auto& [a, b, c] = triangle.corner;
-      const Vec3 normal = (b - a).cross(c - a).normalized();
-      w = lambert(normal, normal.unitOrthogonal(), random);
-      start_inside(x, w, start);
-      break;
-    }
   }
-  std::copy(x.begin(), x.end(), start.position);
-  std::copy(w.begin(), w.end(), start.direction);
-  return start;
+  return from_surface(triangle_of(std::get<SurfaceLight>(light().kind), source.part), random);
 }
 
 std::vector<PhotonStart> PhotonSources::starts(std::uint64_t seed, const Batch& batch, std::size_t from,

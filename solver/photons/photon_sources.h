@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,6 +12,11 @@
 #include "solver/problem/problem.h"
 
 namespace etendue {
+
+/// Counterclockwise seen from where it shines to.
+struct EmittingTriangle {
+  std::array<Vec3, 3> corner;
+};
 
 /// Everything that sends light in one band, and where and in which direction histories begin. All histories
 /// begin with the same weight; how many begin where is stratified over the power, in the order of the cells:
@@ -44,6 +50,12 @@ class PhotonSources {
   void add_walls();
   void add_lights();
   PhotonStart start_of(const Source& source, Numbers& random) const;
+  PhotonStart started(const Vec3& point, const Vec3& direction) const;
+  PhotonStart from_cell(std::int32_t cell, Numbers& random) const;
+  /// In the direction of a beam, or without one as Lambert says.
+  PhotonStart from_face(std::int32_t face, const Vec3* beam, Numbers& random) const;
+  PhotonStart from_point(const PointLight& light, const AngleTable& angles, Numbers& random) const;
+  PhotonStart from_surface(const EmittingTriangle& triangle, Numbers& random) const;
   void start_inside(const Vec3& point, const Vec3& direction, PhotonStart& start) const;
   Vec3 isotropic(Numbers& random) const;
   Vec3 lambert(const Vec3& normal, const Vec3& tangent, Numbers& random) const;
