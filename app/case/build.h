@@ -22,5 +22,7 @@ void check_kernels(const Case& input);
 
 /// The case's directions, rotated where it asks for that.
 DirectionSet build_directions(const Case& input);
+/// These and, where the case asks for more rotations, copies that are turned at random.
+std::vector<DirectionSet> build_rotated_directions(const Case& input);
 
 }  // namespace etendue

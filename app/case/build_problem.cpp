@@ -195,4 +195,8 @@ DirectionSet build_directions(const Case& input) {
   return input.direction_rotation ? rotated(set, *input.direction_rotation) : set;
 }
 
+std::vector<DirectionSet> build_rotated_directions(const Case& input) {
+  return rotated_copies(build_directions(input), input.rotations, input.direction_seed);
+}
+
 }  // namespace etendue

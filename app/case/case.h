@@ -154,6 +154,8 @@ struct Case {
   int direction_order = 1;
   std::optional<Rotation> direction_rotation;
   std::optional<ConeRefinement> direction_refinement;
+  int rotations = 1;  ///< sets that are averaged over, each turned at random but the first
+  std::uint64_t direction_seed = 1;
   AngularSpace angular_space = AngularSpace::sphere;
   Origin directions_origin;
   SolveOptions solve;

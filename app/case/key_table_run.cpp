@@ -33,7 +33,15 @@ std::vector<KeyDeclaration> run_keys() {
        integer,
        {.default_value = "1",
         .range = {.lowest = 0, .highest = largest_count},
-        .help = "Chooses the random rotation."}},
+        .help = "Chooses the random rotations."}},
+      {"directions",
+       "rotations",
+       integer,
+       {.default_value = "1",
+        .range = {.lowest = 1, .highest = 1000},
+        .help =
+            "Solves on so many copies of the set, each turned at random but the first, and takes their mean: "
+            "less of ray effects, and `fluence_direction_error` in solution.vtu, its standard error."}},
 
       {"directions.refine",
        "direction",

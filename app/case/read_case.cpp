@@ -63,6 +63,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
   // Only a sound direction set can be counted, and only sound primitives have names.
   if (faults.empty()) {
     check_ordinates(top.section("output"), result);
+    check_rotations(top.section("directions"), top.section("output"), result);
     check_possible_names(result, faults);
   }
   report_unused(root, faults);

@@ -62,15 +62,13 @@ std::optional<int> ordinate_of(std::string_view field) {
 }
 
 void read_field(TomlNode& node, OutputCase& output, Faults& faults) {
-  static const std::vector<std::string> known = {"fluence", "net_flux", "media"};
-  static const std::vector<std::string> later = {"direction_error"};
+  static const std::vector<std::string> known = {"fluence", "net_flux", "media", "direction_error"};
   const std::string accepted =
-      "use \"fluence\", \"net_flux\", \"media\" or \"radiance:K\" for the ordinate K";
+      "use \"fluence\", \"net_flux\", \"media\", \"direction_error\" or \"radiance:K\" for the ordinate K";
   const std::string& field = node.text();
   if (std::ranges::count(output.fields, field) > 0) return report(node, "named twice; remove one", faults);
   output.fields.push_back(field);
   if (std::ranges::count(known, field) > 0) return;
-  if (std::ranges::count(later, field) > 0) return report(node, "not in this version; " + accepted, faults);
   if (field.starts_with(radiance_prefix)) {
     const auto ordinate = ordinate_of(field);
     if (!ordinate) return report(node, "no ordinate after the colon; " + accepted, faults);
@@ -116,6 +114,22 @@ OutputCase read_output(Section section, const std::filesystem::path& case_file) 
   if (TomlNode* fields = section.find("fields"); fields && !(given && fields->faulty))
     for (auto& field : fields->array()) read_field(*field, output, section.faults());
   return output;
+}
+
+void check_rotations(Section directions, Section output, const Case& result) {
+  const bool wanted = std::ranges::count(result.output.fields, "direction_error") > 0;
+  if (result.rotations == 1) {
+    if (wanted)
+      output.fault("fields",
+                   "\"direction_error\" is the spread over rotated sets; use directions.rotations, at "
+                   "least 4");
+    return;
+  }
+  if (!result.output.radiance_ordinates.empty())
+    directions.fault("rotations",
+                     "there is no radiance of one ordinate in a mean over rotated sets; use 1, or "
+                     "no output field \"radiance:K\"");
+  if (result.exact) directions.fault("rotations", "[exact] makes its source for one set; use 1");
 }
 
 void check_ordinates(Section output, const Case& result) {

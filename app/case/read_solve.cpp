@@ -12,8 +12,8 @@ namespace {
 
 std::optional<Rotation> read_rotation(Section& directions, AngularSpace space) {
   const TomlNode* rotation = directions.find("rotation");
-  if (rotation == nullptr || !rotation->is_text())
-    directions.unused("seed", "only a random rotation is drawn");
+  if ((rotation == nullptr || !rotation->is_text()) && directions.integer("rotations") == 1)
+    directions.unused("seed", "only random rotations are drawn");
   if (rotation == nullptr) return std::nullopt;
   if (rotation->is_table()) {
     const Vec3 axis = to_vec3(*rotation->find("axis"));
@@ -59,7 +59,9 @@ void read_directions(Section directions, Case& result) {
   result.direction_order = directions.integer("order");
   result.directions_origin = directions.origin("order");
   result.angular_space = angular_space(result.direction_set);
+  result.rotations = directions.integer("rotations");
   result.direction_rotation = read_rotation(directions, result.angular_space);
+  if (result.rotations > 1) result.direction_seed = static_cast<std::uint64_t>(directions.integer("seed"));
   result.direction_refinement = read_refinement(directions);
   for (const char* name : {"set", "order"})
     if (directions.node().find(name)->faulty) return;  // nothing to say about their combination

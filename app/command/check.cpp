@@ -45,7 +45,8 @@ std::string summary_of(const Case& input) {
   for (const std::string& phase : phase_texts(input)) table.add_row({"scattering in", phase});
   const DirectionSet directions = build_directions(input);
   table.add_row(
-      {"directions", fmt::format("{} {}: {}", directions.name(), directions.order(), directions.count())});
+      {"directions", fmt::format("{} {}: {}{}", directions.name(), directions.order(), directions.count(),
+                                 input.rotations > 1 ? fmt::format(", {} rotations", input.rotations) : "")});
   table.add_row({"solve", fmt::format("tolerance {}, at most {} sweeps", input.solve.tolerance,
                                       input.solve.max_sweeps)});
   table.add_row({"probes", probes_line(input.probes)});

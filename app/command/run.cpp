@@ -21,7 +21,7 @@
 #include "app/write/results.h"
 #include "app/write/solution_file.h"
 #include "solver/exact/exact_balance.h"
-#include "solver/split/solve_split.h"
+#include "solver/split/solve_rotated.h"
 
 namespace etendue {
 namespace {
@@ -111,9 +111,10 @@ class Checkpoints {
   std::ostream& err_;
 };
 
-Solution solve_visibly(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
-                       ProgressDisplay& display, Checkpoints checkpoints, const Interruption& interruption) {
-  Solution solution = solve_split(lights, directions, options, [&](const SweepProgress& progress) {
+Solution solve_visibly(const LightSetup& lights, const std::vector<DirectionSet>& sets,
+                       const SolveOptions& options, ProgressDisplay& display, Checkpoints checkpoints,
+                       const Interruption& interruption) {
+  Solution solution = solve_rotated(lights, sets, options, [&](const SweepProgress& progress) {
     display.show(progress);
     checkpoints.consider(progress);
     return interruption.noted() ? SolveControl::stop : SolveControl::proceed;
@@ -215,7 +216,8 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   if (input.photons)
     return run_by_photons({request, input, problem, seconds, watch, interruption}, out, err, reader);
   check_cameras(input.cameras, problem);
-  const DirectionSet directions = build_directions(input);
+  const std::vector<DirectionSet> sets = build_rotated_directions(input);
+  const DirectionSet& directions = sets.front();
   const LightSetup lights(problem);
   const CellLocator locator(mesh);
   const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
@@ -227,17 +229,19 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
     options.initial = &initial;
     out << "starts from " << input.initial->path.string() << std::endl;
   }
-  const std::string memory = check_memory(estimate_split_memory(lights, directions, options), mesh,
+  const std::string memory = check_memory(estimate_rotated_memory(lights, sets, options), mesh,
                                           problem.band_count(), matrix_memory_text(problem, directions));
-  out << fmt::format("directions: {} ({} {}); bands: {}; threads: {}\n", directions.count(),
-                     directions.name(), directions.order(), problem.band_count(), options.threads)
+  out << fmt::format("directions: {} ({} {}){}; bands: {}; threads: {}\n", directions.count(),
+                     directions.name(), directions.order(),
+                     sets.size() > 1 ? fmt::format(", {} rotations", sets.size()) : "", problem.band_count(),
+                     options.threads)
       << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
 
   interruption.note_the_first();
   ProgressDisplay display(resolved_style(request.progress, out), out);
   const Solution solution =
-      solve_visibly(lights, directions, options, display, Checkpoints(input, problem, err), interruption);
+      solve_visibly(lights, sets, options, display, Checkpoints(input, problem, err), interruption);
   interruption.note_all();
   RunResult result{.input = input,
                    .problem = problem,

@@ -71,6 +71,9 @@ class FieldsOfCells {
     if (result_.errors) add_errors(*result_.errors);
     for (const OrdinateRadiance& kept : result_.solution.radiance) add_radiance(kept);
     if (asked("media")) add_media();
+    if (const auto& error = result_.solution.direction_error; !error.empty())
+      grid_->GetCellData()->AddArray(
+          vtk_array({"fluence_direction_error", bands_, units_.flux}, band_count(), error));
     return grid_;
   }
 
@@ -94,10 +97,10 @@ class FieldsOfCells {
     grid_->GetPointData()->AddArray(vtk_array({"fluence", bands_, units_.flux}, band_count(), fluence));
     grid_->GetCellData()->AddArray(
         vtk_array({"fluence_mean", bands_, units_.flux}, band_count(), cell_means(fluence, bands_.size())));
-    if (!are_display_primaries(result_.problem.bands())) return;
     if (const auto& uncollided = result_.solution.lights.fluence; !uncollided.empty())
       grid_->GetPointData()->AddArray(
           vtk_array({"fluence_uncollided", bands_, units_.flux}, band_count(), uncollided));
+    if (!are_display_primaries(result_.problem.bands())) return;
     const Exposure exposure = exposure_of(fluence, result_.problem.mesh().volumes(), 4);
     grid_->GetPointData()->AddArray(
         vtk_colors(describe(exposure, units_.flux), display_colors(fluence, exposure)));

@@ -82,6 +82,8 @@ DirectionSet make_directions(const std::string& name, int order);
 /// The same set turned by a rotation, so that no direction keeps a special place among the axes. Throws
 /// std::invalid_argument where directions leave the plane.
 DirectionSet rotated(const DirectionSet& set, const Rotation& rotation);
+/// A set and `count` - 1 copies of it, each turned at random; the same ones for a seed on every machine.
+std::vector<DirectionSet> rotated_copies(const DirectionSet& set, int count, std::uint64_t seed);
 
 /// Names that make_directions knows.
 std::vector<std::string> direction_set_names();

@@ -36,4 +36,11 @@ DirectionSet rotated(const DirectionSet& set, const Rotation& rotation) {
                       {set.weights().begin(), set.weights().end()}, set.space());
 }
 
+std::vector<DirectionSet> rotated_copies(const DirectionSet& set, int count, std::uint64_t seed) {
+  std::vector<DirectionSet> sets = {set};
+  for (int k = 1; k < count; ++k)
+    sets.push_back(rotated(set, random_rotation(seed + static_cast<std::uint64_t>(k), set.space())));
+  return sets;
+}
+
 }  // namespace etendue

@@ -10,6 +10,11 @@ namespace {
 /// tetrahedra (docs/iteration.md).
 constexpr double penalty = 4;
 
+/// Of isotropic light of fluence 1 through a face, one way.
+double partial_current(const DiffusionCoefficients& coefficients, const Vec3& normal) {
+  return coefficients.partial_current * (coefficients.is_plane ? normal.head<2>().norm() : 1);
+}
+
 /// A face as one of its cells sees it.
 struct FaceSide {
   CellIndex cell;
@@ -60,7 +65,8 @@ Eigen::Matrix4d face_mass(double area, std::size_t row_corner, std::size_t colum
 /// Weighted means (Ern, Stephansen and Zunino 2009): the flux through a face is that of the worse conductor,
 /// so that a void does not stiffen what lies beside it. Returns the penalty, of harmonic means too.
 double weigh(FaceSide& minus, FaceSide& plus, double partial_current) {
-  minus.weight = plus.conductance / (minus.conductance + plus.conductance);
+  const double conductance = minus.conductance + plus.conductance;
+  if (conductance > 0) minus.weight = plus.conductance / conductance;
   plus.weight = 1 - minus.weight;
   const auto part = [](const FaceSide& side) {
     return side.weight * side.weight * side.conductance / side.height;
@@ -91,8 +97,8 @@ void add_interior_face(const TetrahedralMesh& mesh, const DiffusionCoefficients&
                        BlockMatrix& matrix) {
   FaceSide minus = face_side(mesh, coefficients, mesh.owner(face), face, -1);
   FaceSide plus = face_side(mesh, coefficients, mesh.neighbour(face), face, 1);
-  const double kappa = weigh(minus, plus, coefficients.partial_current);
   const double area = mesh.area(face);
+  const double kappa = weigh(minus, plus, partial_current(coefficients, mesh.area_normal(face) / area));
   matrix.diagonal(minus.cell) += jump_block(area, kappa, minus, minus);
   matrix.diagonal(plus.cell) += jump_block(area, kappa, plus, plus);
   matrix.behind(minus.cell, minus.corner) = jump_block(area, kappa, minus, plus);

@@ -15,11 +15,13 @@ namespace etendue {
 ///     a phi + n.D grad phi / 2 = alpha (a phi - n.D grad phi / 2) at a wall of reflectance alpha (Marshak
 ///     1947).
 struct DiffusionCoefficients {
-  std::vector<double> absorption;          ///< [cell] [1/length]
-  std::vector<Eigen::Matrix3d> diffusion;  ///< [cell] D, symmetric and positive definite [length]
-  std::vector<char> lumped;                ///< [cell] whether the mass is lumped there
-  std::vector<double> reflectance;         ///< [boundary face] alpha, 0 ... 1
-  double partial_current = 0.25;           ///< a: of isotropic light of fluence 1 through a plane, one way
+  std::vector<double> absorption;  ///< [cell] [1/length]
+  /// [cell] D, symmetric and positive definite [length]; in the plane without z.
+  std::vector<Eigen::Matrix3d> diffusion;
+  std::vector<char> lumped;         ///< [cell] whether the mass is lumped there
+  std::vector<double> reflectance;  ///< [boundary face] alpha, 0 ... 1
+  double partial_current = 0.25;    ///< a: of isotropic light of fluence 1 through a plane, one way
+  bool is_plane = false;            ///< whether light travels in the plane z = const alone
   bool operator==(const DiffusionCoefficients&) const = default;
 };
 

@@ -57,14 +57,15 @@ VertexMultigrid::VertexMultigrid(const Eigen::SparseMatrix<double>& lower, int d
     matrix = std::move(coarse);
     complexity_ += static_cast<double>(matrix.nonZeros()) / entries;
   }
-  coarsest_.compute(matrix);
-  if (coarsest_.info() != Eigen::Success)
+  // Where unknowns are coupled weakly alone there is nothing to coarsen to.
+  if (matrix.rows() > 0) coarsest_.compute(matrix);
+  if (matrix.rows() > 0 && coarsest_.info() != Eigen::Success)
     throw std::domain_error("the matrix of diffusion is not positive definite");
   if (!levels_.empty()) measure_cycle();
 }
 
 Eigen::VectorXd VertexMultigrid::cycle(std::size_t level, const Eigen::VectorXd& right) const {
-  if (level == levels_.size()) return coarsest_.solve(right);
+  if (level == levels_.size()) return right.size() > 0 ? coarsest_.solve(right).eval() : right;
   const Level& here = levels_[level];
   Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size());
   relax(here.matrix, right, x, false);

@@ -134,6 +134,7 @@ DiffusionCoefficients DiffusionAcceleration::coefficients(std::size_t band, cons
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   DiffusionCoefficients result;
   result.partial_current = partial_current(problem_.space());
+  result.is_plane = problem_.space() == AngularSpace::plane;
   for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c) {
     const CellIndex cell(static_cast<std::int64_t>(c));
     // Not as extinction less scattering, in which a tiny absorption is lost.

@@ -36,7 +36,7 @@ class Moments {
     for (int m = 0; m < set.count(); ++m) omega_.row(m) = set.direction(OrdinateIndex(m)).transpose();
   }
 
-  /// sum of w factor omega omega^T / 4 pi. In the plane nothing leans on z: it is as x.
+  /// sum of w factor omega omega^T / 4 pi. In the plane z is filled in as x, so that it can be inverted.
   Eigen::Matrix3d second(const Eigen::VectorXd& factor) const {
     return filled(omega_.transpose() * weights_.cwiseProduct(factor).asDiagonal() * omega_);
   }
@@ -101,6 +101,14 @@ DiffusiveMedium by_matrix(const DenseGroup& group, double ratio, const Direction
   return medium;
 }
 
+/// In the plane nothing goes along z.
+void flatten(DiffusiveMedium& medium) {
+  medium.diffusion.row(2).setZero();
+  medium.diffusion.col(2).setZero();
+  medium.slope.row(2).setZero();
+  medium.slope.col(2).setZero();
+}
+
 }  // namespace
 
 std::vector<DiffusiveMedium> diffusive_media(const Problem& problem, const DirectionSet& directions,
@@ -123,6 +131,8 @@ std::vector<DiffusiveMedium> diffusive_media(const Problem& problem, const Direc
       else
         media.push_back(by_matrix(*group, ratio, directions, moments));
     }
+  if (problem.space() == AngularSpace::plane)
+    for (DiffusiveMedium& medium : media) flatten(medium);
   return media;
 }
 

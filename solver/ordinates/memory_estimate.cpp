@@ -102,7 +102,8 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double state =
       fields + moments + radiance + s.faces * s.trace_length + s.mirrors * s.ordinates / 2 * s.trace_length;
   // Two changes for each step of the past, the image, its residual and their last ones.
-  const double positive = options.positivity == Positivity::none ? 0 : 2.0 * anderson_memory + 6;
+  const double positive =
+      options.positivity == Positivity::none ? 0 : 2.0 * static_cast<double>(anderson_memory(state)) + 6;
   const double basis = options.method == Method::source_iteration
                            ? 1
                            : std::clamp(static_cast<double>(krylov_memory) / (8 * state),

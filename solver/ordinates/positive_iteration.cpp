@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "solver/ordinates/band_vectors.h"
+#include "solver/ordinates/diffusion_acceleration.h"
+#include "solver/ordinates/gmres.h"
 #include "solver/ordinates/residual.h"
 
 namespace etendue {
@@ -19,6 +21,9 @@ void clip(TransportState& state) {
     for (double& value : part) value = std::max(value, 0.0);
   // Moment 0 repeats the fluence and is not read from there.
 }
+
+/// Of the residual with diffusion in the first step, when nothing is known of its eigenvalues.
+constexpr double first_mixed = 0.1;
 
 /// One step of the past: the changes of residual and image.
 struct Change {
@@ -36,8 +41,10 @@ class Run {
         observer_(observer),
         vectors_(sweep.mesh(), sweep),
         bands_(static_cast<std::size_t>(sweep.cells().bands())),
+        memory_(anderson_memory(static_cast<double>(state.layout().total()))),
         image_(state.layout()),
-        smallest_(bands_, 1) {
+        smallest_(bands_, 1),
+        largest_(bands_, 1) {
     result_.bands.resize(bands_);
   }
 
@@ -46,14 +53,17 @@ class Run {
     for (int count = 1; count <= options_.max_sweeps; ++count) {
       TransportState last_image = image_;
       sweep_.apply(state_, image_);
-      const std::vector<double> relative = relative_residual(sweep_.mesh(), sweep_, state_, image_);
       TransportState residual = difference(image_, state_);
+      if (options_.acceleration != nullptr) precondition(residual);
+      const std::vector<double> relative = relative_residual(sweep_.mesh(), sweep_, state_, image_);
       if (count > 1) remember(residual, last_image);
       result_.sweeps = count;
       for (std::size_t b = 0; b < bands_; ++b) {
-        const double error = relative[b] / smallest_[b];
-        // One residual says nothing of the rate, unless it is zero.
-        result_.bands[b] = {count, error, error <= options_.tolerance && (count > 1 || error == 0)};
+        const double error =
+            relative[b] / smallest_[b] * (accelerated(b) ? options_.acceleration->caution(b) : 1);
+        // One residual says nothing of the rate, unless it is zero or P has taken the rate out.
+        result_.bands[b] = {count, error,
+                            error <= options_.tolerance && (count > 1 || accelerated(b) || error == 0)};
         result_.history.push_back({count, static_cast<int>(b), error});
       }
       const bool done = std::all_of(result_.bands.begin(), result_.bands.end(),
@@ -61,6 +71,7 @@ class Run {
       residual_ = std::move(residual);
       if (done) {
         state_ = image_;
+        clip(state_);
       } else {
         step();
       }
@@ -74,10 +85,24 @@ class Run {
   }
 
  private:
-  TransportState difference(const TransportState& a, const TransportState& b) const {
+  bool accelerated(std::size_t band) const {
+    return options_.acceleration != nullptr && options_.acceleration->acts_on(band);
+  }
+
+  /// a + factor b
+  TransportState sum(const TransportState& a, double factor, const TransportState& b) const {
     TransportState result = a;
-    vectors_.add(result, BandScalars(bands_, -1), b);
+    vectors_.add(result, BandScalars(bands_, factor), b);
     return result;
+  }
+  TransportState difference(const TransportState& a, const TransportState& b) const { return sum(a, -1, b); }
+
+  /// residual = P residual, and the image that goes with it.
+  void precondition(TransportState& residual) {
+    TransportState corrected(state_.layout());
+    options_.acceleration->apply(residual, corrected, std::vector<char>(bands_, 1));
+    residual = std::move(corrected);
+    image_ = sum(state_, 1, residual);
   }
 
   void remember(const TransportState& residual, const TransportState& last_image) {
@@ -85,17 +110,43 @@ class Run {
     // The change of the state is that of the image less that of the residual.
     const BandScalars of_residual = vectors_.norm(change.residual);
     const BandScalars of_state = vectors_.norm(difference(change.image, change.residual));
-    for (std::size_t b = 0; b < bands_; ++b)
-      if (of_state[b] > 0 && of_residual[b] > 0)
-        smallest_[b] = std::min(smallest_[b], of_residual[b] / of_state[b]);
+    for (std::size_t b = 0; b < bands_; ++b) {
+      if (of_state[b] <= 0 || of_residual[b] <= 0) continue;
+      smallest_[b] = std::min(smallest_[b], of_residual[b] / of_state[b]);
+      largest_[b] = std::max(largest_[b], of_residual[b] / of_state[b]);
+    }
     changes_.push_back(std::move(change));
-    if (changes_.size() > anderson_memory) changes_.pop_front();
+    if (changes_.size() > memory_) changes_.pop_front();
   }
 
-  /// state = image - sum of gamma_j change of image j, gamma the least squares of the residual.
+  /// state = image - sum of gamma_j change of image j, gamma the least squares of the residual, of which only
+  /// the part `mixed` is taken: with diffusion P (I - F) may have large eigenvalues, since in thick cells
+  /// values that are kept positive diffuse faster than the linear ones.
   void step() {
+    TransportState rest = residual_;
     state_ = image_;
-    if (changes_.empty()) return;
+    if (!changes_.empty()) {
+      const std::vector<Eigen::VectorXd> gamma = least_squares();
+      for (std::size_t j = 0; j < changes_.size(); ++j) {
+        BandScalars factor;
+        for (std::size_t b = 0; b < bands_; ++b) factor.push_back(-gamma[b](static_cast<Eigen::Index>(j)));
+        vectors_.add(state_, factor, changes_[j].image);
+        vectors_.add(rest, factor, changes_[j].residual);
+      }
+    }
+    BandScalars left_out;
+    for (std::size_t b = 0; b < bands_; ++b) left_out.push_back(mixed(b) - 1);
+    vectors_.add(state_, left_out, rest);
+    clip(state_);
+  }
+
+  double mixed(std::size_t band) const {
+    if (!accelerated(band)) return 1;
+    return changes_.empty() ? first_mixed : std::min(1.0, 1 / largest_[band]);
+  }
+
+  /// [band] the factors of the changes of the residual whose sum is nearest to it.
+  std::vector<Eigen::VectorXd> least_squares() const {
     const auto count = static_cast<Eigen::Index>(changes_.size());
     std::vector<Eigen::MatrixXd> gram(bands_, Eigen::MatrixXd(count, count));
     std::vector<Eigen::VectorXd> right(bands_, Eigen::VectorXd(count));
@@ -111,12 +162,7 @@ class Run {
     std::vector<Eigen::VectorXd> gamma;
     for (std::size_t b = 0; b < bands_; ++b)
       gamma.push_back(gram[b].completeOrthogonalDecomposition().solve(right[b]));
-    for (Eigen::Index j = 0; j < count; ++j) {
-      BandScalars factor;
-      for (std::size_t b = 0; b < bands_; ++b) factor.push_back(-gamma[b](j));
-      vectors_.add(state_, factor, changes_[static_cast<std::size_t>(j)].image);
-    }
-    clip(state_);
+    return gamma;
   }
 
   bool stopped(int count) {
@@ -135,15 +181,23 @@ class Run {
   const SolveObserver& observer_;
   BandVectors vectors_;
   std::size_t bands_;
-  TransportState image_;              ///< F of the state
-  TransportState residual_ = image_;  ///< F of the state, less the state
+  std::size_t memory_;                ///< steps
+  TransportState image_;              ///< the state and its residual
+  TransportState residual_ = image_;  ///< P (F(x) - x) of the state x
   std::deque<Change> changes_;        ///< the oldest first
-  std::vector<double> smallest_;      ///< [band]
+  std::vector<double> smallest_;      ///< [band] |change of residual| / |change of state| seen so far
+  std::vector<double> largest_;       ///< [band] the same
   IterationResult result_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace
+
+std::size_t anderson_memory(double state_size) {
+  const double fitting = static_cast<double>(krylov_memory) / (2 * sizeof(double) * state_size);
+  return static_cast<std::size_t>(std::clamp(fitting, static_cast<double>(shortest_anderson_memory),
+                                             static_cast<double>(longest_anderson_memory)));
+}
 
 IterationResult PositiveIteration::run(TransportSweep& sweep, TransportState& state,
                                        const IterationOptions& options, const SolveObserver& observer) {

@@ -19,8 +19,12 @@ std::vector<double> unpadded(std::span<const double> values, std::size_t bands, 
   return result;
 }
 
+bool fits(const std::vector<double>& from, std::size_t bands, std::size_t stride, std::span<double> values) {
+  return from.size() / bands == values.size() / stride;
+}
+
 void pad(const std::vector<double>& from, std::size_t bands, std::size_t stride, std::span<double> values) {
-  if (from.size() / bands != values.size() / stride)
+  if (!fits(from, bands, stride, values))
     throw InputError(
         "the state to start from is not of this kind (other elements, directions, scattering or mirrors)");
   for (std::size_t row = 0; row * bands < from.size(); ++row)
@@ -48,9 +52,12 @@ void restore(const SavedState& from, int bands, TransportState& state) {
   pad(from.fluence, count, stride, state.fluence());
   pad(from.moments, count, stride, state.moments());
   pad(from.irradiance, count, stride, state.irradiance());
-  pad(from.mirrors, count, stride, state.mirrors());
-  pad(from.lagged, count, stride, state.lagged());
-  pad(from.radiance, count, stride, state.radiance());
+  const auto pad_by_ordinate = [&](const std::vector<double>& values, std::span<double> into) {
+    if (!from.is_turned || fits(values, count, stride, into)) pad(values, count, stride, into);
+  };
+  pad_by_ordinate(from.mirrors, state.mirrors());
+  pad_by_ordinate(from.lagged, state.lagged());
+  pad_by_ordinate(from.radiance, state.radiance());
 }
 
 }  // namespace etendue

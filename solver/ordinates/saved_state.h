@@ -18,6 +18,9 @@ struct SavedState {
   std::vector<double> lagged;        ///< [lagged face of all pairs][2 ordinates][face node][band]
   std::vector<double> radiance;      ///< [ordinate][dense cell][node][band] where scattering is by a matrix
   std::vector<double> photons = {};  ///< the sums of a run by photons, and nothing else then
+  /// Whether the ordinates of mirrors, lagged faces and radiance may be turned: these are then taken only as
+  /// far as they fit.
+  bool is_turned = false;
 };
 
 /// The values of a state, to the last bit.

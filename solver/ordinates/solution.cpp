@@ -5,6 +5,17 @@
 
 namespace etendue {
 
+std::vector<NegativeCensus> negative_census(const std::vector<double>& fluence, std::size_t bands) {
+  std::vector<NegativeCensus> census(bands);
+  for (std::size_t i = 0; i < fluence.size(); ++i) {
+    if (fluence[i] >= 0) continue;
+    NegativeCensus& band = census[i % bands];
+    ++band.count;
+    band.smallest = std::min(band.smallest, fluence[i]);
+  }
+  return census;
+}
+
 std::vector<FixupTotal> fixup_totals(const Solution& solution) {
   std::vector<FixupTotal> totals;
   for (const OrdinateFixup& fixup : solution.fixups) {

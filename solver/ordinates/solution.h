@@ -126,7 +126,10 @@ struct Solution {
   std::vector<double>
       half_range;  ///< [boundary face] discrete half range [sr]; pi in the limit, 2 in the plane
   std::vector<OrdinateRadiance> radiance;
-  SavedState state;                          ///< from which another run may go on
+  SavedState state;  ///< from which another run may go on
+  /// [cell][band] standard error of the cell's mean fluence, a mean over rotated sets [power/length^2]; empty
+  /// with one set.
+  std::vector<double> direction_error;
   std::vector<double> meters;                ///< [meter][band] irradiance [power/length^2]
   std::vector<BandConvergence> convergence;  ///< [band]
   std::vector<HistoryEntry> history;
@@ -147,6 +150,9 @@ struct Solution {
     return !interrupted;
   }
 };
+
+/// [band], of a fluence [cell][4][band].
+std::vector<NegativeCensus> negative_census(const std::vector<double>& fluence, std::size_t bands);
 
 /// [band]; empty where nothing was kept positive.
 std::vector<FixupTotal> fixup_totals(const Solution& solution);

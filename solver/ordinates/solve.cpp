@@ -46,17 +46,6 @@ std::vector<double> net_flux_at_vertices(std::span<const double> values, std::si
   return result;
 }
 
-std::vector<NegativeCensus> negative_census(const std::vector<double>& fluence, std::size_t bands) {
-  std::vector<NegativeCensus> census(bands);
-  for (std::size_t i = 0; i < fluence.size(); ++i) {
-    if (fluence[i] >= 0) continue;
-    NegativeCensus& band = census[i % bands];
-    ++band.count;
-    band.smallest = std::min(band.smallest, fluence[i]);
-  }
-  return census;
-}
-
 std::vector<double> extinction_of(const Problem& problem) {
   std::vector<double> extinction(problem.absorption().begin(), problem.absorption().end());
   for (std::size_t i = 0; i < extinction.size(); ++i) extinction[i] += problem.scattering()[i];
@@ -86,10 +75,19 @@ std::unique_ptr<Iteration> make_iteration(Method method) {
   return std::make_unique<Gmres>();
 }
 
+/// Whether a state to start from is one of values that were kept positive, so that the linear problem has
+/// nothing to add.
+bool starts_positive(const SolveOptions& options) {
+  return options.positivity != Positivity::none && options.order == SpaceOrder::linear &&
+         options.initial != nullptr &&
+         std::ranges::all_of(options.initial->fluence, [](double value) { return value >= 0; });
+}
+
 /// Goes on from the solution of the linear problem, which took `used` sweeps with the one that measures, with
 /// values that are kept positive, as many sweeps as are left.
 void keep_positive(TransportSweep& sweep, TransportState& state, const SolveOptions& options,
-                   const SolveObserver& observer, int used, Solution& solution) {
+                   DiffusionAcceleration* acceleration, const SolveObserver& observer, int used,
+                   Solution& solution) {
   sweep.keep_positive(options.positivity == Positivity::rescale ? Fixup::rescale : Fixup::quadratic);
   if (sweep.is_direct() || solution.interrupted) return;
   if (options.max_sweeps <= used) {
@@ -105,7 +103,7 @@ void keep_positive(TransportSweep& sweep, TransportState& state, const SolveOpti
     return observer(all);
   };
   IterationResult result =
-      PositiveIteration().run(sweep, state, {options.tolerance, options.max_sweeps - used},
+      PositiveIteration().run(sweep, state, {options.tolerance, options.max_sweeps - used, acceleration},
                               observer ? SolveObserver(shifted) : SolveObserver());
   for (std::size_t b = 0; b < result.bands.size(); ++b) {
     BandConvergence& band = result.bands[b];
@@ -113,13 +111,19 @@ void keep_positive(TransportSweep& sweep, TransportState& state, const SolveOpti
     band.converged = band.converged && solution.convergence[b].converged;
     solution.convergence[b] = band;
   }
-  solution.notes.push_back(
-      fmt::format("{} sweeps after the linear solution to keep values positive", result.sweeps));
+  solution.notes.push_back(fmt::format("{} sweeps to keep values positive", result.sweeps));
   for (HistoryEntry entry : result.history) {
     entry.sweep += used - 1;
     solution.history.push_back(entry);
   }
   solution.interrupted = result.interrupted;
+}
+
+/// Of an iteration that had nothing to do.
+IterationResult untouched(int bands) {
+  IterationResult result;
+  result.bands.assign(static_cast<std::size_t>(bands), {0, 0, true});
+  return result;
 }
 
 std::vector<OrdinateFixup> fixups_of(const TransportSweep& sweep, const DirectionSet& directions) {
@@ -283,7 +287,8 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     if (!records) ++used;
     const IterationOptions limits{options.tolerance, options.max_sweeps - used, acceleration.get(),
                                   records ? &record : nullptr};
-    IterationResult result = iteration->run(sweep, state, limits, observer);
+    IterationResult result = starts_positive(options) ? untouched(problem.band_count())
+                                                      : iteration->run(sweep, state, limits, observer);
     solution.convergence = std::move(result.bands);
     solution.history = std::move(result.history);
     solution.interrupted = result.interrupted;
@@ -291,20 +296,21 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     if (records && !recorded) ++used;
     for (BandConvergence& band : solution.convergence) band.sweeps += used;
     used += result.sweeps;
-    if (acceleration) {
-      solution.seconds.low_order_setup = acceleration->setup_seconds();
-      solution.seconds.low_order = acceleration->seconds() + acceleration->setup_seconds();
+    if (acceleration)
       for (std::string& note : acceleration->notes()) solution.notes.push_back(std::move(note));
-    }
   }
   if (options.positivity != Positivity::none && options.order == SpaceOrder::linear)
-    keep_positive(sweep, state, options, observer, used, solution);
+    keep_positive(sweep, state, options, acceleration.get(), observer, used, solution);
   if (!recorded) {
     TransportState last_state(sweep.layout());
     sweep.apply(state, last_state, &record);
     state = std::move(last_state);
   }
   read_out(sweep, state, record, solution);
+  if (acceleration) {
+    solution.seconds.low_order_setup = acceleration->setup_seconds();
+    solution.seconds.low_order = acceleration->seconds() + acceleration->setup_seconds();
+  }
   solution.seconds.sweep = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() -
                            solution.seconds.low_order;
   solution.seconds.orders = sweep.order_seconds();

@@ -17,6 +17,12 @@ int thread_count(const SolveOptions& options) {
   return options.threads > 0 ? options.threads : omp_get_num_procs();
 }
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 void add(std::vector<double>& to, const std::vector<double>& from) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
 }
@@ -86,16 +92,6 @@ std::vector<UncollidedBalance> balance_of(const LightSetup& lights, const Uncoll
   return balances;
 }
 
-void count_negative(Solution& solution, std::size_t bands) {
-  solution.negative.assign(bands, {});
-  for (std::size_t i = 0; i < solution.fluence.size(); ++i) {
-    if (solution.fluence[i] >= 0) continue;
-    NegativeCensus& band = solution.negative[i % bands];
-    ++band.count;
-    band.smallest = std::min(band.smallest, solution.fluence[i]);
-  }
-}
-
 /// Lights that are neither walls nor media, nor beams that walls let in. They are the first of the sources.
 void add_lights_inside(const LightSetup& lights, Solution& solution) {
   const auto all = lights.problem().lights();
@@ -120,33 +116,51 @@ void add_meters(const LightSetup& lights, const SolveOptions& options, Solution&
 
 }  // namespace
 
-Solution solve_split(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
-                     const SolveObserver& observer) {
-  if (lights.empty()) return solve(lights.problem(), directions, options, observer);
-  const auto start = std::chrono::steady_clock::now();
-  const int threads = thread_count(options);
-  UncollidedField field = uncollided_field(lights.paths(), lights.sources(), threads);
-  const FirstCollision input(lights, field, directions, threads);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+UncollidedLight::UncollidedLight(const LightSetup& lights, const SolveOptions& options)
+    : lights_(lights), threads_(thread_count(options)) {
+  if (lights.empty()) return;
+  const auto start = Clock::now();
+  field_ = uncollided_field(lights.paths(), lights.sources(), threads_);
+  seconds_ = seconds_since(start);
+}
 
-  const Problem remaining = lights.remaining();
+Solution UncollidedLight::solve_rest(const DirectionSet& directions, const SolveOptions& options,
+                                     const SolveObserver& observer) const {
+  if (lights_.empty()) return solve(lights_.problem(), directions, options, observer);
+  const auto start = Clock::now();
+  const FirstCollision input(lights_, field_, directions, threads_);
+  const double seconds = seconds_since(start);
+
+  const Problem remaining = lights_.remaining();
   SolveOptions with_input = options;
   with_input.angular_input = &input;
   Solution solution = solve(remaining, directions, with_input, observer);
   solution.seconds.lights = seconds;
-  solution.notes.insert(solution.notes.begin(), lights.notes().begin(), lights.notes().end());
-  solution.lights.balance = balance_of(lights, field);
-  add_exitance(lights, field, solution);
-  add_lights_inside(lights, solution);
-  for (std::size_t w = 0; w < lights.problem().walls().size(); ++w)
-    solution.lights.exact_walls.push_back(lights.has_wall(static_cast<int>(w)));
-  add(solution.fluence, field.fluence);
-  add(solution.net_flux, field.net_flux);
-  add(solution.irradiance, field.irradiance);
-  add_meters(lights, options, solution);
-  count_negative(solution, lights.paths().bands());
-  solution.lights.fluence = std::move(field.fluence);
-  solution.lights.net_flux = std::move(field.net_flux);
+  solution.notes.insert(solution.notes.begin(), lights_.notes().begin(), lights_.notes().end());
+  solution.lights.balance = balance_of(lights_, field_);
+  add_exitance(lights_, field_, solution);
+  add_lights_inside(lights_, solution);
+  for (std::size_t w = 0; w < lights_.problem().walls().size(); ++w)
+    solution.lights.exact_walls.push_back(lights_.has_wall(static_cast<int>(w)));
+  add(solution.fluence, field_.fluence);
+  add(solution.net_flux, field_.net_flux);
+  add(solution.irradiance, field_.irradiance);
+  add_meters(lights_, options, solution);
+  solution.negative = negative_census(solution.fluence, lights_.paths().bands());
+  return solution;
+}
+
+void UncollidedLight::finish(Solution& solution) && {
+  solution.seconds.lights += seconds_;
+  solution.lights.fluence = std::move(field_.fluence);
+  solution.lights.net_flux = std::move(field_.net_flux);
+}
+
+Solution solve_split(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
+                     const SolveObserver& observer) {
+  UncollidedLight uncollided(lights, options);
+  Solution solution = uncollided.solve_rest(directions, options, observer);
+  std::move(uncollided).finish(solution);
   return solution;
 }
 

@@ -6,6 +6,27 @@
 
 namespace etendue {
 
+/// The light of a problem that has not collided yet, by rays: found once, whatever directions the rest is
+/// solved on.
+class UncollidedLight {
+ public:
+  /// `lights` must outlive it.
+  UncollidedLight(const LightSetup& lights, const SolveOptions& options);
+
+  /// The rest by discrete ordinates, with the first collisions as a source, and both together. Without lights
+  /// this is solve(). The options must not have an angular input of their own.
+  Solution solve_rest(const DirectionSet& directions, const SolveOptions& options,
+                      const SolveObserver& observer) const;
+  /// Hands the uncollided part over to a solution.
+  void finish(Solution& solution) &&;
+
+ private:
+  const LightSetup& lights_;
+  int threads_;
+  UncollidedField field_;
+  double seconds_ = 0;
+};
+
 /// Solves a problem as the sum of the light that has not collided yet, by rays, and the rest, by discrete
 /// ordinates with the first collisions as a source. Without lights this is solve(). The options must not have
 /// an angular input of their own.

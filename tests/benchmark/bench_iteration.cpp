@@ -5,7 +5,9 @@
 // source iteration beside it. Unit cubes by TetGen, 96 directions, one thread. docs/iteration.md holds the
 // table.
 //
-//     bench_iteration [CELLS [FILTER]]      CELLS: 600 (default), 5000 or 40000; FILTER: part of a name
+//     bench_iteration [CELLS [FILTER [brief]]]
+//
+// CELLS: 600 (default), 5000 or 40000; FILTER: part of a name; brief: without radius and source iteration.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -194,20 +196,22 @@ std::string source_iteration_sweeps(const Run& run) {
   return fmt::format("~{:.2g}", longest_source_iteration + more);
 }
 
-void measure(const Setting& setting, int cells, const DirectionSet& directions) {
+void measure(const Setting& setting, int cells, const DirectionSet& directions, bool brief) {
   const TetrahedralMesh mesh = make_mesh(setting.scene, cells);
   const Problem problem = make_problem(setting, mesh);
   const Run run{problem, directions, setting.lumping};
   const Solution solution = run.solved(Method::gmres, Acceleration::diffusion, tolerance, 200);
-  const Solution stationary = run.solved(Method::source_iteration, Acceleration::diffusion, 1e-12, 50);
   const int sweeps = solution.convergence[0].sweeps;
   const SolveSeconds& seconds = solution.seconds;
   const double solving = seconds.low_order - seconds.low_order_setup;
-  fmt::print("| {} | {} | {} | {} | {} | {:.2f} | {:.0f} % | {:.1f} | {} |\n", setting.name,
-             mesh.cell_count(), fmt::format("{}{}", sweeps, solution.converged() ? "" : " not converged"),
-             setting.target, sweeps <= setting.target ? "yes" : "no", last_rate(stationary.history),
+  const auto radius = [&] {
+    return last_rate(run.solved(Method::source_iteration, Acceleration::diffusion, 1e-12, 50).history);
+  };
+  fmt::print("| {} | {} | {} | {} | {} | {} | {:.0f} % | {:.1f} | {} |\n", setting.name, mesh.cell_count(),
+             fmt::format("{}{}", sweeps, solution.converged() ? "" : " not converged"), setting.target,
+             sweeps <= setting.target ? "yes" : "no", brief ? "" : fmt::format("{:.2f}", radius()),
              100 * solving / (solving + seconds.sweep), seconds.low_order_setup / (seconds.sweep / sweeps),
-             source_iteration_sweeps(run));
+             brief ? "" : source_iteration_sweeps(run));
   std::fflush(stdout);
 }
 
@@ -218,11 +222,12 @@ int main(int count, char** arguments) {
   using namespace etendue;
   const int cells = count > 1 ? std::atoi(arguments[1]) : 600;
   const std::string filter = count > 2 ? arguments[2] : "";
+  const bool brief = count > 3 && std::string(arguments[3]) == "brief";
   const DirectionSet directions = directions_ldfe_sq(1);
   fmt::print(
       "| case | cells | sweeps | target | met | radius | low-order | set-up in sweeps | source iteration "
       "|\n");
   fmt::print("|---|---|---|---|---|---|---|---|---|\n");
   for (const Setting& setting : settings())
-    if (setting.name.find(filter) != std::string::npos) measure(setting, cells, directions);
+    if (setting.name.find(filter) != std::string::npos) measure(setting, cells, directions, brief);
 }

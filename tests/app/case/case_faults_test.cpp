@@ -69,10 +69,14 @@ const Check later[] = {
      "slab.toml:9: walls.xmin.uncollided = true: not for emission that depends on the direction, nor for "
      "radiance by a formula (not in this version); use \"auto\" or false"},
     {"SpaceOrder", "[space]\norder = 2\n", "slab.toml:8: space.order = 2: not in this version; use 0 or 1"},
-    {"Field", "[output]\nfields = [\"direction_error\"]\n",
-     "slab.toml:8: output.fields[0] = \"direction_error\": not in this version; use \"fluence\", "
-     "\"net_flux\", "
-     "\"media\" or \"radiance:K\" for the ordinate K"},
+    {"DirectionErrorOfOneSet", "[output]\nfields = [\"direction_error\"]\n",
+     "slab.toml:8: output.fields = [\"direction_error\"]: \"direction_error\" is the spread over rotated "
+     "sets; "
+     "use directions.rotations, at least 4"},
+    {"RadianceOfRotations", "[directions]\nrotations = 4\n[output]\nfields = [\"radiance:3\"]\n",
+     "slab.toml:8: directions.rotations = 4: there is no radiance of one ordinate in a mean over rotated "
+     "sets; "
+     "use 1, or no output field \"radiance:K\""},
 };
 
 const Check values[] = {
@@ -213,7 +217,7 @@ const Check values[] = {
      "use "
      "fewer levels, a smaller angle or a lower order"},
     {"SeedOfNothing", "[directions]\nseed = 3\n",
-     "slab.toml:8: directions.seed = 3: unused (only a random rotation is drawn); remove it"},
+     "slab.toml:8: directions.seed = 3: unused (only random rotations are drawn); remove it"},
     {"OrderIsAFloat", "[directions]\norder = 1.0\n",
      "slab.toml:8: directions.order = 1.0: must not be a number; use an integer from 1 to 10000 without a "
      "decimal point"},
@@ -251,7 +255,7 @@ const Check values[] = {
     {"UnknownField", "[output]\nfields = [\"fluense\"]\n",
      "slab.toml:8: output.fields[0] = \"fluense\": is not known (did you mean \"fluence\"?); use "
      "\"fluence\", "
-     "\"net_flux\", \"media\" or \"radiance:K\" for the ordinate K"},
+     "\"net_flux\", \"media\", \"direction_error\" or \"radiance:K\" for the ordinate K"},
     {"FieldTwice", "[output]\nfields = [\"media\", \"media\"]\n",
      "slab.toml:8: output.fields[1] = \"media\": named twice; remove one"},
     {"OrdinateTwice", "[output]\nfields = [\"radiance:01\", \"radiance:1\"]\n",
@@ -259,7 +263,7 @@ const Check values[] = {
     {"FieldWithoutOrdinate", "[output]\nfields = [\"radiance:x\"]\n",
      "slab.toml:8: output.fields[0] = \"radiance:x\": no ordinate after the colon; use \"fluence\", "
      "\"net_flux\", "
-     "\"media\" or \"radiance:K\" for the ordinate K"},
+     "\"media\", \"direction_error\" or \"radiance:K\" for the ordinate K"},
     {"NoSuchOrdinate", "[output]\nfields = [\"radiance:96\"]\n",
      "slab.toml:8: output.fields[0] = \"radiance:96\": no such ordinate (ldfe-sq of order 1 has 96); use 0 "
      "to 95"},

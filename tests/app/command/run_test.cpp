@@ -46,6 +46,17 @@ TEST(Run, ClosesTheBalanceOfEachBand) {
   }
 }
 
+TEST(Run, TakesTheMeanOfRotatedSets) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says(
+      {"run", folder.file(), "--set", "directions.rotations=3", "--set", "solve.tolerance=1e-9"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, ", 3 rotations")) << outcome.out;
+  const json summary = summary_in(folder.results());
+  EXPECT_TRUE(has(summary["notes"].dump(), "mean of 3 rotated sets of directions; the standard error"));
+  for (const json& balance : summary["balance"]) EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-7);
+}
+
 TEST(Run, HasTheSameBitsForAnyNumberOfThreads) {
   const CaseFolder folder;
   const auto results_with = [&](int threads) {

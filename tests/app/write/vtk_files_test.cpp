@@ -163,6 +163,24 @@ TEST(FieldsFile, ShowsDisplayPrimariesAsColours) {
   EXPECT_NE(unit_of(*color).find("sRGB, white = "), std::string::npos);
 }
 
+TEST(FieldsFile, HasTheUncollidedPartAndTheErrorOfDirectionsWhateverTheBands) {
+  for (const std::vector<std::string>& bands : {std::vector<std::string>{"grey"}, primaries}) {
+    SampleRun run(bands);
+    EXPECT_EQ(fields_of(run)->GetPointData()->GetArray("fluence_uncollided"), nullptr);
+    EXPECT_EQ(fields_of(run)->GetCellData()->GetArray("fluence_direction_error"), nullptr);
+    run.solution.lights.fluence = run.solution.fluence;
+    run.solution.direction_error.assign(6 * bands.size(), 0.1);
+    const auto grid = fields_of(run);
+    vtkDataArray* uncollided = grid->GetPointData()->GetArray("fluence_uncollided");
+    vtkDataArray* error = grid->GetCellData()->GetArray("fluence_direction_error");
+    ASSERT_NE(uncollided, nullptr);
+    ASSERT_NE(error, nullptr);
+    EXPECT_EQ(values_of(*uncollided), run.solution.fluence);
+    EXPECT_EQ(values_of(*error), run.solution.direction_error);
+    EXPECT_EQ(component_names(*error), bands);
+  }
+}
+
 TEST(FieldsFile, HasNoColoursForOtherBands) {
   EXPECT_EQ(fields_of(SampleRun({"a", "b", "c"}))->GetPointData()->GetArray("color"), nullptr);
 }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <Eigen/LU>
 
 #include "solver/angle/harmonics.h"
@@ -86,6 +88,21 @@ TEST(RotatedSet, HasNoMirrorImagesAtAxisPlanesButAtTurnedOnes) {
   const DirectionSet set = rotated(directions_ldfe_sq(1), rotation);
   EXPECT_EQ(set.mirrored(OrdinateIndex(0), Vec3::UnitX()), -1);
   EXPECT_GE(set.mirrored(OrdinateIndex(0), rotation * Vec3::UnitX()), 0);
+}
+
+TEST(RotatedSet, CopiesBeginWithTheSetAndAreDrawnAgain) {
+  const DirectionSet set = directions_ldfe_sq(1);
+  const std::vector<DirectionSet> copies = rotated_copies(set, 3, 5), again = rotated_copies(set, 3, 5);
+  ASSERT_EQ(copies.size(), 3U);
+  EXPECT_TRUE(std::ranges::equal(copies[0].directions(), set.directions()));
+  EXPECT_TRUE(std::ranges::equal(copies[2].directions(), again[2].directions()));
+  EXPECT_GT((copies[1].directions()[0] - copies[2].directions()[0]).norm(), 1e-3);
+  EXPECT_GT((copies[1].directions()[0] - set.directions()[0]).norm(), 1e-3);
+}
+
+TEST(RotatedSet, CopiesOfAPlaneSetStayInThePlane) {
+  for (const DirectionSet& copy : rotated_copies(directions_flatland(8), 3, 2))
+    for (const Vec3& direction : copy.directions()) EXPECT_EQ(direction.z(), 0);
 }
 
 }  // namespace

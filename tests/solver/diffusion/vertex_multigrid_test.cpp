@@ -73,6 +73,14 @@ TEST(VertexMultigrid, LeavesLittleWhereAbsorptionDominates) {
   EXPECT_LT(contraction(lower, VertexMultigrid(lower, 20)), 0.3);
 }
 
+TEST(VertexMultigrid, NeedsNothingCoarserWhereNothingIsCoupled) {
+  Matrix diagonal(50, 50);
+  for (int i = 0; i < 50; ++i) diagonal.insert(i, i) = 1 + i;
+  const VertexMultigrid multigrid(diagonal, 20);
+  EXPECT_EQ(multigrid.level_count(), 2);
+  EXPECT_LT(contraction(diagonal, multigrid), 0.1);
+}
+
 TEST(VertexMultigrid, IsSymmetricAndPositiveDefinite) {
   const Matrix lower = cube_matrix(1e-3, 1e4, 0.1);
   const VertexMultigrid multigrid(lower, 20);

@@ -21,11 +21,16 @@ SolveOptions options_of(Method method, Acceleration acceleration, double toleran
   return options;
 }
 
+bool says(const Solution& solution, const std::string& text) {
+  return std::any_of(solution.notes.begin(), solution.notes.end(),
+                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
 TEST(DiffusionAcceleration, EveryPathGivesTheSameAnswer) {
-  const TetrahedralMesh mesh = cube_mesh(4e-2);
+  const TetrahedralMesh mesh = cube_mesh(1e-2);
   // Different media in three bands, anisotropic scattering, diffuse and mirror reflection.
   Medium medium = uniform_medium(3, 0.05, 0, 0.2, PhaseHenyeyGreenstein{0.4});
-  medium.scattering = {Coefficient(0.5), Coefficient(3.0), Coefficient(12.0)};
+  medium.scattering = {Coefficient(0.5), Coefficient(3.0), Coefficient(6.0)};
   const Problem problem = uniform_problem(mesh, medium, uniform_wall(3, 0.3, 0.4, 0.2));
   const DirectionSet directions = directions_triangular(4);
   const double tolerance = 1e-9;
@@ -34,20 +39,16 @@ TEST(DiffusionAcceleration, EveryPathGivesTheSameAnswer) {
   ASSERT_TRUE(plain.converged());
   for (const Method method : {Method::gmres, Method::source_iteration})
     for (const Acceleration acceleration : {Acceleration::none, Acceleration::diffusion})
-      for (const int threads : {1, 2, 3, 4}) {
+      for (const int threads : {1, 3}) {
         SolveOptions options = options_of(method, acceleration, tolerance);
         options.threads = threads;
         const Solution solution = solve(problem, directions, options);
         ASSERT_TRUE(solution.converged());
+        EXPECT_TRUE(says(solution, std::to_string(threads) + " threads"));
         for (std::size_t band = 0; band < 3; ++band) EXPECT_LT(difference(solution, plain, 3, band), 1e-8);
         for (const Balance& balance : balances(problem, solution))
           EXPECT_LT(std::abs(balance.residual), 1e-8);
       }
-}
-
-bool says(const Solution& solution, const std::string& text) {
-  return std::any_of(solution.notes.begin(), solution.notes.end(),
-                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
 }
 
 TEST(DiffusionAcceleration, IsLeftOutWhereLittleComesBack) {

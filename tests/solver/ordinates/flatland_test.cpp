@@ -154,5 +154,22 @@ TEST(Flatland, DirectionsOfTheOtherSpaceAreAMistakeOfTheProgram) {
   EXPECT_THROW(solve(problem, directions_flatland(8), tight_options()), std::invalid_argument);
 }
 
+TEST(Flatland, ThickBrightSheetsTakeFewSweeps) {
+  const TetrahedralMesh mesh = strip(0.1);
+  for (const double asymmetry : {0.0, 0.6})
+    for (const double scattering : {5.0, 20.0, 200.0}) {
+      Medium medium = uniform_medium(1, 0, scattering, 0);
+      if (asymmetry > 0) medium.phase[0] = PhaseHenyeyGreenstein{asymmetry};
+      const Problem problem = plane_problem(
+          mesh, medium, [](const auto& name) { return uniform_wall(1, name == "xmin" ? 1 : 0, 0, 0); });
+      SolveOptions options = tight_options();
+      options.acceleration = Acceleration::diffusion;
+      options.tolerance = 1e-8;
+      const Solution solution = solve(problem, directions_flatland(32), options);
+      ASSERT_TRUE(solution.converged());
+      EXPECT_LE(solution.convergence[0].sweeps, 25) << "g = " << asymmetry << ", scattering " << scattering;
+    }
+}
+
 }  // namespace
 }  // namespace etendue

@@ -113,20 +113,64 @@ TEST(Positivity, GivesTheSameBitsForAnyNumberOfThreads) {
 
 TEST(Positivity, EstimatedErrorBoundsTheTrueError) {
   const TetrahedralMesh mesh = cube_with_ball(2e-2);
-  const Problem problem = ball_in_a_room(mesh, 50, 30, 2, 0.8);
   const DirectionSet directions = directions_triangular(4);
-  const Solution exact = solve(problem, directions, options_of(Positivity::quadratic, 1e-12));
-  ASSERT_TRUE(exact.converged());
-  for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
-    const Solution rough = solve(problem, directions, options_of(Positivity::quadratic, tolerance));
-    ASSERT_TRUE(rough.converged());
-    double error = 0, norm = 0;
-    for (std::size_t i = 0; i < exact.fluence.size(); ++i) {
-      error += std::pow(rough.fluence[i] - exact.fluence[i], 2);
-      norm += std::pow(exact.fluence[i], 2);
+  for (const double absorption : {50.0, 5.0})
+    for (const Acceleration acceleration : {Acceleration::none, Acceleration::diffusion}) {
+      const Problem problem = ball_in_a_room(mesh, absorption, 30, 2, 0.8);
+      SolveOptions options = options_of(Positivity::quadratic, 1e-12);
+      options.acceleration = acceleration;
+      const Solution exact = solve(problem, directions, options);
+      ASSERT_TRUE(exact.converged());
+      for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
+        options.tolerance = tolerance;
+        const Solution rough = solve(problem, directions, options);
+        ASSERT_TRUE(rough.converged());
+        for (std::size_t band = 0; band < 2; ++band)
+          EXPECT_LT(difference(rough, exact, 2, band), tolerance) << "absorption " << absorption;
+      }
     }
-    EXPECT_LT(std::sqrt(error / norm), tolerance);
+}
+
+TEST(Positivity, TakesFewSweepsInThickBrightMedia) {
+  const TetrahedralMesh mesh = cube_mesh(4e-2);
+  for (const double scattering : {10.0, 100.0, 500.0})
+    for (const Positivity positivity : {Positivity::rescale, Positivity::quadratic}) {
+      const Problem problem =
+          uniform_problem(mesh, uniform_medium(1, 0, scattering, 0), uniform_wall(1, 0.5, 0, 0));
+      SolveOptions options = options_of(positivity, 1e-6);
+      options.acceleration = Acceleration::diffusion;
+      const Solution solution = solve(problem, directions_triangular(4), options);
+      ASSERT_TRUE(solution.converged());
+      EXPECT_LE(solution.convergence[0].sweeps, 60) << "scattering " << scattering;
+      // Full of isotropic light of radiance 1/2.
+      for (const double value : solution.fluence) EXPECT_NEAR(value, 0.5 * four_pi, 1e-4);
+    }
+}
+
+TEST(Positivity, AcceleratedGivesTheSameAnswer) {
+  const TetrahedralMesh mesh = cube_with_ball(1e-2);
+  const Problem problem = ball_in_a_room(mesh, 5, 30, 2, 0.8);
+  std::vector<Solution> solutions;
+  for (const Acceleration acceleration : {Acceleration::none, Acceleration::diffusion}) {
+    SolveOptions options = options_of(Positivity::rescale);
+    options.acceleration = acceleration;
+    solutions.push_back(solve(problem, directions_triangular(4), options));
+    expect_positive(problem, solutions.back());
   }
+  for (std::size_t i = 0; i < solutions[0].fluence.size(); ++i)
+    EXPECT_NEAR(solutions[0].fluence[i], solutions[1].fluence[i], 1e-8);
+}
+
+TEST(Positivity, GoesOnFromAPositiveState) {
+  const TetrahedralMesh mesh = cube_with_ball(1e-2);
+  const Problem problem = ball_in_a_room(mesh, 5, 30, 2, 0.8);
+  SolveOptions options = options_of(Positivity::rescale, 1e-8);
+  const Solution whole = solve(problem, directions_triangular(4), options);
+  options.initial = &whole.state;
+  const Solution again = solve(problem, directions_triangular(4), options);
+  ASSERT_TRUE(again.converged());
+  EXPECT_LE(again.convergence[0].sweeps, 5);
+  for (std::size_t band = 0; band < 2; ++band) EXPECT_LT(difference(again, whole, 2, band), 2e-8);
 }
 
 TEST(Positivity, IsNotConvergedWhereNoSweepsAreLeftForIt) {

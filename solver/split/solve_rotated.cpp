@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/split/solve_rotated.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/split/mean_solution.h"
+
+namespace etendue {
+
+double relative_direction_error(const TetrahedralMesh& mesh, const Solution& solution) {
+  const std::size_t bands = solution.convergence.size();
+  double largest = 0;
+  for (std::size_t band = 0; band < bands; ++band) {
+    double error = 0, size = 0;
+    for (std::size_t c = 0; c < mesh.volumes().size(); ++c) {
+      const double* at = &solution.fluence[c * 4 * bands + band];
+      const double mean = (at[0] + at[bands] + at[2 * bands] + at[3 * bands]) / 4;
+      size += mesh.volumes()[c] * mean * mean;
+      error += mesh.volumes()[c] * std::pow(solution.direction_error[c * bands + band], 2);
+    }
+    if (size > 0) largest = std::max(largest, std::sqrt(error / size));
+  }
+  return largest;
+}
+
+std::size_t estimate_rotated_memory(const LightSetup& lights, const std::vector<DirectionSet>& sets,
+                                    const SolveOptions& options) {
+  const std::size_t one = estimate_split_memory(lights, sets.front(), options);
+  if (sets.size() == 1) return one;
+  // Fluence, net flux and state of the mean and of the state to start from, means of cells and deviations.
+  const auto values = static_cast<std::size_t>(lights.problem().mesh().cell_count()) * lights.paths().bands();
+  return one + 8 * values * (4 + 12 + 2 * 4 + 2);
+}
+
+Solution solve_rotated(const LightSetup& lights, const std::vector<DirectionSet>& sets,
+                       const SolveOptions& options, const SolveObserver& observer) {
+  UncollidedLight uncollided(lights, options);
+  MeanSolution mean;
+  SavedState last;
+  SolveOptions warm = options;
+  int before = 0;
+  bool interrupted = false;
+  for (const DirectionSet& set : sets) {
+    int sweeps = 0;
+    const auto shifted = [&](const SweepProgress& progress) {
+      sweeps = progress.sweep;
+      SweepProgress all = progress;
+      all.sweep += before;
+      all.max_sweeps += before;
+      return observer(all);
+    };
+    Solution solution = uncollided.solve_rest(set, warm, observer ? SolveObserver(shifted) : SolveObserver());
+    before += sweeps;
+    interrupted = solution.interrupted;
+    if (interrupted && mean.count() > 0) break;
+    mean.add(solution);
+    if (interrupted) break;
+    last = std::move(solution.state);
+    last.is_turned = true;
+    warm.initial = &last;
+  }
+  const int count = mean.count();
+  Solution solution = std::move(mean).take();
+  solution.interrupted = interrupted;
+  if (count > 1)
+    solution.notes.insert(
+        solution.notes.begin(),
+        fmt::format("mean of {} rotated sets of directions; the standard error of the fluence is {:.2g} % "
+                    "(root mean square over the volume)",
+                    count, 100 * relative_direction_error(lights.problem().mesh(), solution)));
+  std::move(uncollided).finish(solution);
+  return solution;
+}
+
+}  // namespace etendue
