@@ -41,7 +41,7 @@ std::vector<KeyDeclaration> run_keys() {
         .range = {.lowest = 1, .highest = 1000},
         .help =
             "Solves on so many copies of the set, each turned at random but the first, and takes their mean: "
-            "less of ray effects, and `fluence_direction_error` in solution.vtu, its standard error."}},
+            "less of ray effects, and `fluence_direction_error` in fields.vtu, its standard error."}},
 
       {"directions.refine",
        "direction",

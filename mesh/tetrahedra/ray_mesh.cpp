@@ -2,6 +2,7 @@
 #include "mesh/tetrahedra/ray_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace etendue {
@@ -32,6 +33,14 @@ RayMesh::RayMesh(const TetrahedralMesh& mesh) {
     }
     cells_.push_back(cell);
   }
+}
+
+// Both products are nearly the same, so that their difference is exact, and what their rounding took away is
+// added: the error of that sum is less than its size unless it is zero.
+double RayMesh::area_of_cancelling(const Projected& p, const Projected& q) {
+  const double forth = p.x * q.y, back = p.y * q.x;
+  const double rest_forth = std::fma(p.x, q.y, -forth), rest_back = std::fma(p.y, q.x, -back);
+  return (forth - back) + (rest_forth - rest_back);
 }
 
 RayMesh::Frame RayMesh::frame_of(const Vec3& origin, const Vec3& direction) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -64,8 +66,10 @@ class RayMesh {
 
   static Frame frame_of(const Vec3& origin, const Vec3& direction);
   Projected project(const Frame& frame, std::int32_t vertex, std::int32_t local) const;
-  /// Twice the area of the triangle of the ray and the edge from p to q.
-  static double area(const Projected& p, const Projected& q) { return p.x * q.y - p.y * q.x; }
+  /// Twice the area of the triangle of the ray and the edge from p to q, of the sign that it has exactly:
+  /// were signs of rounding taken, those of a vertex's edges could contradict each other.
+  static double area(const Projected& p, const Projected& q);
+  static double area_of_cancelling(const Projected& p, const Projected& q);
   /// Whether the ray has the edge from p to q on its left. area(p, q) = -area(q, p) to the last bit.
   static bool left_of(double area, const Projected& p, const Projected& q);
   /// The way out of the first cell.
@@ -89,6 +93,13 @@ inline RayMesh::Projected RayMesh::project(const Frame& frame, std::int32_t vert
   return {x * frame.across[0] + y * frame.across[1] + z * frame.across[2],
           x * frame.up[0] + y * frame.up[1] + z * frame.up[2],
           x * frame.along[0] + y * frame.along[1] + z * frame.along[2], local, vertex};
+}
+
+inline double RayMesh::area(const Projected& p, const Projected& q) {
+  constexpr double cancelled = 8 * std::numeric_limits<double>::epsilon();
+  const double forth = p.x * q.y, back = p.y * q.x;
+  const double difference = forth - back;
+  return std::abs(difference) > cancelled * std::abs(forth) ? difference : area_of_cancelling(p, q);
 }
 
 // With the ray moved by (e, e²) for an infinitely small e, the area becomes

@@ -222,7 +222,7 @@ DenseAccuracy dense_accuracy(const DenseKernel& kernel, const DirectionSet& set)
   const Eigen::VectorXd arriving = kernel.rate * weights_of(set);
   const bool symmetric = is_symmetric(kernel.rate);
   DenseAccuracy accuracy;
-  double scattering_angle = 0;  // of the ordinates that scatter at all
+  double scattered = 0;  // of isotropic light
   for (Eigen::Index n = 0; n < kernel.rate.cols(); ++n) {
     const auto at = static_cast<std::size_t>(n);
     const double leaving = kernel.leaving[at], total = kernel.total[at];
@@ -238,13 +238,13 @@ DenseAccuracy dense_accuracy(const DenseKernel& kernel, const DirectionSet& set)
           std::max(accuracy.momentum_error,
                    std::abs(light.momentum - kernel.transfer[at]) / kernel.transfer[at] + kernel.uncertainty);
     const double forward = 1 - leaving / total, weight = set.weights()[at];
-    accuracy.asymmetry += weight * (1 - light.momentum / total);
-    const bool is_first = scattering_angle == 0;
+    accuracy.asymmetry += weight * (total - light.momentum);
+    const bool is_first = scattered == 0;
     accuracy.smallest_forward = is_first ? forward : std::min(accuracy.smallest_forward, forward);
     accuracy.largest_forward = is_first ? forward : std::max(accuracy.largest_forward, forward);
-    scattering_angle += weight;
+    scattered += weight * total;
   }
-  if (scattering_angle > 0) accuracy.asymmetry /= scattering_angle;
+  if (scattered > 0) accuracy.asymmetry /= scattered;
   accuracy.reciprocity_error = reciprocity_error(kernel.rate);
   const double all = kernel.rate.cwiseAbs().sum();
   if (all > 0) {

@@ -71,7 +71,7 @@ DenseKernel with_forward_part(Eigen::MatrixXd rate, std::vector<double> total, s
 
 /// What a matrix does to energy, to momentum and to signs.
 struct DenseAccuracy {
-  double asymmetry = 0;  ///< mean cosine, forward part included, over the ordinates that scatter
+  double asymmetry = 0;  ///< mean cosine, forward part included, of what scatters of isotropic light
   /// Largest difference, relative to `total`, between three figures of an ordinate: what the extinction
   /// counts as scattered (leaving + ahead), what the matrix sends into others, with what goes ahead, and the
   /// integral of the kernel (total); of a symmetric matrix also between what leaves an ordinate and what

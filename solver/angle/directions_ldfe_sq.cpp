@@ -217,6 +217,9 @@ class RefinedQuarter {
  private:
   static constexpr std::size_t most_directions = 100000;
 
+  /// Angle [rad] within which circle and cone touch, so that rounding does not tell opposites apart.
+  static constexpr double touching = 1e-9;
+
   /// Whether the circle around the quadrilateral meets the cone or its opposite.
   bool meets_cone(const Rectangle& r) const {
     const Vec3 center = on_sphere((r.u0 + r.u1) / 2, (r.v0 + r.v1) / 2);
@@ -225,7 +228,7 @@ class RefinedQuarter {
     for (const double u : {r.u0, r.u1})
       for (const double v : {r.v0, r.v1}) radius = std::max(radius, angle(center, on_sphere(u, v)));
     const double distance = angle(center, axis_);
-    return std::min(distance, std::numbers::pi - distance) < radians_ + radius;
+    return std::min(distance, std::numbers::pi - distance) < radians_ + radius + touching;
   }
 
   Vec3 axis_;

@@ -54,7 +54,7 @@ struct FixupTotal {
 struct KernelReport {
   std::string medium;
   std::string band;
-  double asymmetry = 0;         ///< mean cosine of the discrete kernel, averaged over the directions
+  double asymmetry = 0;         ///< mean cosine of the discrete kernel, of what scatters of isotropic light
   double energy_error = 0;      ///< largest |row sum - 1|, of a matrix see DenseAccuracy
   std::string backend;          ///< e.g. "moments, degree 5 (…)"
   std::string phase = {};       ///< the phase function's name

@@ -5,10 +5,10 @@ from suite.result import read_reference
 from suite.row import Row
 
 
-def parts(result, band):
+def parts(result, band, lit="lit", dark="dark"):
     """R and T."""
-    sent = result.wall("lit", "outgoing", band)
-    return {"R": result.wall("lit", "incoming", band) / sent, "T": result.wall("dark", "incoming", band) / sent}
+    sent = result.wall(lit, "outgoing", band)
+    return {"R": result.wall(lit, "incoming", band) / sent, "T": result.wall(dark, "incoming", band) / sent}
 
 
 def compare_parts(result, table, wanted, key, plot):

@@ -104,6 +104,26 @@ TEST(LeafCanopy, OfLevelLeavesSendsWhatItReflectsBackUp) {
     }
 }
 
+TEST(LeafCanopy, HasTheMeanCosineOfItsLeavesHoweverTheyStand) {
+  // In isotropic light each leaf sends back r and through t of what it meets, (2/3) along its normal.
+  const double reflectance = 0.4, transmittance = 0.3;
+  const double cosine = 4.0 / 9 * (transmittance - reflectance) / (transmittance + reflectance);
+  for (const DirectionSet& set : {directions_ldfe_sq(2), directions_product(16)})
+    for (const LeafAngles angles : {LeafAngles::horizontal, LeafAngles::vertical, LeafAngles::erectophile}) {
+      const DirectionalKernel kernel =
+          directional_kernel(LeafCanopy{angles, reflectance, transmittance}, set);
+      EXPECT_NEAR(dense_accuracy(kernel.kernel, set).asymmetry, cosine, 1e-3) << label(set);
+    }
+}
+
+TEST(MicroFlakes, OfAnyShapeSendAsMuchBackAsOn) {
+  for (const double along : {0.05, 0.5, 1.0}) {
+    const DirectionSet set = directions_ldfe_sq(2);
+    const DirectionalKernel flakes = directional_kernel(MicroFlakes{Vec3::UnitZ(), along, 1, 1}, set);
+    EXPECT_NEAR(dense_accuracy(flakes.kernel, set).asymmetry, 0, 1e-3) << along;
+  }
+}
+
 TEST(MicroFlakes, OfARoundShapeScatterIsotropically) {
   const DirectionSet set = directions_ldfe_sq(1);
   const DirectionalKernel kernel = directional_kernel(MicroFlakes{Vec3::UnitX(), 1, 1, 0.8}, set);

@@ -49,6 +49,17 @@ TEST(Refinement, OfNoAngleStillSplitsTheQuadrilateralsAroundTheAxis) {
   EXPECT_GT(directions_ldfe_sq(1, {oblique, 0, 1}).count(), 96);
 }
 
+TEST(Refinement, OfNoAngleSplitsWhatTouchesTheAxis) {
+  for (const int order : {1, 2, 3, 4})
+    for (const Vec3& axis :
+         {Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 1), Vec3(0, 0.6, -0.8)}) {
+      const int count = directions_ldfe_sq(order, {axis, 0, 1}).count();
+      EXPECT_EQ(count, directions_ldfe_sq(order, {axis, 1e-6, 1}).count())
+          << order << ": " << axis.transpose();
+      EXPECT_GT(count, directions_ldfe_sq(order).count());
+    }
+}
+
 TEST(Refinement, LeavesMirrorsOnlyWhereTheyKeepTheCones) {
   const DirectionSet set = directions_ldfe_sq(1, {Vec3::UnitZ(), 20, 1});
   const DirectionSet tilted = directions_ldfe_sq(1, {oblique, 5, 1});
