@@ -10,22 +10,12 @@
 #include "mesh/base/errors.h"
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/angle/direction_set.h"
+#include "solver/ordinates/node_means.h"
 
 namespace etendue {
 namespace {
 
 constexpr const char* by_ordinates = "solve.method=\"auto\"";
-
-/// [cell][band] means of a P1 field.
-std::vector<double> means_of(const RunResult& run) {
-  const std::size_t bands = run.problem.bands().names.size();
-  const std::vector<double>& fluence = run.solution.fluence;
-  std::vector<double> means(fluence.size() / 4);
-  for (std::size_t i = 0; i < means.size(); ++i)
-    for (std::size_t node = 0; node < 4; ++node)
-      means[i] += fluence[(i / bands * 4 + node) * bands + i % bands] / 4;
-  return means;
-}
 
 /// Lists the numbers of a run in an order that depends on the case alone.
 class Numbers {
@@ -153,7 +143,7 @@ MethodAnswer answer_of(const RunResult& run) {
   MethodAnswer answer;
   answer.method = run.solution.method;
   answer.numbers = Numbers(run).all();
-  answer.cells = means_of(run);
+  answer.cells = node_means(run.solution.fluence, 4, run.problem.bands().names.size());
   answer.cell_errors = run.errors ? run.errors->fluence_mean : std::vector<double>(answer.cells.size(), 0);
   answer.seconds = run.seconds.total;
   answer.whole = !run.solution.interrupted;

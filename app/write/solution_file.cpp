@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/write/solution_file.h"
 
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -44,23 +42,6 @@ constexpr Part parts[] = {{"moments", &SavedState::moments},
                           {"lagged_traces", &SavedState::lagged},
                           {"radiance_where_dense", &SavedState::radiance},
                           {"photons", &SavedState::photons}};
-
-vtkSmartPointer<vtkUnstructuredGrid> grid_of(const TetrahedralMesh& mesh) {
-  std::vector<double> coordinates;
-  for (const Vec3& point : mesh.points()) coordinates.insert(coordinates.end(), point.begin(), point.end());
-  vtkNew<vtkPoints> points;
-  points->SetData(vtk_array({"points", {}, {}}, 3, coordinates));
-  vtkNew<vtkCellArray> cells;
-  for (int c = 0; c < mesh.cell_count(); ++c) {
-    std::array<vtkIdType, 4> corners = positive_order(mesh, CellIndex(c));
-    for (vtkIdType& corner : corners) corner = mesh.vertices(CellIndex(c))[static_cast<std::size_t>(corner)];
-    cells->InsertNextCell(4, corners.data());
-  }
-  vtkNew<vtkUnstructuredGrid> grid;
-  grid->SetPoints(points);
-  grid->SetCells(VTK_TETRA, cells);
-  return grid.Get();
-}
 
 std::vector<std::string> lines_of(const std::vector<CasePart>& case_parts) {
   std::vector<std::string> lines;
@@ -164,7 +145,7 @@ std::string bracketed(const std::vector<std::string>& names) {
 void write_solution(const Case& input, const Problem& problem, const SavedState& state,
                     const std::filesystem::path& path, const std::filesystem::path& shown) {
   const TetrahedralMesh& mesh = problem.mesh();
-  const vtkSmartPointer<vtkUnstructuredGrid> grid = grid_of(mesh);
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = joined_cells(mesh);
   vtkFieldData& fields = *grid->GetFieldData();
   add_names(fields, "format", {format});
   add_names(fields, "mesh_hash", {mesh_hash(mesh)});

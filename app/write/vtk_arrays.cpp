@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/write/vtk_arrays.h"
 
+#include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -8,6 +9,7 @@
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
+#include <vtkPoints.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -88,6 +90,23 @@ std::array<vtkIdType, 4> positive_order(const TetrahedralMesh& mesh, CellIndex c
   const Vec3 c = mesh.point(VertexIndex(v[3])) - origin;
   if (a.cross(b).dot(c) > 0) return {0, 1, 2, 3};
   return {0, 1, 3, 2};
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> joined_cells(const TetrahedralMesh& mesh) {
+  std::vector<double> coordinates;
+  for (const Vec3& point : mesh.points()) coordinates.insert(coordinates.end(), point.begin(), point.end());
+  vtkNew<vtkPoints> points;
+  points->SetData(vtk_array({"points", {}, {}}, 3, coordinates));
+  vtkNew<vtkCellArray> cells;
+  for (int c = 0; c < mesh.cell_count(); ++c) {
+    std::array<vtkIdType, 4> corners = positive_order(mesh, CellIndex(c));
+    for (vtkIdType& corner : corners) corner = mesh.vertices(CellIndex(c))[static_cast<std::size_t>(corner)];
+    cells->InsertNextCell(4, corners.data());
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  grid->SetCells(VTK_TETRA, cells);
+  return grid.Get();
 }
 
 void write_vtk(vtkXMLWriter& writer, const std::filesystem::path& path, const std::filesystem::path& shown) {

@@ -4,6 +4,7 @@
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLWriter.h>
 
 #include <array>
@@ -36,6 +37,9 @@ void add_names(vtkFieldData& fields, const std::string& array, const std::vector
 /// The vertices of a cell, 0 … 3, in an order that VTK takes for a tetrahedron of positive volume. Sorted by
 /// number, about half of the cells stand the other way.
 std::array<vtkIdType, 4> positive_order(const TetrahedralMesh& mesh, CellIndex cell);
+
+/// The cells of a mesh, which share its points.
+vtkSmartPointer<vtkUnstructuredGrid> joined_cells(const TetrahedralMesh& mesh);
 
 /// Writes appended, compressed binary data. What VTK has to say about failures is in the FileError; `shown`
 /// is the path in its message.

@@ -14,6 +14,7 @@
 #include "app/write/unit_labels.h"
 #include "app/write/vtk_arrays.h"
 #include "app/write/vtk_files.h"
+#include "solver/ordinates/node_means.h"
 
 namespace etendue {
 namespace {
@@ -43,17 +44,6 @@ vtkSmartPointer<vtkUnstructuredGrid> separate_cells(const TetrahedralMesh& mesh)
   grid->SetPoints(points_of_cells(mesh));
   grid->SetCells(VTK_TETRA, cells);
   return grid.Get();
-}
-
-/// Mean over each cell of a field that is linear in it: the mean of its four values.
-std::vector<double> cell_means(std::span<const double> nodal, std::size_t bands) {
-  std::vector<double> means(nodal.size() / 4);
-  for (std::size_t i = 0; i < means.size(); ++i) {
-    const std::size_t first = i / bands * 4 * bands + i % bands;
-    means[i] =
-        (nodal[first] + nodal[first + bands] + nodal[first + 2 * bands] + nodal[first + 3 * bands]) / 4;
-  }
-  return means;
 }
 
 class FieldsOfCells {
@@ -95,8 +85,8 @@ class FieldsOfCells {
   void add_fluence() {
     const std::vector<double>& fluence = result_.solution.fluence;
     grid_->GetPointData()->AddArray(vtk_array({"fluence", bands_, units_.flux}, band_count(), fluence));
-    grid_->GetCellData()->AddArray(
-        vtk_array({"fluence_mean", bands_, units_.flux}, band_count(), cell_means(fluence, bands_.size())));
+    grid_->GetCellData()->AddArray(vtk_array({"fluence_mean", bands_, units_.flux}, band_count(),
+                                             node_means(fluence, 4, bands_.size())));
     if (const auto& uncollided = result_.solution.lights.fluence; !uncollided.empty())
       grid_->GetPointData()->AddArray(
           vtk_array({"fluence_uncollided", bands_, units_.flux}, band_count(), uncollided));

@@ -44,12 +44,6 @@ bool are_proportional(const std::vector<std::vector<double>>& prints) {
   return true;
 }
 
-Vec3 centroid(const TetrahedralMesh& mesh, CellIndex cell) {
-  Vec3 sum = Vec3::Zero();
-  for (const std::int32_t v : mesh.vertices(cell)) sum += mesh.point(VertexIndex(v));
-  return sum / 4;
-}
-
 }  // namespace
 
 std::vector<KernelPlace> kernel_places(const KernelFormula& kernel, const TetrahedralMesh& mesh, int region) {
@@ -59,14 +53,14 @@ std::vector<KernelPlace> kernel_places(const KernelFormula& kernel, const Tetrah
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     if (mesh.region(CellIndex(c)) != region) continue;
     cells.emplace_back(c);
-    prints.push_back(fingerprint(kernel, centroid(mesh, cells.back())));
+    prints.push_back(fingerprint(kernel, mesh.centroid(cells.back())));
   }
   if (prints.empty() || are_proportional(prints)) return {};
   std::vector<KernelPlace> places;
   std::map<std::vector<double>, std::size_t> known;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const auto [at, is_new] = known.emplace(std::move(prints[i]), places.size());
-    if (is_new) places.push_back({centroid(mesh, cells[i]), {}});
+    if (is_new) places.push_back({mesh.centroid(cells[i]), {}});
     places[at->second].cells.push_back(cells[i]);
   }
   return places;

@@ -48,47 +48,43 @@ std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, con
 
 }  // namespace
 
+TransportSweep::Scattering TransportSweep::scattering_of(const Problem& problem,
+                                                         const DirectionSet& directions) {
+  Scattering scattering{plan_scattering(problem, directions), {}};
+  scattering.groups = dense_groups(problem, directions, scattering.plan);
+  return scattering;
+}
+
 TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& directions,
                                std::span<const double> extinction, const SolveOptions& options)
+    : TransportSweep(problem, directions, extinction, options, scattering_of(problem, directions), nullptr) {}
+
+TransportSweep::TransportSweep(const TransportSweep& wide, const Problem& problem,
+                               std::span<const double> extinction, std::span<const int> bands)
+    : TransportSweep(problem, wide.directions_, extinction, wide.options_,
+                     {select_bands(std::span<const ScatteringTreatment>(wide.plan_),
+                                   static_cast<std::size_t>(wide.cells_.bands()), bands),
+                      of_bands(wide.dense_groups_, bands)},
+                     wide.orders_) {}
+
+TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& directions,
+                               std::span<const double> extinction, const SolveOptions& options,
+                               Scattering scattering, std::shared_ptr<const SweepOrders> orders)
     : problem_(problem),
       directions_(directions),
       extinction_(extinction),
       options_(options),
       threads_(options.threads > 0 ? options.threads : omp_get_num_procs()),
-      plan_(plan_scattering(problem, directions)),
-      dense_groups_(dense_groups(problem, directions, plan_)),
+      plan_(std::move(scattering.plan)),
+      dense_groups_(std::move(scattering.groups)),
       cells_(problem.mesh(), effective_extinction(problem, extinction, plan_, dense_groups_),
              problem.band_count(), basis_of(options), options.lumping),
       schedule_(problem, directions),
       scattering_(problem, directions, cells_, plan_, schedule_, observed_cells()),
       dense_(problem, directions, cells_, extinction, plan_, dense_groups_),
-      orders_(timed_orders(problem.mesh(), directions, cells_, options, threads_, order_seconds_)),
+      orders_(orders ? std::move(orders)
+                     : timed_orders(problem.mesh(), directions, cells_, options, threads_, order_seconds_)),
       walls_(problem, directions, schedule_, orders_->walls(), cells_.stride(), cells_.face_nodes()),
-      kernels_(choose_kernels(cells_.basis(), cells_.stride())),
-      records_(cells_.make_records()),
-      inflow_(walls_.irradiance_size()),
-      passing_(walls_.passing_size()),
-      moment_source_(scattering_.moments_size()) {
-  make_workspaces();
-}
-
-TransportSweep::TransportSweep(const TransportSweep& wide, const Problem& problem,
-                               std::span<const double> extinction, std::span<const int> bands)
-    : problem_(problem),
-      directions_(wide.directions_),
-      extinction_(extinction),
-      options_(wide.options_),
-      threads_(wide.threads_),
-      plan_(select_bands(std::span<const ScatteringTreatment>(wide.plan_),
-                         static_cast<std::size_t>(wide.cells_.bands()), bands)),
-      dense_groups_(of_bands(wide.dense_groups_, bands)),
-      cells_(problem.mesh(), effective_extinction(problem, extinction, plan_, dense_groups_),
-             problem.band_count(), wide.cells_.basis(), options_.lumping),
-      schedule_(problem, directions_),
-      scattering_(problem, directions_, cells_, plan_, schedule_, observed_cells()),
-      dense_(problem, directions_, cells_, extinction, plan_, dense_groups_),
-      orders_(wide.orders_),
-      walls_(problem, directions_, schedule_, orders_->walls(), cells_.stride(), cells_.face_nodes()),
       kernels_(choose_kernels(cells_.basis(), cells_.stride())),
       records_(cells_.make_records()),
       inflow_(walls_.irradiance_size()),

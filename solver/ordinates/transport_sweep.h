@@ -88,6 +88,17 @@ class TransportSweep {
   struct Passage;
   struct Narrow;
 
+  /// How the media scatter.
+  struct Scattering {
+    std::vector<ScatteringTreatment> plan;
+    std::vector<DenseGroup> groups;
+  };
+  static Scattering scattering_of(const Problem& problem, const DirectionSet& directions);
+
+  /// Makes its own orders where there are none.
+  TransportSweep(const Problem& problem, const DirectionSet& directions, std::span<const double> extinction,
+                 const SolveOptions& options, Scattering scattering,
+                 std::shared_ptr<const SweepOrders> orders);
   /// Of some bands of another sweep, with whose orders it goes.
   TransportSweep(const TransportSweep& wide, const Problem& problem, std::span<const double> extinction,
                  std::span<const int> bands);

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "solver/ordinates/node_means.h"
 #include "solver/photons/photon_batch.h"
 
 namespace etendue {
@@ -22,17 +23,6 @@ constexpr double largest_batch = 2e5;
 constexpr int batches_of_a_round = 16;
 
 using Clock = std::chrono::steady_clock;
-
-/// Means of groups of `nodes` values, [group][node][band] to [group][band].
-std::vector<double> group_means(std::span<const double> values, std::size_t nodes, std::size_t bands) {
-  std::vector<double> means(values.size() / nodes);
-  for (std::size_t i = 0; i < means.size(); ++i) {
-    const std::size_t first = i / bands * nodes * bands + i % bands;
-    for (std::size_t node = 0; node < nodes; ++node) means[i] += values[first + node * bands];
-    means[i] /= static_cast<double>(nodes);
-  }
-  return means;
-}
 
 /// A run of histories while it goes on.
 class PhotonRun {
@@ -98,10 +88,10 @@ class PhotonRun {
     const auto weight = static_cast<double>(number);
     const Solution& fields = outcome.fields;
     sums_.fluence.add(fields.fluence, weight);
-    sums_.cell_means.add(group_means(fields.fluence, 4, bands_), weight);
+    sums_.cell_means.add(node_means(fields.fluence, 4, bands_), weight);
     sums_.net_flux.add(fields.net_flux, weight);
     sums_.irradiance.add(fields.irradiance, weight);
-    sums_.face_means.add(group_means(fields.irradiance, 3, bands_), weight);
+    sums_.face_means.add(node_means(fields.irradiance, 3, bands_), weight);
     if (reader_) add_derived(reader_(fields), weight);
     sums_.histories += number;
     report_.segments += static_cast<double>(outcome.counts.segments);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "solver/ordinates/node_means.h"
+
 namespace etendue {
 namespace {
 
@@ -47,15 +49,13 @@ void MeanSolution::add(const Solution& solution) {
 
 // Welford (1962): mean and squared deviations without cancellation.
 void MeanSolution::add_deviations(const Solution& solution) {
-  const std::size_t bands = solution.convergence.size();
-  mean_.resize(solution.fluence.size() / 4, 0);
+  const std::vector<double> values = node_means(solution.fluence, 4, solution.convergence.size());
+  mean_.resize(values.size(), 0);
   deviations_.resize(mean_.size(), 0);
   for (std::size_t i = 0; i < mean_.size(); ++i) {
-    const double* at = &solution.fluence[i / bands * 4 * bands + i % bands];
-    const double value = (at[0] + at[bands] + at[2 * bands] + at[3 * bands]) / 4;
-    const double change = value - mean_[i];
+    const double change = values[i] - mean_[i];
     mean_[i] += change / count_;
-    deviations_[i] += change * (value - mean_[i]);
+    deviations_[i] += change * (values[i] - mean_[i]);
   }
 }
 

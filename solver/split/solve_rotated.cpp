@@ -6,19 +6,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/ordinates/node_means.h"
 #include "solver/split/mean_solution.h"
 
 namespace etendue {
 
 double relative_direction_error(const TetrahedralMesh& mesh, const Solution& solution) {
   const std::size_t bands = solution.convergence.size();
+  const std::vector<double> means = node_means(solution.fluence, 4, bands);
   double largest = 0;
   for (std::size_t band = 0; band < bands; ++band) {
     double error = 0, size = 0;
     for (std::size_t c = 0; c < mesh.volumes().size(); ++c) {
-      const double* at = &solution.fluence[c * 4 * bands + band];
-      const double mean = (at[0] + at[bands] + at[2 * bands] + at[3 * bands]) / 4;
-      size += mesh.volumes()[c] * mean * mean;
+      size += mesh.volumes()[c] * std::pow(means[c * bands + band], 2);
       error += mesh.volumes()[c] * std::pow(solution.direction_error[c * bands + band], 2);
     }
     if (size > 0) largest = std::max(largest, std::sqrt(error / size));
