@@ -205,6 +205,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   RunSeconds seconds;
   const Case input = read_case(request.file, request.overrides);
   check_output_directory(input.output.directory);
+  if (input.initial) check_initial(*input.initial, input);
   seconds.read = watch.lap();
   out << "etendue " << program_version() << ": "
       << (input.title.empty() ? request.file.string() : input.title) << std::endl;

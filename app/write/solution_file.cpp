@@ -140,6 +140,19 @@ std::string bracketed(const std::vector<std::string>& names) {
   return text;
 }
 
+std::string quoted(const InputFile& file) { return "\"" + file.path.string() + "\""; }
+
+SavedSolution read_of_case(const InputFile& file, const Case& input) {
+  SavedSolution saved = read_solution(file.path);
+  const std::vector<std::string> different = different_parts(saved.case_parts, case_parts(input));
+  if (different.empty()) return saved;
+  throw InputError(fault_at(file.origin, quoted(file),
+                            "is a solution of another case (" + bracketed(different) +
+                                " differ); only the title, [mesh] if it gives the same cells, "
+                                "space.positivity, [solve], [[probe]], "
+                                "[[camera]], [[sensor]] and [output] may, so start without or undo that"));
+}
+
 }  // namespace
 
 void write_solution(const Case& input, const Problem& problem, const SavedState& state,
@@ -165,22 +178,16 @@ void write_solution(const Case& input, const Problem& problem, const SavedState&
   write_vtk(*writer, path, shown);
 }
 
+void check_initial(const InputFile& file, const Case& input) { read_of_case(file, input); }
+
 SavedState read_initial(const InputFile& file, const Case& input, const TetrahedralMesh& mesh) {
-  SavedSolution saved = read_solution(file.path);
-  const std::string shown = "\"" + file.path.string() + "\"";
+  SavedSolution saved = read_of_case(file, input);
   if (saved.mesh != mesh_hash(mesh))
     throw InputError(fault_at(
-        file.origin, shown,
+        file.origin, quoted(file),
         fmt::format("is a solution on another mesh (of {} cells; here are {}); start from a result of the "
                     "same mesh, or without",
                     saved.cells, mesh.cell_count())));
-  const std::vector<std::string> different = different_parts(saved.case_parts, case_parts(input));
-  if (!different.empty())
-    throw InputError(fault_at(file.origin, shown,
-                              "is a solution of another case (" + bracketed(different) +
-                                  " differ); only the title, [mesh] if it gives the same cells, "
-                                  "space.positivity, [solve], [[probe]], "
-                                  "[[camera]], [[sensor]] and [output] may, so start without or undo that"));
   return std::move(saved.state);
 }
 

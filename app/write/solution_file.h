@@ -14,6 +14,9 @@ namespace etendue {
 void write_solution(const Case& input, const Problem& problem, const SavedState& state,
                     const std::filesystem::path& path, const std::filesystem::path& shown);
 
+/// Throws what read_initial() would without knowing the mesh, which may take long to make.
+void check_initial(const InputFile& file, const Case& input);
+
 /// Reads the state that the case is to start from. Throws FileError where it cannot be read, and InputError
 /// where it is that of another mesh or case, with what differs.
 SavedState read_initial(const InputFile& file, const Case& input, const TetrahedralMesh& mesh);

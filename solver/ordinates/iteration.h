@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "solver/ordinates/solve.h"
@@ -23,6 +24,7 @@ struct IterationOptions {
 struct IterationResult {
   std::vector<BandConvergence> bands;
   std::vector<HistoryEntry> history;  ///< of the bands that took part in each sweep
+  std::vector<std::string> notes;     ///< what the user has to know of how it went
   int sweeps = 0;                     ///< over all bands; those of a band end when it is done
   bool interrupted = false;
   bool recorded = false;  ///< the record belongs to the last sweep, which gave the state

@@ -104,8 +104,9 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   // Two changes for each step of the past, the image, its residual and their last ones.
   const double positive =
       options.positivity == Positivity::none ? 0 : 2.0 * static_cast<double>(anderson_memory(state)) + 6;
+  // Source iteration: what is corrected, those bands that are left, and F(0).
   const double basis = options.method == Method::source_iteration
-                           ? 1
+                           ? 3
                            : std::clamp(static_cast<double>(krylov_memory) / (8 * state),
                                         static_cast<double>(shortest_krylov_basis),
                                         static_cast<double>(longest_krylov_basis) + 1);
@@ -130,9 +131,8 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double low_order =
       options.acceleration == Acceleration::none ? 0 : s.cells * problem.band_count() * 150;
   // A sweep of fewer bands, once others are done: half the lanes at most, and two states.
-  const double narrower = problem.band_count() > 1 && options.method != Method::source_iteration
-                              ? (workspaces + records + moments + radiance) / 2 + state
-                              : 0;
+  const double narrower =
+      problem.band_count() > 1 ? (workspaces + records + moments + radiance) / 2 + state : 0;
   const double orders =
       std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * sizeof(SweepVisit));
   return static_cast<std::size_t>(8 * ((2 + std::max(basis, positive)) * state + workspaces + records +

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -298,6 +299,7 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     used += result.sweeps;
     if (acceleration)
       for (std::string& note : acceleration->notes()) solution.notes.push_back(std::move(note));
+    std::move(result.notes.begin(), result.notes.end(), std::back_inserter(solution.notes));
   }
   if (options.positivity != Positivity::none && options.order == SpaceOrder::linear)
     keep_positive(sweep, state, options, acceleration.get(), observer, used, solution);

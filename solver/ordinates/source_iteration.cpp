@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/ordinates/source_iteration.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "solver/ordinates/band_vectors.h"
@@ -20,23 +23,156 @@ constexpr double largest_rate = 1 - 1e-12;
 /// Residuals below this are rounding.
 constexpr double rounding = 1e-15;
 
-/// state <- F(state), or state + P (F(state) - state) where it is accelerated; `next` is a place to work in.
-/// Gives the relative size of the change in each band. Only `active` bands are accelerated.
-std::vector<double> advance(TransportSweep& sweep, TransportState& state, TransportState& next,
-                            DiffusionAcceleration* acceleration, const std::vector<char>& active) {
-  const BandVectors vectors(sweep.mesh(), sweep);
-  const auto bands = static_cast<std::size_t>(sweep.cells().bands());
-  sweep.apply(state, next);
-  vectors.add(next, BandScalars(bands, -1), state);
-  if (acceleration != nullptr) {
-    TransportState corrected(state.layout());
-    acceleration->apply(next, corrected, active);
-    std::swap(next, corrected);
+/// Steps over which an iteration that converges does not fail to shorten them.
+constexpr std::size_t divergence_window = 20;
+
+/// F of those bands that are still iterated. Once one is done the others are swept by the linear part T
+/// alone, which goes on in fewer lanes, and F(0) is added.
+class Image {
+ public:
+  Image(TransportSweep& sweep, const TransportState& start)
+      : sweep_(sweep),
+        vectors_(sweep.mesh(), sweep),
+        bands_(static_cast<std::size_t>(sweep.cells().bands())),
+        is_dark_(std::all_of(start.values().begin(), start.values().end(), [](double v) { return v == 0; })) {
   }
-  std::vector<double> change = relative_change(sweep.mesh(), sweep, state, next);
-  vectors.add(state, BandScalars(bands, 1), next);
-  return change;
-}
+
+  /// next = F(state) in the bands that are `active`.
+  void form(const TransportState& state, TransportState& next, const std::vector<char>& active) {
+    if (of_darkness_ && std::count(active.begin(), active.end(), 0) > 0) {
+      TransportState left = state;
+      vectors_.scale(left, BandScalars(active.begin(), active.end()));
+      sweep_.apply_linear(left, next, active);
+      vectors_.add(next, BandScalars(bands_, 1), *of_darkness_);
+      return;
+    }
+    sweep_.apply(state, next);
+    if (is_dark_ && bands_ > 1) of_darkness_.emplace(next);
+    is_dark_ = false;
+  }
+
+ private:
+  TransportSweep& sweep_;
+  BandVectors vectors_;
+  std::size_t bands_;
+  bool is_dark_;                               ///< whether the next state is darkness
+  std::optional<TransportState> of_darkness_;  ///< F(0), where it is known
+};
+
+/// One run: what its steps share.
+class Run {
+ public:
+  Run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
+      const SolveObserver& observer)
+      : sweep_(sweep),
+        state_(state),
+        options_(options),
+        observer_(observer),
+        vectors_(sweep.mesh(), sweep),
+        image_(sweep, state),
+        next_(state.layout()),
+        bands_(static_cast<std::size_t>(sweep.cells().bands())),
+        rates_(bands_),
+        sizes_(bands_),
+        active_(bands_, 1),
+        accelerated_(bands_, 0) {
+    for (std::size_t b = 0; b < bands_; ++b)
+      accelerated_[b] = options.acceleration != nullptr && options.acceleration->acts_on(b);
+    result_.bands.resize(bands_);
+  }
+
+  IterationResult run() {
+    while (result_.sweeps < options_.max_sweeps && !result_.interrupted &&
+           std::count(active_.begin(), active_.end(), 0) < static_cast<std::ptrdiff_t>(bands_)) {
+      judge(advance());
+      report();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  /// state <- F(state), or state + P (F(state) - state) in bands that are accelerated. Gives the relative
+  /// size of the change.
+  std::vector<double> advance() {
+    image_.form(state_, next_, active_);
+    ++result_.sweeps;
+    vectors_.add(next_, BandScalars(bands_, -1), state_);
+    vectors_.scale(next_, BandScalars(active_.begin(), active_.end()));
+    if (options_.acceleration != nullptr) {
+      TransportState corrected(state_.layout());
+      options_.acceleration->apply(next_, corrected, accelerated_);
+      std::swap(next_, corrected);
+    }
+    std::vector<double> change = relative_change(sweep_.mesh(), sweep_, state_, next_);
+    vectors_.add(state_, BandScalars(bands_, 1), next_);
+    return change;
+  }
+
+  void judge(const std::vector<double>& residual) {
+    const BandScalars size = vectors_.norm(next_);
+    for (std::size_t b = 0; b < bands_; ++b) {
+      if (!active_[b]) continue;
+      if (diverges(b, size[b])) go_on_plain(b);
+      // Asked in any case, for the sweeps that are left. |P r| is an estimate of the error itself.
+      const double from_rate = rates_[b].error(residual[b]);
+      const double error = sweep_.is_direct() ? 0
+                           : accelerated_[b]  ? residual[b] * options_.acceleration->caution(b)
+                                              : from_rate;
+      const bool converged = error <= options_.tolerance;
+      result_.bands[b] = {result_.sweeps, error, converged};
+      result_.history.push_back({result_.sweeps, static_cast<int>(b), error});
+      active_[b] = !converged;
+      accelerated_[b] = accelerated_[b] && !converged;
+    }
+  }
+
+  bool diverges(std::size_t b, double size) {
+    sizes_[b].push_back(size);
+    const std::size_t count = sizes_[b].size();
+    return accelerated_[b] && count > divergence_window && size >= sizes_[b][count - 1 - divergence_window];
+  }
+
+  void go_on_plain(std::size_t b) {
+    accelerated_[b] = 0;
+    rates_[b] = RateEstimate();
+    result_.notes.push_back(
+        fmt::format("source iteration with diffusion diverges in band {}: plain from sweep {} on",
+                    sweep_.problem().bands().names[b], result_.sweeps + 1));
+  }
+
+  void report() {
+    std::vector<double> errors;
+    double left = 0;
+    for (std::size_t b = 0; b < bands_; ++b) {
+      errors.push_back(result_.bands[b].residual);
+      const double band_left = active_[b] ? rates_[b].sweeps_left(options_.tolerance) : 0;
+      left = left < 0 || band_left < 0 ? -1 : std::max(left, band_left);
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double seconds_left = left < 0 ? -1 : left * seconds / result_.sweeps;
+    const SweepProgress progress{
+        result_.sweeps, options_.max_sweeps, errors, options_.tolerance, seconds, seconds_left, [this] {
+          return saved(state_, static_cast<int>(bands_));
+        }};
+    if (!observer_ || observer_(progress) == SolveControl::proceed) return;
+    result_.interrupted = std::count(active_.begin(), active_.end(), 1) > 0;
+  }
+
+  TransportSweep& sweep_;
+  TransportState& state_;
+  const IterationOptions& options_;
+  const SolveObserver& observer_;
+  BandVectors vectors_;
+  Image image_;
+  TransportState next_;
+  std::size_t bands_;
+  std::vector<RateEstimate> rates_;
+  std::vector<std::vector<double>> sizes_;  ///< [band][step] norm of the step
+  std::vector<char> active_;                ///< [band]
+  std::vector<char> accelerated_;           ///< [band] of those that are active
+  IterationResult result_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 }  // namespace
 
@@ -61,48 +197,7 @@ double RateEstimate::sweeps_left(double tolerance) const {
 
 IterationResult SourceIteration::run(TransportSweep& sweep, TransportState& state,
                                      const IterationOptions& options, const SolveObserver& observer) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto bands = static_cast<std::size_t>(sweep.cells().bands());
-  IterationResult result;
-  result.bands.resize(bands);
-  std::vector<RateEstimate> rates(bands);
-  std::vector<double> errors(bands, 0);
-  TransportState next(state.layout());
-  std::vector<char> active(bands, 1);
-  for (int count = 1; count <= options.max_sweeps; ++count) {
-    const std::vector<double> residual = advance(sweep, state, next, options.acceleration, active);
-    result.sweeps = count;
-    double left = 0;
-    bool done = true;
-    for (std::size_t b = 0; b < bands; ++b) {
-      if (!active[b]) continue;
-      // Asked in any case, for the sweeps that are left. |P r| is an estimate of the error itself.
-      const double from_rate = rates[b].error(residual[b]);
-      const bool corrected = options.acceleration != nullptr && options.acceleration->acts_on(b);
-      errors[b] = sweep.is_direct() ? 0
-                  : corrected       ? residual[b] * options.acceleration->caution(b)
-                                    : from_rate;
-      const bool converged = errors[b] <= options.tolerance;
-      result.bands[b] = {count, errors[b], converged};
-      result.history.push_back({count, static_cast<int>(b), errors[b]});
-      active[b] = !converged;
-      done = done && converged;
-      const double band_left = sweep.is_direct() ? 0 : rates[b].sweeps_left(options.tolerance);
-      left = left < 0 || band_left < 0 ? -1 : std::max(left, band_left);
-    }
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const double seconds_left = left < 0 ? -1 : left * seconds / count;
-    const SweepProgress progress{
-        count, options.max_sweeps, errors, options.tolerance, seconds, seconds_left, [&] {
-          return saved(state, sweep.cells().bands());
-        }};
-    if (observer && observer(progress) == SolveControl::stop) {
-      result.interrupted = !done;
-      break;
-    }
-    if (done) break;
-  }
-  return result;
+  return Run(sweep, state, options, observer).run();
 }
 
 }  // namespace etendue

@@ -3,7 +3,7 @@
 // How many sweeps the iteration takes: GMRES with diffusion to 1e-8, the measured spectral radius of source
 // iteration with diffusion, the share of time of the low-order solve, its set-up (once) in sweeps, and plain
 // source iteration beside it. Unit cubes by TetGen, 96 directions, one thread. docs/iteration.md holds the
-// table.
+// table. Then the diffusion limit: errors of a slab of five cells against the exact solution of diffusion.
 //
 //     bench_iteration [CELLS [FILTER [brief]]]
 //
@@ -22,6 +22,8 @@
 #include "mesh/geometry/arrangement.h"
 #include "mesh/tetrahedra/tetrahedralize.h"
 #include "solver/ordinates/solve.h"
+#include "tests/solver/ordinates/diffusive_slab.h"
+#include "tests/solver/ordinates/sample_problems.h"
 
 namespace etendue {
 namespace {
@@ -215,6 +217,20 @@ void measure(const Setting& setting, int cells, const DirectionSet& directions, 
   std::fflush(stdout);
 }
 
+void measure_diffusion_limit(const DirectionSet& directions) {
+  const TetrahedralMesh mesh = cube_mesh(3e-3);
+  fmt::print("\n| diffusion limit: epsilon | cells | sweeps | tolerance | error |\n|---|---|---|---|---|\n");
+  for (const double epsilon : {1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    const Problem problem = diffusive_slab(mesh, epsilon);
+    const Run run{problem, directions, Lumping::automatic};
+    const double to = diffusive_slab_tolerance(epsilon);
+    const Solution solution = run.solved(Method::gmres, Acceleration::diffusion, to, 200);
+    fmt::print("| {:.0e} | {} | {}{} | {:.0e} | {:.3f} |\n", epsilon, mesh.cell_count(),
+               solution.convergence[0].sweeps, solution.converged() ? "" : " not converged", to,
+               fluence_error(mesh, solution, 1, diffusive_slab_fluence));
+  }
+}
+
 }  // namespace
 }  // namespace etendue
 
@@ -230,4 +246,5 @@ int main(int count, char** arguments) {
   fmt::print("|---|---|---|---|---|---|---|---|---|\n");
   for (const Setting& setting : settings())
     if (setting.name.find(filter) != std::string::npos) measure(setting, cells, directions, brief);
+  if (std::string("diffusion limit").find(filter) != std::string::npos) measure_diffusion_limit(directions);
 }

@@ -153,7 +153,7 @@ TEST(Run, KeepsValuesPositiveAndSaysWhatThatMoved) {
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 8 * 3);
 }
 
-TEST(Run, DoesNotGoOnFromAnotherCase) {
+TEST(Run, DoesNotGoOnFromAnotherCaseAndSaysSoBeforeItMeshes) {
   const CaseFolder folder;
   ASSERT_EQ(etendue_says({"run", folder.file()}).code, ExitCode::done);
   const Outcome outcome =
@@ -161,6 +161,7 @@ TEST(Run, DoesNotGoOnFromAnotherCase) {
                     "--output", (folder.path() / "other").string()});
   EXPECT_EQ(outcome.code, ExitCode::input_error);
   EXPECT_TRUE(has(outcome.err, "is a solution of another case ([media] differ)")) << outcome.err;
+  EXPECT_FALSE(has(outcome.out, "cells")) << outcome.out;
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "other"));
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 
 #include "solver/measure/balance.h"
@@ -122,21 +121,6 @@ int sweeps_of(const TetrahedralMesh& mesh, double inside, double outside, Diffus
   const Solution solution = solve(problem, directions_ldfe_sq(1), options);
   EXPECT_TRUE(solution.converged());
   return solution.convergence[0].sweeps;
-}
-
-/// The cells of a mesh, each at random in the region "ball" or outside.
-TetrahedralMesh random_cells(const TetrahedralMesh& mesh) {
-  RawMesh raw;
-  raw.points.assign(mesh.points().begin(), mesh.points().end());
-  std::mt19937 random(1);
-  for (const auto& cell : mesh.cell_vertices()) {
-    const auto at = [&](std::size_t i) { return mesh.point(VertexIndex(cell[i])); };
-    const bool turned = (at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0)) < 0;
-    raw.cells.push_back({cell[0], cell[1], cell[turned ? 3 : 2], cell[turned ? 2 : 3]});
-    raw.cell_regions.push_back(static_cast<int>(random() % 2));
-  }
-  raw.region_names = {"domain", "ball"};
-  return TetrahedralMesh(raw);
 }
 
 TEST(DiffusionAcceleration, VoidsBesideThickMatterTakeFewSweeps) {

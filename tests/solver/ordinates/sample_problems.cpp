@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 #include "mesh/geometry/arrangement.h"
 #include "mesh/tetrahedra/tetrahedralize.h"
@@ -77,6 +78,20 @@ TetrahedralMesh moved_mesh(const TetrahedralMesh& mesh, const std::function<Vec3
   for (const Vec3& point : mesh.points()) raw.points.push_back(map(point));
   for (const auto& cell : mesh.cell_vertices()) raw.cells.push_back({cell[0], cell[1], cell[2], cell[3]});
   return oriented(raw);
+}
+
+TetrahedralMesh random_cells(const TetrahedralMesh& mesh) {
+  RawMesh raw;
+  raw.points.assign(mesh.points().begin(), mesh.points().end());
+  std::mt19937 random(1);
+  for (const auto& cell : mesh.cell_vertices()) {
+    const auto at = [&](std::size_t i) { return mesh.point(VertexIndex(cell[i])); };
+    const bool turned = (at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0)) < 0;
+    raw.cells.push_back({cell[0], cell[1], cell[turned ? 3 : 2], cell[turned ? 2 : 3]});
+    raw.cell_regions.push_back(static_cast<int>(random() % 2));
+  }
+  raw.region_names = {"domain", "ball"};
+  return TetrahedralMesh(raw);
 }
 
 TetrahedralMesh unfolded_mesh(const TetrahedralMesh& mesh) {

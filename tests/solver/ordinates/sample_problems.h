@@ -19,6 +19,8 @@ TetrahedralMesh cube_with_ball(double max_volume);
 /// The cells of a mesh with its points moved by `map`, oriented again; one region "domain", one wall
 /// "boundary".
 TetrahedralMesh moved_mesh(const TetrahedralMesh& mesh, const std::function<Vec3(const Vec3&)>& map);
+/// The cells of a mesh, each at random in the region "ball" or in "domain"; no walls have names.
+TetrahedralMesh random_cells(const TetrahedralMesh& mesh);
 /// A mesh and its image in the plane x = 1, joined there.
 TetrahedralMesh unfolded_mesh(const TetrahedralMesh& mesh);
 
