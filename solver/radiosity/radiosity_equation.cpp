@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/radiosity/radiosity_equation.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace etendue {
+namespace {
+
+double area_of(const RadiosityEquation& equation, std::size_t patch) {
+  return equation.exchange.patches()[patch].area();
+}
+
+/// [band] sum of A x over the patches.
+std::vector<double> powers(const RadiosityEquation& equation, const std::vector<double>& x) {
+  std::vector<double> sum(equation.bands, 0);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    sum[i % equation.bands] += area_of(equation, i / equation.bands) * x[i];
+  return sum;
+}
+
+/// What is still to arrive: the reflected part of each arrival again, in the ratio of the last pass.
+double still_to_come(double exitant, double reflected) {
+  if (reflected <= 0) return 0;
+  const double ratio = std::min(reflected / exitant, 1 - 1e-12);
+  return reflected / (1 - ratio);
+}
+
+}  // namespace
+
+RadiosityState solve_directly(const RadiosityEquation& equation) {
+  const std::size_t n = equation.exchange.size();
+  const auto size = static_cast<Eigen::Index>(n);
+  RadiosityState state;
+  state.irradiance.assign(n * equation.bands, 0);
+  for (std::size_t b = 0; b < equation.bands; ++b) {
+    // (A - G rho) H = G E
+    Eigen::MatrixXd matrix(size, size);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
+    for (std::size_t j = 0; j < n; ++j) {
+      const auto row = static_cast<Eigen::Index>(j);
+      for (std::size_t k = 0; k < n; ++k) {
+        const double g = equation.exchange.value(j, k);
+        right[row] += g * equation.emission[k * equation.bands + b];
+        matrix(row, static_cast<Eigen::Index>(k)) = -g * equation.reflectance[k * equation.bands + b];
+      }
+      matrix(row, row) += area_of(equation, j);
+    }
+    const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
+    for (std::size_t j = 0; j < n; ++j)
+      state.irradiance[j * equation.bands + b] = solution[static_cast<Eigen::Index>(j)];
+  }
+  state.residual.assign(equation.bands, 0);
+  state.converged = true;
+  return state;
+}
+
+RadiosityState solve_by_gathering(const RadiosityEquation& equation, const RadiosityLimits& limits,
+                                  const RadiosityObserver& observer) {
+  const std::size_t bands = equation.bands;
+  RadiosityState state;
+  state.irradiance.assign(equation.emission.size(), 0);
+  state.residual.assign(bands, 1);
+  std::vector<double> sent = equation.emission, arrived(bands, 0);
+  while (!state.converged && state.passes < limits.most_passes) {
+    ++state.passes;
+    std::vector<double> incident = equation.exchange.times(sent, bands);
+    const std::vector<double> exitant = powers(equation, sent);
+    for (std::size_t i = 0; i < incident.size(); ++i) {
+      incident[i] /= area_of(equation, i / bands);
+      state.irradiance[i] += incident[i];
+      sent[i] = equation.reflectance[i] * incident[i];
+    }
+    const std::vector<double> in = powers(equation, incident), reflected = powers(equation, sent);
+    state.converged = true;
+    for (std::size_t b = 0; b < bands; ++b) {
+      state.bounces.push_back({state.passes, b, exitant[b], in[b], in[b] - reflected[b]});
+      arrived[b] += in[b];
+      state.residual[b] = arrived[b] > 0 ? still_to_come(exitant[b], reflected[b]) / arrived[b] : 0;
+      state.converged = state.converged && state.residual[b] <= limits.tolerance;
+    }
+    if (observer && !observer(state)) break;
+  }
+  return state;
+}
+
+RadiosityState solve_by_shooting(const RadiosityEquation& equation, const RadiosityLimits& limits,
+                                 const RadiosityObserver& observer) {
+  const std::size_t bands = equation.bands, n = equation.exchange.size();
+  RadiosityState state;
+  state.irradiance.assign(equation.emission.size(), 0);
+  state.residual.assign(bands, 1);
+  std::vector<double> unsent = equation.emission;
+  const auto waiting = [&](std::size_t j) {
+    double sum = 0;
+    for (std::size_t b = 0; b < bands; ++b) sum += unsent[j * bands + b];
+    return sum * area_of(equation, j);
+  };
+  const auto look = [&] {
+    const std::vector<double> left = powers(equation, unsent), in = powers(equation, state.irradiance);
+    for (std::size_t b = 0; b < bands; ++b)
+      state.residual[b] = in[b] > 0 ? left[b] / in[b] : (left[b] > 0 ? 1 : 0);
+    // What is unsent is reflected again: as often as on the mean so far.
+    const std::vector<double> given = powers(equation, equation.emission);
+    state.converged = true;
+    for (std::size_t b = 0; b < bands; ++b) {
+      if (given[b] > 0) state.residual[b] *= std::max(1.0, in[b] / given[b]);
+      state.converged = state.converged && state.residual[b] <= limits.tolerance;
+    }
+    return !observer || observer(state);
+  };
+  const std::size_t between = std::max<std::size_t>(1, n / 10);
+  std::vector<double> power(n);
+  for (std::size_t j = 0; j < n; ++j) power[j] = waiting(j);
+  for (std::size_t shot = 1; !state.converged; ++shot) {
+    const auto j = static_cast<std::size_t>(std::ranges::max_element(power) - power.begin());
+    const std::vector<double> row = equation.exchange.row(j);
+    for (std::size_t k = 0; k < n; ++k) {
+      for (std::size_t b = 0; b < bands; ++b) {
+        const double incident = row[k] / area_of(equation, k) * unsent[j * bands + b];
+        state.irradiance[k * bands + b] += incident;
+        if (k != j) unsent[k * bands + b] += equation.reflectance[k * bands + b] * incident;
+      }
+      power[k] = waiting(k);
+    }
+    for (std::size_t b = 0; b < bands; ++b) unsent[j * bands + b] = 0;
+    power[j] = 0;
+    state.passes = static_cast<int>((shot + n - 1) / n);
+    if (shot % between != 0 &&
+        power[static_cast<std::size_t>(std::ranges::max_element(power) - power.begin())] > 0)
+      continue;
+    if (!look() || (state.passes >= limits.most_passes && shot % n == 0)) break;
+  }
+  return state;
+}
+
+}  // namespace etendue

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/radiosity/solve_radiosity.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numbers>
+
+namespace etendue {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+// Error of row sums after closing: far below that of the factors.
+constexpr double closed = 1e-12;
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Four points of degree 2 in a tetrahedron (Keast 1986, rule 2): weights 1/4, this near to a vertex each.
+constexpr double near_share = 0.585410196624968515, far_share = 0.138196601125010504;
+
+}  // namespace
+
+RadiosityMemory estimate_radiosity_memory(const Problem& problem, const RadiosityOptions& options) {
+  RadiosityMemory memory;
+  const TetrahedralMesh& mesh = problem.mesh();
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  memory.patches = wall_patches(mesh, options.patch_size).patches.size();
+  const std::size_t matrix = ExchangeMatrix::bytes_of(memory.patches);
+  memory.kept = matrix <= options.largest_kept;
+  memory.bytes = (memory.kept ? matrix : 0) + memory.patches * (4096 + 8 * bands * sizeof(double)) +
+                 static_cast<std::size_t>(mesh.cell_count()) * 16 * bands * sizeof(double);
+  if (options.method == RadiosityMethod::direct) memory.bytes += 2 * matrix;
+  return memory;
+}
+
+RadiosityRoom::RadiosityRoom(const Problem& problem, const RadiosityOptions& options)
+    : problem_(problem), options_(options), bands_(static_cast<std::size_t>(problem.band_count())) {
+  refuse_for_radiosity(problem);
+  const Clock::time_point start = Clock::now();
+  patches_ = wall_patches(problem.mesh(), options.patch_size);
+  exchange_ =
+      std::make_unique<ExchangeMatrix>(patches_.patches, options.rays, options.threads, options.largest_kept);
+  report_.checks = check_and_close(*exchange_, closed);
+  report_.patches = exchange_->size();
+  const auto [smallest, largest] = std::ranges::minmax(patches_.patches, {}, &FlatPatch::area);
+  report_.smallest_area = smallest.area();
+  report_.largest_area = largest.area();
+  report_.convex = exchange_->visibility().is_convex();
+  report_.kept = exchange_->is_kept();
+  report_.factor_seconds = seconds_since(start);
+}
+
+RadiosityEquation RadiosityRoom::equation() const {
+  RadiosityEquation equation{*exchange_, bands_, {}, {}};
+  for (std::size_t p = 0; p < exchange_->size(); ++p) {
+    const Wall& wall = problem_.wall(patches_.walls[p]);
+    for (std::size_t b = 0; b < bands_; ++b) {
+      equation.emission.push_back(pi * wall.radiance[b]);
+      equation.reflectance.push_back(wall.diffuse[b]);
+    }
+  }
+  return equation;
+}
+
+RadiosityState RadiosityRoom::solve(const RadiosityEquation& equation,
+                                    const RadiosityObserver& observer) const {
+  switch (options_.method) {
+    case RadiosityMethod::direct:
+      return solve_directly(equation);
+    case RadiosityMethod::shooting:
+      return solve_by_shooting(equation, options_.limits, observer);
+    case RadiosityMethod::gathering:
+      break;
+  }
+  return solve_by_gathering(equation, options_.limits, observer);
+}
+
+Solution RadiosityRoom::solve(const RadiosityObserver& observer) {
+  Clock::time_point start = Clock::now();
+  const RadiosityEquation asked = equation();
+  bool stopped = false;
+  const RadiosityState state = solve(asked, [&](const RadiosityState& now) {
+    stopped = observer && !observer(now);
+    return !stopped;
+  });
+  report_.bounces = state.bounces;
+  report_.passes = state.passes;
+  report_.solve_seconds = seconds_since(start);
+  exitance_ = asked.emission;
+  for (std::size_t i = 0; i < exitance_.size(); ++i)
+    exitance_[i] += asked.reflectance[i] * state.irradiance[i];
+  Solution solution;
+  solution.method = "radiosity";
+  fields_on_walls(state.irradiance, solution);
+  start = Clock::now();
+  fill_cells(solution);
+  report_.field_seconds = seconds_since(start);
+  solution.seconds.sweep = report_.solve_seconds;
+  solution.seconds.lights = report_.factor_seconds;
+  solution.interrupted = stopped && !state.converged;
+  for (const double residual : state.residual)
+    solution.convergence.push_back({state.passes, residual, state.converged});
+  for (const Bounce& bounce : state.bounces)
+    solution.history.push_back(
+        {bounce.pass, static_cast<int>(bounce.band),
+         bounce.exitant > 0 ? (bounce.incident - bounce.deposit) / bounce.exitant : 0});
+  solution.negative = negative_census(solution.fluence, bands_);
+  return solution;
+}
+
+void RadiosityRoom::fields_on_walls(const std::vector<double>& irradiance, Solution& fields) const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const auto faces = static_cast<std::size_t>(mesh.boundary_face_count());
+  fields.irradiance.assign(faces * 3 * bands_, 0);
+  fields.exitance.assign(faces * 3 * bands_, 0);
+  fields.half_range.assign(faces, pi);
+  for (std::size_t f = 0; f < faces; ++f) {
+    const Wall& wall = problem_.wall(mesh.wall(FaceIndex(static_cast<std::int64_t>(f))));
+    for (std::size_t b = 0; b < bands_; ++b) {
+      double mean = 0;
+      for (const FacePart& part : patches_.of_faces[f])
+        mean += part.share * irradiance[part.patch * bands_ + b];
+      for (std::size_t node = 3 * f; node < 3 * f + 3; ++node) {
+        fields.irradiance[node * bands_ + b] = mean;
+        fields.exitance[node * bands_ + b] = pi * wall.radiance[b] + wall.diffuse[b] * mean;
+      }
+    }
+  }
+}
+
+WallLightField RadiosityRoom::light(int rays) const { return {*exchange_, exitance_, bands_, rays}; }
+
+// The P1 field that takes the values at the four points of the rule: the projection on P1 by that rule.
+void RadiosityRoom::fill_cells(Solution& fields) const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const auto cells = static_cast<std::size_t>(mesh.cell_count());
+  fields.fluence.assign(cells * 4 * bands_, 0);
+  fields.net_flux.assign(cells * 12 * bands_, 0);
+  const WallLightField field = light(1);
+#pragma omp parallel for schedule(dynamic, 64) num_threads(options_.threads)
+  for (std::size_t c = 0; c < cells; ++c) {
+    const auto& vertices = mesh.vertices(CellIndex(static_cast<std::int64_t>(c)));
+    double* fluence = fields.fluence.data() + c * 4 * bands_;
+    double* net_flux = fields.net_flux.data() + c * 12 * bands_;
+    for (std::size_t i = 0; i < 4; ++i) {
+      Vec3 point = Vec3::Zero();
+      for (std::size_t k = 0; k < 4; ++k)
+        point += (k == i ? near_share : far_share) * mesh.point(VertexIndex(vertices[k]));
+      field.add_at(point, {fluence + i * bands_, bands_}, {net_flux + i * 3 * bands_, 3 * bands_});
+    }
+    const auto to_vertices = [](double* values, std::size_t count) {
+      for (std::size_t v = 0; v < count; ++v) {
+        const double sum = values[v] + values[count + v] + values[2 * count + v] + values[3 * count + v];
+        for (std::size_t i = 0; i < 4; ++i)
+          values[i * count + v] = (values[i * count + v] - far_share * sum) / (near_share - far_share);
+      }
+    };
+    to_vertices(fluence, bands_);
+    to_vertices(net_flux, 3 * bands_);
+  }
+}
+
+}  // namespace etendue

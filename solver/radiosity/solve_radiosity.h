@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "solver/ordinates/solution.h"
+#include "solver/problem/problem.h"
+#include "solver/radiosity/factor_checks.h"
+#include "solver/radiosity/radiosity_equation.h"
+#include "solver/radiosity/wall_light_field.h"
+#include "solver/radiosity/wall_patches.h"
+
+namespace etendue {
+
+enum class RadiosityMethod { gathering, shooting, direct };
+
+struct RadiosityOptions {
+  double patch_size = 0;  ///< [length]; 0: each boundary face is a patch
+  RadiosityMethod method = RadiosityMethod::gathering;
+  int rays = 16;  ///< between two patches, and eight times as many where some are blocked
+  RadiosityLimits limits;
+  int threads = 1;
+  std::size_t largest_kept = largest_kept_matrix;  ///< bytes of a matrix
+};
+
+/// What a solution by radiosity has beside the fields.
+struct RadiosityReport {
+  std::size_t patches = 0;
+  double smallest_area = 0, largest_area = 0;  ///< of a patch [length^2]
+  bool convex = false;                         ///< nothing can stand between patches
+  bool kept = true;                            ///< the matrix, and not made anew in each pass
+  FactorChecks checks;
+  std::vector<Bounce> bounces;
+  int passes = 0;
+  double factor_seconds = 0, solve_seconds = 0, field_seconds = 0;
+};
+
+/// Walls that exchange light through a domain without matter: patches, their factors and what they send.
+class RadiosityRoom {
+ public:
+  /// The problem must outlive it. Throws InputError where it asks for what radiosity does not know.
+  RadiosityRoom(const Problem& problem, const RadiosityOptions& options);
+
+  const WallPatches& patches() const { return patches_; }
+  const ExchangeMatrix& exchange() const { return *exchange_; }
+  const RadiosityReport& report() const { return report_; }
+
+  /// Solves; the observer gets states on the way, to be made fields of by fields_on_walls().
+  Solution solve(const RadiosityObserver& observer = {});
+  /// Irradiance and exitance of the boundary faces.
+  void fields_on_walls(const std::vector<double>& irradiance, Solution& fields) const;
+  /// The field at points, of the state that was solved last; `rays` look at each patch from a point.
+  WallLightField light(int rays) const;
+
+ private:
+  RadiosityEquation equation() const;
+  RadiosityState solve(const RadiosityEquation& equation, const RadiosityObserver& observer) const;
+  void fill_cells(Solution& fields) const;
+
+  const Problem& problem_;
+  RadiosityOptions options_;
+  std::size_t bands_;
+  WallPatches patches_;
+  std::unique_ptr<ExchangeMatrix> exchange_;
+  RadiosityReport report_;
+  std::vector<double> exitance_;  ///< [patch][band] of the solution
+};
+
+/// Throws InputError that names all in a problem that radiosity does not know: matter that scatters, absorbs
+/// or emits, mirrors, lights, radiance that depends on the direction, directions of the plane.
+void refuse_for_radiosity(const Problem& problem);
+
+/// Bytes that a solution takes at most, and whether the matrix is kept.
+struct RadiosityMemory {
+  std::size_t patches = 0;
+  bool kept = true;
+  std::size_t bytes = 0;
+};
+RadiosityMemory estimate_radiosity_memory(const Problem& problem, const RadiosityOptions& options);
+
+}  // namespace etendue
