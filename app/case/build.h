@@ -24,5 +24,7 @@ void check_kernels(const Case& input);
 DirectionSet build_directions(const Case& input);
 /// These and, where the case asks for more rotations, copies that are turned at random.
 std::vector<DirectionSet> build_rotated_directions(const Case& input);
+/// Those of light that has collided once, rotated and copied in the same way; empty where the case has none.
+std::vector<DirectionSet> build_first_collided_directions(const Case& input);
 
 }  // namespace etendue

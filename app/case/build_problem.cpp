@@ -199,4 +199,11 @@ std::vector<DirectionSet> build_rotated_directions(const Case& input) {
   return rotated_copies(build_directions(input), input.rotations, input.direction_seed);
 }
 
+std::vector<DirectionSet> build_first_collided_directions(const Case& input) {
+  if (!input.first_collided) return {};
+  const DirectionSet set = make_directions(input.first_collided->set, input.first_collided->order);
+  return rotated_copies(input.direction_rotation ? rotated(set, *input.direction_rotation) : set,
+                        input.rotations, input.direction_seed);
+}
+
 }  // namespace etendue

@@ -73,6 +73,13 @@ struct MediumCase {
   AngularSpace space = AngularSpace::sphere;  ///< what power is divided by
 };
 
+/// A set of directions by its name.
+struct DirectionChoice {
+  std::string set;
+  int order = 1;
+  Origin origin;
+};
+
 /// A [[light]] or the beam of a wall. What its kind does not use keeps its default.
 struct LightCase {
   std::string name;
@@ -156,6 +163,7 @@ struct Case {
   std::optional<ConeRefinement> direction_refinement;
   int rotations = 1;  ///< sets that are averaged over, each turned at random but the first
   std::uint64_t direction_seed = 1;
+  std::optional<DirectionChoice> first_collided;  ///< of light that has collided once; empty: as the rest
   AngularSpace angular_space = AngularSpace::sphere;
   Origin directions_origin;
   SolveOptions solve;

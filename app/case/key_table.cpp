@@ -46,6 +46,10 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "directions", .help = "The directions in which light travels."},
       {.path = "directions.refine",
        .help = "Of ldfe-sq: finer directions in a cone, and in its opposite; mirrors must keep the cones."},
+      {.path = "directions.first_collided",
+       .help =
+           "Light of lights that has collided once, or was reflected diffusely once, is swept once on a set "
+           "of its own, finer than that of the rest: less of ray effects for the price of one sweep."},
       {.path = "space", .help = "The discretisation in space."},
       {.path = "solve", .help = "The iteration."},
       {.path = "exact",

@@ -64,6 +64,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
   if (faults.empty()) {
     check_ordinates(top.section("output"), result);
     check_rotations(top.section("directions"), top.section("output"), result);
+    check_first_collided(top.section("directions"), result);
     check_possible_names(result, faults);
   }
   report_unused(root, faults);

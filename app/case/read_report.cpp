@@ -132,6 +132,16 @@ void check_rotations(Section directions, Section output, const Case& result) {
   if (result.exact) directions.fault("rotations", "[exact] makes its source for one set; use 1");
 }
 
+void check_first_collided(Section directions, const Case& result) {
+  if (!result.first_collided) return;
+  if (!result.output.radiance_ordinates.empty())
+    directions.fault("first_collided",
+                     "light on a set of its own has no radiance along the ordinates of the other; use "
+                     "no output field \"radiance:K\", or no first_collided");
+  if (result.exact)
+    directions.fault("first_collided", "[exact] leaves no light along rays; use no first_collided");
+}
+
 void check_ordinates(Section output, const Case& result) {
   if (result.output.radiance_ordinates.empty()) return;
   const int count = build_directions(result).count();

@@ -13,6 +13,8 @@ OutputCase read_output(Section output, const std::filesystem::path& case_file);
 
 /// Reports what does not go with a mean over rotated sets of directions.
 void check_rotations(Section directions, Section output, const Case& result);
+/// Reports what does not go with a set of its own for light that has collided once.
+void check_first_collided(Section directions, const Case& result);
 /// Reports ordinates to be kept that the direction set does not have.
 void check_ordinates(Section output, const Case& result);
 

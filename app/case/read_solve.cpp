@@ -37,6 +37,22 @@ std::optional<ConeRefinement> read_refinement(Section& directions) {
   return ConeRefinement{*direction, *angle, static_cast<int>(*levels)};
 }
 
+std::optional<DirectionChoice> read_first_collided(Section& directions, AngularSpace space) {
+  if (!directions.has("first_collided")) return std::nullopt;
+  Section table = directions.section("first_collided");
+  const std::string set = table.text("set");
+  const auto order = table.number_if("order");
+  if (space == AngularSpace::plane || angular_space(set) == AngularSpace::plane) {
+    directions.fault("first_collided", "no light is followed along rays in flatland; use sets on the sphere");
+    return std::nullopt;
+  }
+  if (!order || table.node().find("set")->faulty) return std::nullopt;
+  DirectionChoice choice{set, static_cast<int>(*order), table.origin("order")};
+  const std::string problem = check_direction_order(choice.set, choice.order);
+  if (!problem.empty()) table.fault("order", problem);
+  return choice;
+}
+
 /// A refined set is made once to see how large it is.
 void check_refinement(Section& directions, const Case& result) {
   if (!result.direction_refinement) return;
@@ -63,6 +79,7 @@ void read_directions(Section directions, Case& result) {
   result.direction_rotation = read_rotation(directions, result.angular_space);
   if (result.rotations > 1) result.direction_seed = static_cast<std::uint64_t>(directions.integer("seed"));
   result.direction_refinement = read_refinement(directions);
+  result.first_collided = read_first_collided(directions, result.angular_space);
   for (const char* name : {"set", "order"})
     if (directions.node().find(name)->faulty) return;  // nothing to say about their combination
   const std::string problem = check_direction_order(result.direction_set, result.direction_order);

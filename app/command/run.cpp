@@ -111,14 +111,40 @@ class Checkpoints {
   std::ostream& err_;
 };
 
-Solution solve_visibly(const LightSetup& lights, const std::vector<DirectionSet>& sets,
-                       const SolveOptions& options, ProgressDisplay& display, Checkpoints checkpoints,
-                       const Interruption& interruption) {
-  Solution solution = solve_rotated(lights, sets, options, [&](const SweepProgress& progress) {
+/// The sets of a run, one for each rotation; of light that has collided once as many or none.
+struct RunDirections {
+  std::vector<DirectionSet> sets;
+  std::vector<DirectionSet> first_collided;
+};
+
+RunDirections run_directions(const Case& input, const LightSetup& lights) {
+  if (input.first_collided && lights.empty())
+    throw InputError(fault_at(input.first_collided->origin, "",
+                              "nothing of this case is a light that is followed along rays, so nothing "
+                              "collides first; use uncollided = true where light comes from, or no "
+                              "first_collided"));
+  return {build_rotated_directions(input), build_first_collided_directions(input)};
+}
+
+std::string directions_line(const RunDirections& directions) {
+  const DirectionSet& set = directions.sets.front();
+  const std::size_t rotations = directions.sets.size();
+  std::string line = fmt::format("directions: {} ({} {}){}", set.count(), set.name(), set.order(),
+                                 rotations > 1 ? fmt::format(", {} rotations", rotations) : "");
+  if (directions.first_collided.empty()) return line;
+  const DirectionSet& once = directions.first_collided.front();
+  return line + fmt::format(", once {} ({} {}) for light that has collided once", once.count(), once.name(),
+                            once.order());
+}
+
+Solution solve_visibly(const LightSetup& lights, const RunDirections& directions, const SolveOptions& options,
+                       ProgressDisplay& display, Checkpoints checkpoints, const Interruption& interruption) {
+  const auto observe = [&](const SweepProgress& progress) {
     display.show(progress);
     checkpoints.consider(progress);
     return interruption.noted() ? SolveControl::stop : SolveControl::proceed;
-  });
+  };
+  Solution solution = solve_rotated(lights, directions.sets, options, observe, directions.first_collided);
   display.finish();
   return solution;
 }
@@ -217,9 +243,9 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   if (input.photons)
     return run_by_photons({request, input, problem, seconds, watch, interruption}, out, err, reader);
   check_cameras(input.cameras, problem);
-  const std::vector<DirectionSet> sets = build_rotated_directions(input);
-  const DirectionSet& directions = sets.front();
   const LightSetup lights(problem);
+  const RunDirections all_directions = run_directions(input, lights);
+  const DirectionSet& directions = all_directions.sets.front();
   const CellLocator locator(mesh);
   const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
   SolveOptions options = solve_options(input, place_probes(input.probes, mesh, locator));
@@ -230,11 +256,10 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
     options.initial = &initial;
     out << "starts from " << input.initial->path.string() << std::endl;
   }
-  const std::string memory = check_memory(estimate_rotated_memory(lights, sets, options), mesh,
-                                          problem.band_count(), matrix_memory_text(problem, directions));
-  out << fmt::format("directions: {} ({} {}){}; bands: {}; threads: {}\n", directions.count(),
-                     directions.name(), directions.order(),
-                     sets.size() > 1 ? fmt::format(", {} rotations", sets.size()) : "", problem.band_count(),
+  const std::string memory = check_memory(
+      estimate_rotated_memory(lights, all_directions.sets, options, all_directions.first_collided), mesh,
+      problem.band_count(), matrix_memory_text(problem, directions));
+  out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions), problem.band_count(),
                      options.threads)
       << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
@@ -242,7 +267,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   interruption.note_the_first();
   ProgressDisplay display(resolved_style(request.progress, out), out);
   const Solution solution =
-      solve_visibly(lights, sets, options, display, Checkpoints(input, problem, err), interruption);
+      solve_visibly(lights, all_directions, options, display, Checkpoints(input, problem, err), interruption);
   interruption.note_all();
   RunResult result{.input = input,
                    .problem = problem,

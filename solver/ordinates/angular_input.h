@@ -7,8 +7,11 @@
 
 namespace etendue {
 
+struct SavedState;
+
 /// A source in the cells and an inflow at the walls that depend on the direction and come on top of the
-/// problem's own: a manufactured solution, or the last step of a march in time.
+/// problem's own: a manufactured solution, or the last step of a march in time; and light that was found on
+/// other directions.
 class AngularInput {
  public:
   virtual ~AngularInput() = default;
@@ -21,6 +24,10 @@ class AngularInput {
   /// Adds the radiance that enters at the three vertices of a boundary face to `values` [3][band]
   /// [power/(length^2 sr)]. Called by several threads at a time.
   virtual void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const = 0;
+  /// Light that a sweep of this set does not find, because another one did: every sweep adds its fluence,
+  /// moments and irradiance to what it hands to the next, so that it is scattered and reflected with the
+  /// rest. Null: none.
+  virtual const SavedState* found_elsewhere() const { return nullptr; }
 };
 
 }  // namespace etendue

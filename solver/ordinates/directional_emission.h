@@ -22,6 +22,9 @@ class DirectionalEmission : public AngularInput {
   bool depends_on_direction(CellIndex cell) const override;
   void add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const override;
   void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const override;
+  const SavedState* found_elsewhere() const override {
+    return other_ != nullptr ? other_->found_elsewhere() : nullptr;
+  }
 
   /// As the discretisation sees them, on the discrete half ranges.
   DirectionalPowers powers() const;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "solver/ordinates/narrow_sweep.h"
 #include "solver/ordinates/processor_timer.h"
@@ -31,6 +32,21 @@ void move_sum(double* to, double* from, std::size_t size) {
 
 Basis basis_of(const SolveOptions& options) {
   return options.order == SpaceOrder::linear ? Basis::linear : Basis::constant;
+}
+
+/// Adds fluence, moments and irradiance of a state that was saved.
+void add_saved(const SavedState& from, int bands, TransportState& state) {
+  const auto count = static_cast<std::size_t>(bands);
+  const auto stride = static_cast<std::size_t>(lane_stride(bands));
+  const auto add = [&](const std::vector<double>& values, std::span<double> to) {
+    if (values.size() / count != to.size() / stride)
+      throw std::logic_error("light that was found elsewhere has other moments");
+    for (std::size_t row = 0; row * count < values.size(); ++row)
+      for (std::size_t b = 0; b < count; ++b) to[row * stride + b] += values[row * count + b];
+  };
+  add(from.fluence, state.fluence());
+  add(from.moments, state.moments());
+  add(from.irradiance, state.irradiance());
 }
 
 std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, const DirectionSet& directions,
@@ -160,6 +176,8 @@ void TransportSweep::form_source(const TransportState& last) {
 void TransportSweep::apply(const TransportState& last, TransportState& next, SweepRecord* record) {
   emission_ = Emission::included;
   sweep_all(last, next, record);
+  if (options_.angular_input != nullptr && options_.angular_input->found_elsewhere() != nullptr)
+    add_saved(*options_.angular_input->found_elsewhere(), cells_.bands(), next);
 }
 
 void TransportSweep::keep_positive(Fixup fixup) {

@@ -27,8 +27,10 @@ double relative_direction_error(const TetrahedralMesh& mesh, const Solution& sol
 }
 
 std::size_t estimate_rotated_memory(const LightSetup& lights, const std::vector<DirectionSet>& sets,
-                                    const SolveOptions& options) {
-  const std::size_t one = estimate_split_memory(lights, sets.front(), options);
+                                    const SolveOptions& options,
+                                    const std::vector<DirectionSet>& first_collided) {
+  const std::size_t one = estimate_split_memory(lights, sets.front(), options,
+                                                first_collided.empty() ? nullptr : &first_collided.front());
   if (sets.size() == 1) return one;
   // Fluence, net flux and state of the mean and of the state to start from, means of cells and deviations.
   const auto values = static_cast<std::size_t>(lights.problem().mesh().cell_count()) * lights.paths().bands();
@@ -36,14 +38,15 @@ std::size_t estimate_rotated_memory(const LightSetup& lights, const std::vector<
 }
 
 Solution solve_rotated(const LightSetup& lights, const std::vector<DirectionSet>& sets,
-                       const SolveOptions& options, const SolveObserver& observer) {
+                       const SolveOptions& options, const SolveObserver& observer,
+                       const std::vector<DirectionSet>& first_collided) {
   UncollidedLight uncollided(lights, options);
   MeanSolution mean;
   SavedState last;
   SolveOptions warm = options;
   int before = 0;
   bool interrupted = false;
-  for (const DirectionSet& set : sets) {
+  for (std::size_t i = 0; i < sets.size(); ++i) {
     int sweeps = 0;
     const auto shifted = [&](const SweepProgress& progress) {
       sweeps = progress.sweep;
@@ -52,7 +55,8 @@ Solution solve_rotated(const LightSetup& lights, const std::vector<DirectionSet>
       all.max_sweeps += before;
       return observer(all);
     };
-    Solution solution = uncollided.solve_rest(set, warm, observer ? SolveObserver(shifted) : SolveObserver());
+    Solution solution = uncollided.solve_rest(sets[i], first_collided.empty() ? nullptr : &first_collided[i],
+                                              warm, observer ? SolveObserver(shifted) : SolveObserver());
     before += sweeps;
     interrupted = solution.interrupted;
     if (interrupted && mean.count() > 0) break;

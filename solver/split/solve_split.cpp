@@ -9,6 +9,7 @@
 
 #include "solver/lights/beam_source.h"
 #include "solver/split/first_collision.h"
+#include "solver/split/once_collided.h"
 
 namespace etendue {
 namespace {
@@ -124,18 +125,31 @@ UncollidedLight::UncollidedLight(const LightSetup& lights, const SolveOptions& o
   seconds_ = seconds_since(start);
 }
 
-Solution UncollidedLight::solve_rest(const DirectionSet& directions, const SolveOptions& options,
-                                     const SolveObserver& observer) const {
-  if (lights_.empty()) return solve(lights_.problem(), directions, options, observer);
+// The first collisions are a source of the one sweep or of the other.
+Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const DirectionSet* first_collided,
+                                     const SolveOptions& options, const SolveObserver& observer) const {
+  const Problem remaining = lights_.remaining();
+  SolveOptions with_input = options;
+  if (first_collided != nullptr) {
+    const OnceCollided once(lights_, field_, remaining, *first_collided, directions, options, threads_);
+    with_input.angular_input = &once;
+    Solution solution = solve(remaining, directions, with_input, observer);
+    once.add_to(solution);
+    return solution;
+  }
   const auto start = Clock::now();
   const FirstCollision input(lights_, field_, directions, threads_);
   const double seconds = seconds_since(start);
-
-  const Problem remaining = lights_.remaining();
-  SolveOptions with_input = options;
   with_input.angular_input = &input;
   Solution solution = solve(remaining, directions, with_input, observer);
   solution.seconds.lights = seconds;
+  return solution;
+}
+
+Solution UncollidedLight::solve_rest(const DirectionSet& directions, const DirectionSet* first_collided,
+                                     const SolveOptions& options, const SolveObserver& observer) const {
+  if (lights_.empty()) return solve(lights_.problem(), directions, options, observer);
+  Solution solution = sweep_rest(directions, first_collided, options, observer);
   solution.notes.insert(solution.notes.begin(), lights_.notes().begin(), lights_.notes().end());
   solution.lights.balance = balance_of(lights_, field_);
   add_exitance(lights_, field_, solution);
@@ -157,17 +171,25 @@ void UncollidedLight::finish(Solution& solution) && {
 }
 
 Solution solve_split(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
-                     const SolveObserver& observer) {
+                     const SolveObserver& observer, const DirectionSet* first_collided) {
   UncollidedLight uncollided(lights, options);
-  Solution solution = uncollided.solve_rest(directions, options, observer);
+  Solution solution = uncollided.solve_rest(directions, first_collided, options, observer);
   std::move(uncollided).finish(solution);
   return solution;
 }
 
 std::size_t estimate_split_memory(const LightSetup& lights, const DirectionSet& directions,
-                                  const SolveOptions& options) {
+                                  const SolveOptions& options, const DirectionSet* first_collided) {
   const std::size_t rest = estimate_memory(lights.problem(), directions, options);
-  return lights.empty() ? rest : rest + FirstCollision::memory(lights, directions);
+  if (lights.empty()) return rest;
+  if (first_collided == nullptr) return rest + FirstCollision::memory(lights, directions);
+  SolveOptions once = options;
+  once.method = Method::source_iteration;
+  once.acceleration = Acceleration::none;
+  const std::size_t field = FirstCollision::memory(lights, *first_collided);
+  return std::max(rest + OnceCollided::memory(lights.problem()),
+                  estimate_memory(lights.problem(), *first_collided, once)) +
+         field;
 }
 
 }  // namespace etendue

@@ -13,14 +13,18 @@ class UncollidedLight {
   /// `lights` must outlive it.
   UncollidedLight(const LightSetup& lights, const SolveOptions& options);
 
-  /// The rest by discrete ordinates, with the first collisions as a source, and both together. Without lights
-  /// this is solve(). The options must not have an angular input of their own.
-  Solution solve_rest(const DirectionSet& directions, const SolveOptions& options,
-                      const SolveObserver& observer) const;
+  /// The rest by discrete ordinates, with the first collisions as a source, and both together. Light that
+  /// collides once is swept on the directions `first_collided` where that is not null. Without lights this is
+  /// solve(). The options must not have an angular input of their own.
+  Solution solve_rest(const DirectionSet& directions, const DirectionSet* first_collided,
+                      const SolveOptions& options, const SolveObserver& observer) const;
   /// Hands the uncollided part over to a solution.
   void finish(Solution& solution) &&;
 
  private:
+  Solution sweep_rest(const DirectionSet& directions, const DirectionSet* first_collided,
+                      const SolveOptions& options, const SolveObserver& observer) const;
+
   const LightSetup& lights_;
   int threads_;
   UncollidedField field_;
@@ -29,12 +33,12 @@ class UncollidedLight {
 
 /// Solves a problem as the sum of the light that has not collided yet, by rays, and the rest, by discrete
 /// ordinates with the first collisions as a source. Without lights this is solve(). The options must not have
-/// an angular input of their own.
+/// an angular input of their own. `first_collided` as in UncollidedLight::solve_rest().
 Solution solve_split(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
-                     const SolveObserver& observer = {});
+                     const SolveObserver& observer = {}, const DirectionSet* first_collided = nullptr);
 
 /// Bytes that solve_split() may take at its peak: an upper estimate.
 std::size_t estimate_split_memory(const LightSetup& lights, const DirectionSet& directions,
-                                  const SolveOptions& options);
+                                  const SolveOptions& options, const DirectionSet* first_collided = nullptr);
 
 }  // namespace etendue

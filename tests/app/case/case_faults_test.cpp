@@ -77,6 +77,19 @@ const Check later[] = {
      "slab.toml:8: directions.rotations = 4: there is no radiance of one ordinate in a mean over rotated "
      "sets; "
      "use 1, or no output field \"radiance:K\""},
+    {"RadianceOfLightThatCollidedOnce",
+     "[directions]\nfirst_collided = { order = 2 }\n[output]\nfields = [\"radiance:3\"]\n",
+     "slab.toml:8: directions.first_collided: light on a set of its own has no radiance "
+     "along "
+     "the ordinates of the other; use no output field \"radiance:K\", or no first_collided"},
+    {"FirstCollidedWithoutOrder", "[directions]\nfirst_collided = { set = \"product\" }\n",
+     "slab.toml:8: directions.first_collided.order: missing; an integer from 1 to 10000"},
+    {"FirstCollidedOfOddOrder", "[directions]\nfirst_collided = { set = \"product\", order = 3 }\n",
+     "slab.toml:8: directions.first_collided.order = 3: must be even (the levels of a product set lie in "
+     "pairs above and below the equator); use 2, 4, 6 … 222"},
+    {"FirstCollidedInThePlane", "[directions]\nfirst_collided = { set = \"flatland\", order = 8 }\n",
+     "slab.toml:8: directions.first_collided: no light is followed along "
+     "rays in flatland; use sets on the sphere"},
 };
 
 const Check values[] = {

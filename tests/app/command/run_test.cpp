@@ -67,6 +67,39 @@ TEST(Run, TakesTheMeanOfRotatedSets) {
   for (const json& balance : summary["balance"]) EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-7);
 }
 
+TEST(Run, SweepsLightThatCollidedOnceOnASetOfItsOwn) {
+  const ScratchFolder folder;
+  const std::string file = std::string(ETENDUE_SOURCE_DIR) + "/cases/kobayashi-1/uncollided-ii.toml";
+  const auto run = [&](const std::string& first_collided) {
+    std::vector<std::string> words = {"run",      file,
+                                      "--output", (folder.path() / "ladder").string(),
+                                      "--set",    "directions.order=1",
+                                      "--set",    R"(mesh.max_volume={ "*" = 8000, source = 200 })",
+                                      "--set",    "probe=[]"};
+    if (!first_collided.empty()) words.insert(words.end(), {"--set", first_collided});
+    return etendue_says(words);
+  };
+  const Outcome outcome = run("directions.first_collided={ order = 2 }");
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out,
+                  "directions: 96 (ldfe-sq 1), once 384 (ldfe-sq 2) for light that has collided "
+                  "once"))
+      << outcome.out;
+  const json ladder = summary_in(folder.path() / "ladder");
+  EXPECT_TRUE(has(ladder["notes"].dump(), "light that collided once: 1 sweep of 384 directions"));
+  EXPECT_LT(std::abs(ladder["balance"][0]["residual"].get<double>() -
+                     ladder["uncollided"][0]["residual"].get<double>()),
+            1e-6);
+}
+
+TEST(Run, RefusesASetForLightThatCollidedOnceWithoutLights) {
+  const CaseFolder folder;
+  const Outcome outcome =
+      etendue_says({"run", folder.file(), "--set", "directions.first_collided={ order = 2 }"});
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "nothing of this case is a light")) << outcome.err;
+}
+
 TEST(Run, HasTheSameBitsForAnyNumberOfThreads) {
   const CaseFolder folder;
   const auto results_with = [&](int threads) {
