@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -7,10 +9,14 @@
 #include "mesh/files/mesh_file.h"
 #include "mesh/geometry/arrangement.h"
 #include "mesh/geometry/surface_file.h"
+#include "mesh/tetrahedra/red_refinement.h"
 #include "mesh/tetrahedra/tetrahedralize.h"
 
 namespace etendue {
 namespace {
+
+/// Cells that the numbers of faces and points still count.
+constexpr double largest_mesh = 2e8;
 
 // Of the regular tetrahedron with this edge.
 double regular_volume(double edge) { return edge * edge * edge / (6 * std::numbers::sqrt2); }
@@ -38,20 +44,34 @@ SurfaceComplex surface_of(const MeshCase& mesh, const Log& log) {
   return read_surface(mesh.surface->path, {mesh.scale, mesh.regions, mesh.surface->origin}, log);
 }
 
+/// The sound mesh with its cells cut into eight as often as wanted.
+TetrahedralMesh split(RawMesh raw, const MeshCase& wanted) {
+  if (wanted.split == 0) return TetrahedralMesh(raw);
+  const TetrahedralMesh check(raw);
+  const double cells = std::ldexp(check.cell_count(), 3 * wanted.split);
+  if (cells > largest_mesh)
+    throw InputError(
+        fault_at(wanted.origin, "split",
+                 fmt::format("would make {:.3g} cells; cut {} cells less often", cells, check.cell_count())));
+  for (int times = 0; times < wanted.split; ++times) raw = red_refinement(raw);
+  return TetrahedralMesh(raw);
+}
+
 TetrahedralMesh mesh_from_surface(const Case& input, const Log& log) {
   const SurfaceComplex surface = surface_of(input.mesh, log);
   // Before meshing, which may take long.
   check_names(input, names_of(surface));
   const TetrahedraOptions options{volume_bounds(input.mesh, surface.region_names), input.mesh.quality,
                                   input.mesh.origin};
-  return TetrahedralMesh(tetrahedralize(surface, options, log));
+  return split(tetrahedralize(surface, options, log), input.mesh);
 }
 
 }  // namespace
 
 TetrahedralMesh build_mesh(const Case& input, const Log& log) {
   if (!input.mesh.file) return mesh_from_surface(input, log);
-  TetrahedralMesh mesh(read_mesh(input.mesh.file->path, input.mesh.scale, input.mesh.file->origin));
+  const TetrahedralMesh mesh =
+      split(read_mesh(input.mesh.file->path, input.mesh.scale, input.mesh.file->origin), input.mesh);
   check_names(input, names_of(mesh));
   return mesh;
 }

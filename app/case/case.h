@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/case/exact_family.h"
 #include "mesh/base/errors.h"
 #include "mesh/base/vec3.h"
 #include "mesh/geometry/geometry.h"
@@ -54,6 +55,7 @@ struct MeshCase {
   std::optional<SizeBound> edge_length;
   double quality = 1.4;
   double scale = 1;
+  int split = 0;                        ///< how often every cell is cut into eight
   std::map<std::string, Vec3> regions;  ///< of a surface: a point inside each
   Origin origin;
 };
@@ -130,7 +132,8 @@ struct PhotonCase {
 
 /// A radiance that is meant to be the answer: source and inflow follow from it.
 struct ExactCase {
-  std::string radiance;  ///< a formula in x, y, z, wx, wy, wz; the same in all bands
+  std::string radiance;               ///< a formula in x, y, z, wx, wy, wz; the same in all bands
+  std::optional<ExactFamily> family;  ///< which it is a member of
   Origin origin;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/exact_family.h"
 #include "app/case/key_table.h"
 #include "solver/angle/direction_set.h"
 
@@ -162,8 +163,27 @@ std::vector<KeyDeclaration> run_keys() {
        "radiance",
        text,
        {.unit = "power/(length^2 sr)",
-        .need = required,
         .help = "A formula in x, y, z and the direction of travel wx, wy, wz; the same in all bands."}},
+      {"exact",
+       "family",
+       text,
+       {.choices = exact_family_names(),
+        .help = "In place of a formula one whose errors are known beforehand (docs/studies.md)."}},
+      {"exact",
+       "degree",
+       integer,
+       {.default_value = "1", .range = {.lowest = 0, .highest = 10}, .help = "Of the polynomial, in space."}},
+      {"exact",
+       "center",
+       point,
+       {.unit = "length", .default_value = "[0.5, 0.5, 0.5]", .help = "Where a family has its origin."}},
+      {"exact",
+       "length",
+       number,
+       {.unit = "length",
+        .default_value = "1.0",
+        .range = positive,
+        .help = "What a family measures lengths in: about the size of the domain."}},
 
       {"probe", "name", text, {.need = required, .help = "Names the rows in `probes.csv`."}},
       {"probe", "points", points, {.unit = "length", .help = "Where; or `line`."}},

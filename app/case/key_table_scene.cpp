@@ -40,6 +40,13 @@ std::vector<KeyDeclaration> scene_keys() {
         .range = {.lowest = 1.1},
         .help = "Largest ratio of a cell's circumradius to its shortest edge."}},
       {"mesh",
+       "split",
+       integer,
+       {.default_value = "0",
+        .range = {.lowest = 0, .highest = 6},
+        .help = "How often every cell is cut into eight, whatever it comes from; curved walls keep their "
+                "facets."}},
+      {"mesh",
        "scale",
        number,
        {.default_value = "1.0", .range = positive, .help = "Multiplies the coordinates read from a file."}},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/case/exact_family.h"
 #include "mesh/base/errors.h"
 #include "solver/expression/differentiable.h"
 
@@ -46,17 +47,37 @@ void check_walls(const Case& input, Faults& faults) {
   }
 }
 
+void read_family(Section& exact, Case& result) {
+  exact.unused("radiance", "the family says what it is");
+  const auto name = exact.text_if("family");
+  if (!name) return;
+  ExactFamily family;
+  family.name = *name;
+  if (family.name == "polynomial")
+    family.degree = exact.integer("degree");
+  else
+    exact.unused("degree", "only the polynomial takes it");
+  family.center = to_vec3(exact.value("center"));
+  family.length = exact.number("length");
+  result.exact = ExactCase{exact_formula(family), family, exact.origin("family")};
+}
+
 }  // namespace
 
 void read_exact(Section exact, Case& result) {
   check_sources(result, exact.faults());
   check_walls(result, exact.faults());
   check_lights(result, exact.faults());
+  if (exact.has("family")) return read_family(exact, result);
+  for (const char* name : {"degree", "center", "length"}) exact.unused(name, "only a family takes it");
   const auto radiance = exact.text_if("radiance");
-  if (!radiance) return;
+  if (!radiance) {
+    if (!exact.has("radiance")) exact.fault("says nothing; give a radiance or a family");
+    return;
+  }
   try {
     DifferentiableExpression(*radiance, {"x", "y", "z", "wx", "wy", "wz"});
-    result.exact = ExactCase{*radiance, exact.origin("radiance")};
+    result.exact = ExactCase{*radiance, {}, exact.origin("radiance")};
   } catch (const InputError& error) {
     exact.fault("radiance", error.faults().front().text);
   }

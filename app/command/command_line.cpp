@@ -114,6 +114,9 @@ class Parser {
         ->required()
         ->check(CLI::Range(2, 20))
         ->type_name("N");
+    study_command_->add_flag("--nested", study_.nested,
+                             "Cut every cell into eight in place of a new mesh; a mesh file always is");
+    study_command_->add_flag("!--no-plot", study_.plot, "Draw no study.svg");
     study_command_->add_flag("--resume", study_.resume, "Keep levels that an earlier study has finished");
   }
 

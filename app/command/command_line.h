@@ -41,7 +41,9 @@ struct StudyRequest {
   RunRequest run;
   Refinement refinement = Refinement::mesh;
   int levels = 0;
+  bool nested = false;  ///< finer meshes by cutting the cells of the first into eight
   bool resume = false;
+  bool plot = true;
 };
 
 /// Several methods on one case. The first is what the others are compared with.

@@ -8,6 +8,7 @@
 
 #include "app/command/commands.h"
 #include "app/command/study_level.h"
+#include "app/command/study_plot.h"
 #include "app/write/output_folder.h"
 
 namespace etendue {
@@ -119,8 +120,11 @@ ExitCode study_case(const StudyRequest& request, std::ostream& out, std::ostream
     rows = study_rows(study.results(), request.refinement);
     write_tables(request, input, rows);
   }
-  out << study_text(rows, study.results(), request.refinement) << "written to "
-      << input.output.directory.string() << ": study.csv study.json\n";
+  out << study_text(rows, study.results(), request.refinement) << expectation_text(input, request.refinement);
+  const std::string no_plot = request.plot ? draw_study(input.output.directory) : "not asked for";
+  out << "written to " << input.output.directory.string() << ": study.csv study.json"
+      << (no_plot.empty() ? " study.svg\n" : "\n");
+  if (request.plot && !no_plot.empty()) out << "no plot: " << no_plot << '\n';
   return study.code();
 }
 

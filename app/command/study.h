@@ -53,6 +53,8 @@ std::vector<StudyRow> study_rows(const std::vector<LevelResult>& levels, Refinem
 
 std::string study_csv(const std::vector<StudyRow>& rows, Refinement refinement);
 std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement, const Case& input);
+/// What theory says of the orders of a family of exact solutions; empty where nothing is known.
+std::string expectation_text(const Case& input, Refinement refinement);
 /// The table for people, with what the errors are taken against and where the iteration disturbs them.
 std::string study_text(const std::vector<StudyRow>& rows, const std::vector<LevelResult>& levels,
                        Refinement refinement);

@@ -118,11 +118,14 @@ std::string refined_mesh(const Case& input, int times) {
   if (mesh.file)
     throw InputError(
         fault_at(mesh.file->origin, "",
-                 "a mesh that is read cannot be refined in this version; give a geometry or a surface, "
-                 "or refine directions"));
+                 "a mesh that is read has no size that could be changed; give a geometry or a surface"));
   if (mesh.max_volume) return "mesh.max_volume=" + scaled(*mesh.max_volume, std::ldexp(1.0, -3 * times));
   if (mesh.edge_length) return "mesh.edge_length=" + scaled(*mesh.edge_length, std::ldexp(1.0, -times));
   throw InputError(fault_at(mesh.origin, "", "has no cell size to refine; give max_volume or edge_length"));
+}
+
+std::string split_mesh(const Case& input, int times) {
+  return fmt::format("mesh.split={}", input.mesh.split + times);
 }
 
 Refinements refinements(const StudyRequest& study, int level) {
@@ -145,7 +148,8 @@ RunRequest level_request(const StudyRequest& study, const Case& input, int level
   RunRequest request = study.run;
   const Refinements times = refinements(study, level);
   if (study.refinement != Refinement::directions)
-    request.overrides.push_back(refined_mesh(input, times.mesh));
+    request.overrides.push_back(study.nested || input.mesh.file ? split_mesh(input, times.mesh)
+                                                                : refined_mesh(input, times.mesh));
   if (study.refinement != Refinement::mesh)
     request.overrides.push_back(refined_directions(input, times.directions));
   const std::filesystem::path folder =

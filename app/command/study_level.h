@@ -18,6 +18,8 @@ struct Refinements {
 /// coarser where `times` is negative. Throws InputError where that cannot be.
 std::string refined_directions(const Case& input, int times);
 std::string refined_mesh(const Case& input, int times);
+/// The same by cutting cells into eight, for which `times` is not negative.
+std::string split_mesh(const Case& input, int times);
 /// Of level `level` (from 1); of both, the directions go first.
 Refinements refinements(const StudyRequest& study, int level);
 /// Levels of a study: of both, those of the grid.

@@ -197,6 +197,9 @@ std::string study_csv(const std::vector<StudyRow>& rows, Refinement refinement) 
 
 std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement, const Case& input) {
   Json json = {{"title", input.title}, {"refined", name_of(refinement)}, {"rows", Json::array()}};
+  if (input.exact && input.exact->family && refinement == Refinement::mesh)
+    json["expected_order"] =
+        or_null(expected_order(*input.exact->family, static_cast<int>(input.solve.order)));
   json["richardson"] = Json::array();
   for (const Limit& limit : limits_of(rows, refinement))
     json["richardson"].push_back({{"band", limit.finest->band},
@@ -221,6 +224,16 @@ std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement,
                             {"converged", row.level->converged}});
   json["case"] = input.resolved_toml;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string expectation_text(const Case& input, Refinement refinement) {
+  if (!input.exact || !input.exact->family) return "";
+  const ExactFamily& family = *input.exact->family;
+  const auto order = expected_order(family, static_cast<int>(input.solve.order));
+  const std::string told = "\nexact.family = \"" + family.name + "\": ";
+  if (!order) return told + "the elements hold it, so meshes do not err, only directions\n";
+  if (refinement != Refinement::mesh) return "";
+  return told + fmt::format("theory promises order {} of fluence_L2 at least\n", *order);
 }
 
 std::string study_text(const std::vector<StudyRow>& rows, const std::vector<LevelResult>& levels,

@@ -14,8 +14,9 @@ MARKERS = "osD^vP*X"
 
 def draw_study(results, options):
     study = json.loads((results / "study.json").read_text())
-    rows = [row for row in study["rows"] if row["error"] and row["quantity"] != "balance"
-            and (not options.quantity or row["quantity"] in options.quantity)]
+    rows = [row for row in study["rows"] if row["error"] and row["quantity"] != "balance"]
+    wanted = options.quantity or [row["quantity"] for row in rows if row["quantity"].startswith("fluence_")]
+    rows = [row for row in rows if not wanted or row["quantity"] in wanted]
     if not rows:
         raise SystemExit(f"draw: no errors of these quantities in {results / 'study.json'}")
     figure, axes = pyplot.subplots(figsize=(7.5, 5), constrained_layout=True)
@@ -23,7 +24,7 @@ def draw_study(results, options):
         points.sort()
         axes.loglog(*zip(*points), marker=MARKERS[number % len(MARKERS)], label=label)
     if study["refined"] != "both":
-        draw_slopes(axes)
+        draw_slopes(axes, study.get("expected_order"))
     axes.set_xlabel("size of the directions, (4π/directions)^(1/2)" if study["refined"] == "directions"
                     else "cell size h = (volume/cells)^(1/3)")
     axes.set_ylabel("error")
@@ -46,10 +47,10 @@ def curves(rows, refined):
     return found
 
 
-def draw_slopes(axes):
-    """Lines of order 1 and 2 through the upper right corner of the errors."""
+def draw_slopes(axes, expected):
+    """Lines of order 1 and 2, or of the order that theory promises, through the upper right corner of the errors."""
     right = max(axes.dataLim.intervalx)
     left = min(axes.dataLim.intervalx)
     top = max(axes.dataLim.intervaly)
-    for order, style in ((1, ":"), (2, "--")):
+    for order, style in zip([expected] if expected else [1, 2], ("--", ":")):
         axes.plot([left, right], [top * (left / right) ** order, top], style, color="0.5", label=f"order {order}")

@@ -83,7 +83,7 @@ def execute(run, outcome, options):
 
 def arguments(run, case, folder):
     study = run.get("study")
-    words = ["study", str(case), "--refine", study["refine"], "--levels", str(study["levels"])] if study else ["run", str(case)]
+    words = ["study", str(case), "--refine", study["refine"], "--levels", str(study["levels"]), "--no-plot"] if study else ["run", str(case)]
     words += ["--output", str(folder), "--progress", "none"]
     if "column" in run:
         words += ["--set", f'mesh.file="{folder.parent.resolve() / "column.msh"}"']

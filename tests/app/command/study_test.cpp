@@ -49,7 +49,8 @@ directory = "results"
 }
 
 std::vector<std::string> study_of(const std::string& file, const std::string& refine, int levels) {
-  return {"study", file, "--refine", refine, "--levels", std::to_string(levels), "--progress", "none"};
+  return {"study",      file,   "--refine", refine, "--levels", std::to_string(levels),
+          "--progress", "none", "--no-plot"};
 }
 
 json study_in(const CaseFolder& folder) { return json::parse(text_of(folder.path() / "results/study.json")); }
@@ -178,6 +179,44 @@ TEST(Study, ResumesWithTheLevelsThatTheSameCaseMade) {
   EXPECT_FALSE(has(incomplete.out, "level 2 of 2: kept"));
   arguments.insert(arguments.end(), {"--set", "solve.tolerance=1e-7"});
   EXPECT_FALSE(has(etendue_says(arguments).out, "kept"));
+}
+
+TEST(Study, CutsTheCellsOfTheFirstMeshWhereItIsNested) {
+  const CaseFolder folder(exact_case());
+  std::vector<std::string> arguments = study_of(folder.file(), "mesh", 3);
+  arguments.push_back("--nested");
+  ASSERT_EQ(etendue_says(arguments).code, ExitCode::done);
+  const std::vector<json> norms = rows_of(study_in(folder), "fluence_L2");
+  ASSERT_EQ(norms.size(), 3U);
+  for (std::size_t level = 1; level < 3; ++level) {
+    EXPECT_EQ(norms[level]["cells"], 8 * norms[level - 1]["cells"].get<int>());
+    EXPECT_NEAR(norms[level]["h"], norms[level - 1]["h"].get<double>() / 2, 1e-12);
+  }
+  EXPECT_GT(norms[2]["order"], 1.9);
+}
+
+TEST(Study, SaysWhatTheoryPromisesOfAFamily) {
+  std::string text = exact_case();
+  const std::string formula = "radiance = \"3 + sin(2*x)*wx + cos(y + z)*wy^2\"";
+  text.replace(text.find(formula), formula.size(), "family = \"kink\"");
+  const CaseFolder folder(text);
+  const Outcome outcome = etendue_says(study_of(folder.file(), "mesh", 3));
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "exact.family = \"kink\": theory promises order 1.5 of fluence_L2 at least"))
+      << outcome.out;
+  EXPECT_EQ(study_in(folder)["expected_order"], 1.5);
+  EXPECT_GT(rows_of(study_in(folder), "fluence_L2")[2]["order"], 1.5);
+}
+
+TEST(Study, DrawsItsErrors) {
+  const CaseFolder folder(exact_case());
+  std::vector<std::string> arguments = study_of(folder.file(), "mesh", 2);
+  std::erase(arguments, "--no-plot");
+  const Outcome outcome = etendue_says(arguments);
+  EXPECT_TRUE(has(outcome.out, "study.csv study.json study.svg")) << outcome.out;
+  const std::string picture = text_of(folder.path() / "results/study.svg");
+  EXPECT_TRUE(has(picture, "<svg")) << picture.substr(0, 200);
+  EXPECT_TRUE(has(picture, "line2d")) << "nothing is drawn";
 }
 
 TEST(Study, KeepsTheOtherLevelsWhereOneFails) {

@@ -5,10 +5,15 @@ from suite.row import Row
 
 
 def compare(runs):
-    rows = [row for row in runs["mesh"].study["rows"] if row["quantity"] == "fluence_L2"]
     exact = runs["linear"].summary["exact"]
-    return [Row("order of fluence, L2", min(2.0, rows[-1]["order"]), 2.0),
+    families = [Row(f"order of fluence, L2, {family}", min(expected, last_order(runs[family])), expected)
+                for family, expected in (("jump", 0.5), ("kink", 1.5), ("bend", 2.0))]
+    return [Row("order of fluence, L2", min(2.0, last_order(runs["mesh"])), 2.0), *families,
             Row("error of a linear solution, L2", largest(exact), 0.0)]
+
+
+def last_order(run):
+    return [row for row in run.study["rows"] if row["quantity"] == "fluence_L2"][-1]["order"]
 
 
 def largest(exact):
