@@ -23,6 +23,7 @@
 #include "solver/problem/directional_scattering.h"
 #include "solver/problem/light.h"
 #include "solver/problem/phase_function.h"
+#include "solver/sensors/sensor.h"
 
 namespace etendue {
 
@@ -122,6 +123,14 @@ struct CameraCase {
   Origin origin;
 };
 
+/// An instrument that reads the solution.
+struct SensorCase {
+  std::string name;
+  Sensor sensor;
+  std::string wall;  ///< of intensities; its number is known when there is a mesh
+  Origin origin;
+};
+
 /// Of solve.method = "photons".
 struct PhotonCase {
   double photons = 1e6;  ///< histories per band that a run adds
@@ -148,6 +157,8 @@ struct OutputCase {
 struct Units {
   std::string length = "m";
   std::string power = "W";
+  std::string illuminance = "lx";  ///< of what is written
+  std::string luminance = "cd/m^2";
 };
 
 /// A case file as data, every default filled in, every value with its line. Nothing is meshed or solved yet.
@@ -175,6 +186,7 @@ struct Case {
   std::optional<ExactCase> exact;
   std::vector<Probe> probes;
   std::vector<CameraCase> cameras;
+  std::vector<SensorCase> sensors;
   OutputCase output;
   std::string resolved_toml;  ///< with overrides applied and defaults filled in; reads back the same
 };

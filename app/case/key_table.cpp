@@ -61,14 +61,17 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "camera",
        .form = list,
        .help = "A picture: NAME.exr, linear, and NAME.png (docs/pictures.md)."},
-      {.path = "sensor", .form = list, .support = later, .help = "A measured quantity."},
+      {.path = "sensor",
+       .form = list,
+       .help = "An instrument, anywhere in the domain or on a wall; its numbers go into `sensors.csv` "
+               "(docs/radiometry.md)."},
       {.path = "output", .help = "What is written, and where."},
   };
 }
 
 std::vector<KeyDeclaration> make_keys() {
   std::vector<KeyDeclaration> keys;
-  for (const auto part : {scene_keys, matter_keys, light_keys, run_keys, picture_keys}) {
+  for (const auto part : {scene_keys, matter_keys, light_keys, run_keys, picture_keys, sensor_keys}) {
     std::vector<KeyDeclaration> some = part();
     keys.insert(keys.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
   }

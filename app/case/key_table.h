@@ -14,6 +14,7 @@ std::vector<KeyDeclaration> matter_keys();   ///< media and phase functions
 std::vector<KeyDeclaration> light_keys();    ///< walls and lights
 std::vector<KeyDeclaration> run_keys();      ///< directions, solution, what to report
 std::vector<KeyDeclaration> picture_keys();  ///< cameras
+std::vector<KeyDeclaration> sensor_keys();   ///< sensors
 
 namespace key_range {
 

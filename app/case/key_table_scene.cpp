@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/key_table.h"
+#include "solver/sensors/photometric_units.h"
 
 namespace etendue {
 
@@ -15,6 +16,18 @@ std::vector<KeyDeclaration> scene_keys() {
 
       {"units", "length", text, {.default_value = "\"m\"", .help = "m, cm, mm, km or any label."}},
       {"units", "power", text, {.default_value = "\"W\"", .help = "W, mW, \"1/s\" or any label."}},
+      {"units",
+       "illuminance",
+       text,
+       {.default_value = "\"lx\"",
+        .choices = photometric_unit_names(PhotometricDimension::illuminance),
+        .help = "Of the illuminances that sensors write."}},
+      {"units",
+       "luminance",
+       text,
+       {.default_value = "\"cd/m^2\"",
+        .choices = photometric_unit_names(PhotometricDimension::luminance),
+        .help = "Of the luminances that sensors write."}},
 
       {"mesh", "file", text, {.help = "A tetrahedral mesh: Gmsh .msh, .vtu, TetGen .node/.ele/.face."}},
       {"mesh",

@@ -11,6 +11,7 @@
 #include "app/case/read_matter.h"
 #include "app/case/read_mesh.h"
 #include "app/case/read_report.h"
+#include "app/case/read_sensor.h"
 #include "app/case/read_solve.h"
 #include "app/case/render_toml.h"
 #include "app/case/section.h"
@@ -19,7 +20,9 @@
 namespace etendue {
 namespace {
 
-Units read_units(Section units) { return {units.text("length"), units.text("power")}; }
+Units read_units(Section units) {
+  return {units.text("length"), units.text("power"), units.text("illuminance"), units.text("luminance")};
+}
 
 /// 0 where the directions were refused already.
 int ordinate_count(const Case& input) {
@@ -49,6 +52,7 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   if (top.has("exact")) read_exact(top.section("exact"), result);
   result.probes = read_probes(top);
   result.cameras = read_cameras(top);
+  result.sensors = read_sensors(top);
   result.output = read_output(top.section("output"), file);
   result.solve.keep_ordinates = result.output.radiance_ordinates;
   return result;

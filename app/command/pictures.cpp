@@ -29,15 +29,11 @@ bool any(const Formulas& formulas) {
   return std::ranges::any_of(formulas, [](const auto& formula) { return formula.has_value(); });
 }
 
-/// Whether something absorbs or emits by a formula of the direction, or a wall by one of the place.
+/// Whether something absorbs or emits by a formula of the direction.
 bool uses_formulas(const Problem& problem) {
-  return std::ranges::any_of(problem.media(),
-                             [](const Medium& medium) {
-                               return any(medium.absorption_by_direction) ||
-                                      any(medium.emission_by_direction);
-                             }) ||
-         std::ranges::any_of(problem.walls(),
-                             [](const Wall& wall) { return any(wall.radiance_by_direction); });
+  return std::ranges::any_of(problem.media(), [](const Medium& medium) {
+    return any(medium.absorption_by_direction) || any(medium.emission_by_direction);
+  });
 }
 
 bool is_black(const Picture& picture) {
@@ -47,34 +43,32 @@ bool is_black(const Picture& picture) {
 
 }  // namespace
 
-void check_cameras(const std::vector<CameraCase>& cameras, const Problem& problem) {
+void check_views(const std::vector<CameraCase>& cameras, const std::vector<SensorCase>& sensors,
+                 const Problem& problem) {
   std::string where;
   if (problem.space() == AngularSpace::plane) where = "in flatland (not in this version); remove it";
   if (std::any_of(problem.media().begin(), problem.media().end(), has_directional_band))
     where = "beside leaves, flakes or a kernel, which rays do not see (not in this version); remove it";
   if (uses_formulas(problem))
     where =
-        "beside absorption or emission that depends on the direction, or radiance by a formula, which rays "
-        "do not see (not in this version); remove it";
+        "beside absorption or emission that depends on the direction, which rays do not see (not in this "
+        "version); remove it";
   if (where.empty()) return;
   std::vector<Fault> faults;
   for (const CameraCase& camera : cameras) faults.push_back(fault_at(camera.origin, "", "a camera " + where));
+  for (const SensorCase& sensor : sensors) faults.push_back(fault_at(sensor.origin, "", "a sensor " + where));
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const SavedScene& scene,
-                    const std::filesystem::path& directory, ProgressStyle progress, std::ostream& out,
-                    const std::function<bool()>& interrupted) {
-  const Clock::time_point start = Clock::now();
-  const int threads = scene.options.threads;
-  const RayRadiance radiance(scene.lights, scene.directions, scene.options, scene.state, threads);
-  out << fmt::format("pictures: {}; prepared in {:.2g} s\n", BandColor(input.bands).rule(),
-                     seconds_since(start));
+bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const RayRadiance& scene,
+                    int threads, const std::filesystem::path& directory, ProgressStyle progress,
+                    std::ostream& out, const std::function<bool()>& interrupted) {
+  out << fmt::format("pictures: {}\n", BandColor(input.bands).rule());
   std::vector<NamedPicture> pictures;
   for (const CameraCase& camera : cameras) {
     const Clock::time_point begun = Clock::now();
     PictureProgress display(progress, camera.name, out);
-    Picture picture = take_picture(radiance, camera.camera, threads, [&](double share) {
+    Picture picture = take_picture(scene, camera.camera, threads, [&](double share) {
       display.show(share, seconds_since(begun));
       return !interrupted();
     });

@@ -9,25 +9,18 @@
 #include "app/case/case.h"
 #include "app/command/command_line.h"
 #include "app/write/pictures.h"
-#include "solver/lights/light_setup.h"
+#include "solver/picture/ray_radiance.h"
 
 namespace etendue {
 
-/// Throws InputError with each camera where pictures are not in this version.
-void check_cameras(const std::vector<CameraCase>& cameras, const Problem& problem);
-
-/// What pictures are taken of.
-struct SavedScene {
-  const LightSetup& lights;
-  const DirectionSet& directions;
-  const SolveOptions& options;  ///< of the solution: elements, meters; threads
-  const SavedState& state;
-};
+/// Throws InputError with each camera and sensor where rays do not see the problem in this version.
+void check_views(const std::vector<CameraCase>& cameras, const std::vector<SensorCase>& sensors,
+                 const Problem& problem);
 
 /// Takes the cameras' pictures and writes them into a directory, with progress. False where `interrupted`
 /// said so: then no picture was written.
-bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const SavedScene& scene,
-                    const std::filesystem::path& directory, ProgressStyle progress, std::ostream& out,
-                    const std::function<bool()>& interrupted);
+bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const RayRadiance& scene,
+                    int threads, const std::filesystem::path& directory, ProgressStyle progress,
+                    std::ostream& out, const std::function<bool()>& interrupted);
 
 }  // namespace etendue

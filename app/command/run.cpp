@@ -16,9 +16,11 @@
 #include "app/command/progress.h"
 #include "app/command/run_photons.h"
 #include "app/command/run_report.h"
+#include "app/command/sensors.h"
 #include "app/command/verbose_log.h"
 #include "app/write/output_folder.h"
 #include "app/write/results.h"
+#include "app/write/sensor_files.h"
 #include "app/write/solution_file.h"
 #include "solver/exact/exact_balance.h"
 #include "solver/split/solve_rotated.h"
@@ -197,6 +199,8 @@ ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& er
       << check_memory(estimate_photon_memory(run.problem, threads), run.problem.mesh(),
                       run.problem.band_count())
       << std::flush;
+  if (!run.input.sensors.empty())
+    out << "  photons read no sensors in this version: those of the case do nothing here\n";
   if (!run.input.cameras.empty())
     out << "  photons take no pictures in this version: the cameras of the case do nothing here\n";
   run.interruption.note_the_first();
@@ -242,11 +246,12 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   const Problem problem = build_problem(input, mesh);
   if (input.photons)
     return run_by_photons({request, input, problem, seconds, watch, interruption}, out, err, reader);
-  check_cameras(input.cameras, problem);
+  check_views(input.cameras, input.sensors, problem);
   const LightSetup lights(problem);
   const RunDirections all_directions = run_directions(input, lights);
   const DirectionSet& directions = all_directions.sets.front();
   const CellLocator locator(mesh);
+  check_sensors(input.sensors, mesh, locator);
   const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
   SolveOptions options = solve_options(input, place_probes(input.probes, mesh, locator));
   if (exact) options.angular_input = &exact->input;
@@ -269,10 +274,14 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   const Solution solution =
       solve_visibly(lights, all_directions, options, display, Checkpoints(input, problem, err), interruption);
   interruption.note_all();
+  std::optional<RayRadiance> scene;
+  if (!input.sensors.empty() || !input.cameras.empty())
+    scene.emplace(lights, directions, options, solution.state, options.threads);
   RunResult result{.input = input,
                    .problem = problem,
                    .solution = solution,
                    .probes = read_probes(input.probes, lights, solution, locator),
+                   .sensors = read_sensors(input.sensors, lights, scene, locator, options.threads),
                    .balances = balances(problem, solution),
                    .walls = wall_powers(problem, solution),
                    .regions = region_powers(problem, solution),
@@ -282,11 +291,11 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   result.seconds.total = watch.total();
   const WrittenResults written = write_results(result);
   out << convergence_text(result) << uncollided_text(result) << balance_text(result) << powers_text(result)
-      << probes_text(result) << exact_text(result) << cautions_text(result) << closing_text(result, written);
+      << probes_text(result) << sensors_text(result) << exact_text(result) << cautions_text(result)
+      << closing_text(result, written);
   if (!input.cameras.empty() && !interruption.noted())
-    write_pictures(input, input.cameras, {lights, directions, options, solution.state},
-                   input.output.directory, resolved_style(request.progress, out), out,
-                   [&] { return interruption.noted(); });
+    write_pictures(input, input.cameras, *scene, options.threads, input.output.directory,
+                   resolved_style(request.progress, out), out, [&] { return interruption.noted(); });
   if (reader) reader(result);
   return conclude(result, interruption.noted(), err);
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "app/write/output_folder.h"
+#include "app/write/sensor_files.h"
 #include "app/write/solution_file.h"
 #include "app/write/summary.h"
 #include "app/write/tables.h"
@@ -26,6 +27,7 @@ WrittenResults write_results(const RunResult& result) {
     write_solution(result.input, result.problem, result.solution.state, folder.add("solution.vtu"),
                    directory / "solution.vtu");
   if (!result.probes.empty()) folder.add_text("probes.csv", probes_csv(result));
+  add_sensor_files(result, folder);
   folder.add_text("walls.csv", walls_csv(result));
   folder.add_text("regions.csv", regions_csv(result));
   if (!result.solution.fixups.empty()) folder.add_text("positivity.csv", positivity_csv(result));

@@ -13,6 +13,7 @@
 #include "solver/ordinates/solution.h"
 #include "solver/photons/solve_photons.h"
 #include "solver/problem/problem.h"
+#include "solver/sensors/measurement.h"
 
 namespace etendue {
 
@@ -41,6 +42,12 @@ struct ProbeRow {
   std::optional<ProbeErrors> errors = {};  ///< where values are drawn by lot
 };
 
+/// What a sensor of the case showed.
+struct SensorRow {
+  const SensorCase& place;
+  SensorReading reading;
+};
+
 /// Standard errors of what a run writes, where it was drawn by lot: each in the place of its value.
 struct RunErrors {
   std::vector<double> fluence;       ///< [cell][4][band]
@@ -61,6 +68,7 @@ struct RunResult {
   const Problem& problem;
   const Solution& solution;
   std::vector<ProbeRow> probes;                   ///< in the order of the case
+  std::vector<SensorRow> sensors = {};            ///< in the order of the case
   std::vector<Balance> balances;                  ///< [band]
   std::vector<std::vector<WallPower>> walls;      ///< [wall][band]
   std::vector<std::vector<RegionPower>> regions;  ///< [region][band]

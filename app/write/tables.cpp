@@ -6,16 +6,10 @@
 #include <initializer_list>
 #include <iterator>
 
+#include "app/write/csv_field.h"
+
 namespace etendue {
 namespace {
-
-/// A text field as RFC 4180 has it: quoted where it holds a comma, a quote or a line break.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
 
 template <class... Values>
 void add_row(std::string& table, fmt::format_string<Values...> row, Values&&... values) {
@@ -51,8 +45,8 @@ std::string probes_csv(const RunResult& result) {
   for (const ProbeRow& row : result.probes)
     for (std::size_t b = 0; b < bands.size(); ++b) {
       const ProbeValue& value = row.values[b];
-      add_row(table, "{},{},{},{},{},{},{},{},{},{},{}{}{}", quoted(row.name), row.index, row.point.x(),
-              row.point.y(), row.point.z(), quoted(bands[b]), value.fluence, value.net_flux[0],
+      add_row(table, "{},{},{},{},{},{},{},{},{},{},{}{}{}", csv_field(row.name), row.index, row.point.x(),
+              row.point.y(), row.point.z(), csv_field(bands[b]), value.fluence, value.net_flux[0],
               value.net_flux[1], value.net_flux[2],
               row.irradiance ? fmt::to_string((*row.irradiance)[b]) : "",
               with_field ? fmt::format(",{}", (*row.fluence_field)[b]) : "", probe_errors(row, b));
@@ -72,7 +66,7 @@ std::string walls_csv(const RunResult& result) {
         const WallPower& error = result.errors->walls[w][b];
         errors = columns({error.irradiance_mean, error.incoming, error.outgoing, result.errors->net[w][b]});
       }
-      add_row(table, "{},{},{},{},{},{},{}{}", quoted(result.problem.walls()[w].name), quoted(bands[b]),
+      add_row(table, "{},{},{},{},{},{},{}{}", csv_field(result.problem.walls()[w].name), csv_field(bands[b]),
               power.area, power.irradiance_mean, power.incoming, power.outgoing,
               power.incoming - power.outgoing, errors);
     }
@@ -91,7 +85,7 @@ std::string regions_csv(const RunResult& result) {
         const RegionPower& error = result.errors->regions[r][b];
         errors = columns({error.fluence_mean, error.absorbed});
       }
-      add_row(table, "{},{},{},{},{},{}{}", quoted(result.problem.media()[r].name), quoted(bands[b]),
+      add_row(table, "{},{},{},{},{},{}{}", csv_field(result.problem.media()[r].name), csv_field(bands[b]),
               power.volume, power.fluence_mean, power.absorbed, power.emitted, errors);
     }
   return table;
@@ -102,7 +96,7 @@ std::string positivity_csv(const RunResult& result) {
   std::string table = "ordinate,wx,wy,wz,weight,band,cells,failed,smallest,moved\n";
   for (const OrdinateFixup& fixup : result.solution.fixups)
     add_row(table, "{},{},{},{},{},{},{},{},{},{}", fixup.ordinate, fixup.direction[0], fixup.direction[1],
-            fixup.direction[2], fixup.weight, quoted(bands[static_cast<std::size_t>(fixup.band)]),
+            fixup.direction[2], fixup.weight, csv_field(bands[static_cast<std::size_t>(fixup.band)]),
             fixup.cells, fixup.failed, fixup.smallest, fixup.moved);
   return table;
 }
@@ -111,7 +105,7 @@ std::string history_csv(const RunResult& result) {
   const std::vector<std::string>& bands = result.problem.bands().names;
   std::string table = "sweep,band,residual\n";
   for (const HistoryEntry& entry : result.solution.history)
-    add_row(table, "{},{},{}", entry.sweep, quoted(bands[static_cast<std::size_t>(entry.band)]),
+    add_row(table, "{},{},{}", entry.sweep, csv_field(bands[static_cast<std::size_t>(entry.band)]),
             entry.residual);
   return table;
 }

@@ -20,6 +20,7 @@ UnitLabels::UnitLabels(const Units& units, AngularSpace space)
       power(units.power),
       flux(per(power, area)),
       radiance(per(power, area + (space == AngularSpace::sphere ? " sr" : " rad"))),
+      intensity(per(power, space == AngularSpace::sphere ? "sr" : "rad")),
       coefficient("1/" + length),
       emission(per(power, volume + (space == AngularSpace::sphere ? " sr" : " rad"))) {}
 

@@ -17,6 +17,7 @@ struct UnitLabels {
   std::string power;
   std::string flux;         ///< of fluence, net flux, irradiance and exitance: power/length^2
   std::string radiance;     ///< power/(length^2 sr), in the plane per rad
+  std::string intensity;    ///< power/sr
   std::string coefficient;  ///< 1/length
   std::string emission;     ///< power/(length^3 sr), in the plane per rad
 };

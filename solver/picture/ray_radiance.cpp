@@ -65,7 +65,9 @@ RayRadiance::Workspace::Workspace(const RayRadiance& radiance)
       depth(radiance.bands_),
       depth_rest(radiance.bands_),
       factor(radiance.bands_),
-      at_point(radiance.bands_) {}
+      at_point(radiance.bands_) {
+  for (const Wall& wall : radiance.problem_.walls()) wall_formulas.push_back(wall.radiance_by_direction);
+}
 
 void RayRadiance::find_dark_cells() {
   for (std::int32_t c = 0; c < problem_.mesh().cell_count(); ++c) {
@@ -110,7 +112,7 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
     const Stretch stretch{at.position, towards, view};
     if (view.lights_shown) add_flat_lights(stretch, end.distance, work, radiance);
     add_cells(stretch, work, radiance);
-    add_wall(*end.wall, end.point, view, work, radiance);
+    add_wall(*end.wall, end.point, stretch, work, radiance);
     if (!reflect(*end.wall, work)) return;
     const Vec3 normal = problem_.mesh().area_normal(*end.wall).normalized();
     towards = (towards - 2 * towards.dot(normal) * normal).normalized();
@@ -198,8 +200,9 @@ void RayRadiance::add_flat_lights(const Stretch& stretch, double length, Workspa
   }
 }
 
-void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const RayView& view, Workspace& work,
+void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
                            std::span<double> radiance) const {
+  const RayView& view = stretch.view;
   const int number = problem_.mesh().wall(face);
   const Wall& wall = problem_.wall(number);
   std::fill(work.at_point.begin(), work.at_point.end(), 0.0);
@@ -211,6 +214,11 @@ void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const RayView& vie
     if (lights_.has_wall(number)) emitted = view.lights_shown ? std::exp(-work.depth[b]) : 0;
     radiance[b] += work.factor[b] * (rest * work.at_point[b] + emitted * wall.radiance[b]);
   }
+  const auto& formulas = work.wall_formulas[static_cast<std::size_t>(number)];
+  for (std::size_t b = 0; b < formulas.size(); ++b)
+    if (formulas[b])
+      radiance[b] +=
+          work.factor[b] * std::exp(-work.depth_rest[b]) * formulas[b]->at(point, stretch.travel());
 }
 
 /// Whether the ray goes on.

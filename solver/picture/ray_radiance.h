@@ -54,6 +54,8 @@ class RayRadiance {
     std::vector<double> factor;      ///< [band] of mirrors
     std::vector<double> at_point;    ///< [band]
     std::optional<CollidedSource::View> view;
+    /// [wall][band] radiance by formulas of place and direction, where there are any; a thread has its own
+    std::vector<std::vector<std::optional<AngularFormula>>> wall_formulas;
   };
 
   std::size_t bands() const { return bands_; }
@@ -78,7 +80,7 @@ class RayRadiance {
                   std::span<double> radiance) const;
   void add_flat_lights(const Stretch& stretch, double length, Workspace& work,
                        std::span<double> radiance) const;
-  void add_wall(FaceIndex face, const Vec3& point, const RayView& view, Workspace& work,
+  void add_wall(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
                 std::span<double> radiance) const;
   bool reflect(FaceIndex face, Workspace& work) const;
   void find_dark_cells();

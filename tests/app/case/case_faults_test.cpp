@@ -23,7 +23,7 @@ const Check keys[] = {
      "slab.toml:8: media.smoke.scatering = 2.0: unknown key; did you mean \"scattering\"?"},
     {"MisspeltTable", "[direction]\nset = \"product\"\n",
      "slab.toml:7: direction: misplaced key; \"direction\" belongs in [walls.NAME.beam] (NAME: a wall or "
-     "\"*\"), [[light]] or [directions.refine] (or did you mean \"directions\"?)"},
+     "\"*\"), [[light]], [directions.refine] or [[sensor]] (or did you mean \"directions\"?)"},
     {"Misplaced", "[solve]\nscattering = 2.0\n",
      "slab.toml:8: solve.scattering = 2.0: misplaced key; \"scattering\" belongs in [media.NAME] (NAME: a "
      "region or "
@@ -50,7 +50,6 @@ const Check keys[] = {
 };
 
 const Check later[] = {
-    {"Sensor", "[[sensor]]\nname = \"front\"\n", "slab.toml:7: sensor: not in this version; remove it"},
     {"Method", "[solve]\nmethod = \"radiosity\"\n",
      "slab.toml:8: solve.method = \"radiosity\": not in this version; use \"auto\", \"gmres\", "
      "\"source-iteration\" or \"photons\""},

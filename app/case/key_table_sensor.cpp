@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/key_table.h"
+
+namespace etendue {
+
+using enum KeyType;
+using namespace key_range;
+
+std::vector<KeyDeclaration> sensor_keys() {
+  constexpr auto required = Need::required;
+  return {
+      {"sensor", "name", text, {.need = required, .help = "Names the rows in `sensors.csv`."}},
+      {"sensor",
+       "kind",
+       text,
+       {.default_value = "\"irradiance\"",
+        .choices = {"irradiance", "fluence", "radiance", "cone", "grid", "flux", "intensity"},
+        .help =
+            "irradiance on one side of a plane; fluence from all sides; radiance from one direction; of a "
+            "cone the mean radiance and what it brings to the plane across it; grid: irradiance at the "
+            "middles of parts of a parallelogram; flux: power through a polygon, both ways; "
+            "intensity of what leaves the domain by a wall, over directions."}},
+      {"sensor",
+       "position",
+       point,
+       {.unit = "length", .help = "Where it stands; of a grid its first corner."}},
+      {"sensor",
+       "normal",
+       point,
+       {.default_note = "of a grid: along × across",
+        .help = "Of irradiance: to the side where light is measured; of any length."}},
+      {"sensor",
+       "direction",
+       point,
+       {.help =
+            "Of radiance and cone: where the sensor looks, against the light; of any length. Of a flux: the "
+            "axis of the cone that light comes from."}},
+      {"sensor",
+       "angle",
+       number,
+       {.unit = "degrees",
+        .range = {.lowest = 0, .highest = 90, .lowest_excluded = true},
+        .help = "Half angle of a cone; of a flux it leaves out light that comes from elsewhere."}},
+      {"sensor", "along", point, {.unit = "length", .help = "Side of a grid, from its corner."}},
+      {"sensor", "across", point, {.unit = "length", .help = "Its other side."}},
+      {"sensor",
+       "parts",
+       numbers,
+       {.default_note = "[4, 4]; of a flux [4], of intensity [24, 19]",
+        .range = {.lowest = 1, .highest = 4096},
+        .help =
+            "Of a grid: parts along and across. Of a flux: n, and 3 n^2 points for each triangle about the "
+            "polygon's first corner. Of intensity: azimuths, and polar angles from 0 to 90 degrees."}},
+      {"sensor", "wall", text, {.help = "Of intensity: the wall that the light leaves by."}},
+      {"sensor",
+       "polygon",
+       points,
+       {.unit = "length",
+        .help = "Corners of a flux in order, flat and convex. Forward is to where they are seen "
+                "counterclockwise."}},
+      {"sensor",
+       "rays",
+       integer,
+       {.default_value = "2000",
+        .range = {.lowest = 68, .highest = largest_count},
+        .help =
+            "From each point at most, for light that has been scattered or reflected; fewer where 1e-6 is "
+            "reached. The error that they leave is written."}},
+  };
+}
+
+}  // namespace etendue

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read_sensor.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+namespace etendue {
+namespace {
+
+const std::map<std::string, SensorKind> kinds = {{"irradiance", SensorKind::irradiance},
+                                                 {"fluence", SensorKind::fluence},
+                                                 {"radiance", SensorKind::radiance},
+                                                 {"cone", SensorKind::cone},
+                                                 {"grid", SensorKind::grid},
+                                                 {"flux", SensorKind::flux},
+                                                 {"intensity", SensorKind::intensity}};
+
+/// The keys that a kind of sensor takes, beside name, kind and rays.
+const std::map<SensorKind, std::vector<std::string>> keys_of = {
+    {SensorKind::irradiance, {"position", "normal"}},
+    {SensorKind::fluence, {"position"}},
+    {SensorKind::radiance, {"position", "direction"}},
+    {SensorKind::cone, {"position", "direction", "angle"}},
+    {SensorKind::grid, {"position", "along", "across", "normal", "parts"}},
+    {SensorKind::flux, {"polygon", "parts", "direction", "angle"}},
+    {SensorKind::intensity, {"wall", "parts"}}};
+
+/// Of intensities: every 15 degrees around, every 5 from the axis.
+constexpr int default_azimuths = 24, default_polar_angles = 19;
+
+/// Corners stand in one plane to this part of the polygon's size.
+constexpr double flat = 1e-6;
+
+bool takes(SensorKind kind, const std::string& key) { return std::ranges::count(keys_of.at(kind), key) > 0; }
+
+void refuse_other_keys(Section& section, const std::string& name, SensorKind kind) {
+  for (const char* key :
+       {"position", "normal", "direction", "angle", "along", "across", "parts", "polygon", "wall"})
+    if (!takes(kind, key)) section.unused(key, "a sensor of kind \"" + name + "\" does not take it");
+}
+
+/// A vector of any length; zero where it is absent or has none, which is a fault.
+Vec3 unit_vector(Section& section, const std::string& key, const std::string& what) {
+  if (!section.has(key)) {
+    section.fault(key, "missing; use " + what);
+    return Vec3::Zero();
+  }
+  const auto given = section.point_if(key);
+  if (!given) return Vec3::Zero();
+  if (given->norm() == 0) section.fault(key, "has no direction; use a vector that is not zero");
+  return given->normalized();
+}
+
+void read_position(Section& section, Sensor& sensor) {
+  if (!section.has("position")) return section.fault("position", "missing; use a point of the domain");
+  sensor.position = section.point_if("position").value_or(Vec3::Zero());
+}
+
+void read_sides(Section& section, Sensor& sensor) {
+  const std::array<std::string, 2> names = {"along", "across"};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!section.has(names[i])) section.fault(names[i], "missing; use the side of the grid, as a vector");
+    sensor.sides[i] = section.point_if(names[i]).value_or(Vec3::Zero());
+  }
+  const Vec3 normal = sensor.sides[0].cross(sensor.sides[1]);
+  if (normal.norm() <= flat * sensor.sides[0].norm() * sensor.sides[1].norm())
+    return section.fault("across", "points along the other side; use a vector across it");
+  sensor.direction = section.has("normal") ? unit_vector(section, "normal", "a vector") : normal.normalized();
+}
+
+void read_parts(Section& section, Sensor& sensor) {
+  sensor.count = {4, 4};
+  if (sensor.kind == SensorKind::intensity) sensor.count = {default_azimuths, default_polar_angles};
+  const TomlNode* given = section.find("parts");
+  if (given == nullptr) return;
+  const TomlArray& parts = given->array();
+  const bool whole = std::ranges::all_of(
+      parts, [](const auto& item) { return std::holds_alternative<std::int64_t>(item->value); });
+  const std::size_t wanted = sensor.kind == SensorKind::flux ? 1 : 2;
+  if (!whole || parts.size() != wanted)
+    return section.fault("parts", wanted == 2 ? "must be two whole numbers; use a list of two"
+                                              : "must be one whole number; use a list of one");
+  for (std::size_t i = 0; i < 2; ++i) sensor.count[i] = static_cast<int>(parts[i % wanted]->number());
+}
+
+void read_cone_angle(Section& section, Sensor& sensor) {
+  if (!section.has("angle"))
+    return section.fault("angle", "missing; use the half angle of the cone in degrees");
+  sensor.half_angle = section.number("angle") * std::numbers::pi / 180;
+}
+
+void check_polygon(Section& section, const std::vector<Vec3>& polygon) {
+  if (polygon.size() < 3) return section.fault("polygon", "has fewer than three corners; use three or more");
+  const Vec3 normal = polygon_normal(polygon);
+  double size = 0;
+  for (const Vec3& corner : polygon) size = std::max(size, (corner - polygon[0]).norm());
+  if (!(normal.norm() > 0.5)) return section.fault("polygon", "has no area; use corners that span one");
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()],
+               &c = polygon[(i + 2) % polygon.size()];
+    if (std::abs(normal.dot(b - polygon[0])) > flat * size)
+      return section.fault("polygon", "is not flat; use corners in one plane");
+    if (normal.dot((b - a).cross(c - b)) < -flat * size * size)
+      return section.fault("polygon", "is not convex; use several sensors");
+  }
+}
+
+void read_polygon(Section& section, Sensor& sensor) {
+  if (!section.has("polygon")) return section.fault("polygon", "missing; use a list of corners");
+  if (const TomlNode* corners = section.find("polygon")) {
+    for (const auto& corner : corners->array()) sensor.polygon.push_back(to_vec3(*corner));
+    check_polygon(section, sensor.polygon);
+  }
+  if (section.has("angle") != section.has("direction"))
+    section.fault(section.has("angle") ? "direction" : "angle",
+                  "missing; use direction and angle of a cone, or neither");
+  if (!section.has("angle") || !section.has("direction")) return;
+  read_cone_angle(section, sensor);
+  sensor.direction = unit_vector(section, "direction", "where the light comes from");
+}
+
+SensorCase read_sensor(Section& section) {
+  SensorCase result;
+  result.origin = section.origin();
+  result.name = section.text_if("name").value_or("");
+  if (result.name.find('/') != std::string::npos || result.name.starts_with('.'))
+    section.fault("name", "cannot name a file; use letters, digits, - and _");
+  Sensor& sensor = result.sensor;
+  const std::string kind = section.text("kind");
+  sensor.rays = section.integer("rays");
+  const auto known = kinds.find(kind);
+  if (known == kinds.end()) return result;
+  sensor.kind = known->second;
+  refuse_other_keys(section, kind, sensor.kind);
+  if (takes(sensor.kind, "position")) read_position(section, sensor);
+  if (takes(sensor.kind, "parts")) read_parts(section, sensor);
+  if (sensor.kind == SensorKind::irradiance)
+    sensor.direction = unit_vector(section, "normal", "a vector to the side where light is measured");
+  if (sensor.kind == SensorKind::radiance || sensor.kind == SensorKind::cone)
+    sensor.direction = unit_vector(section, "direction", "a vector to where the sensor looks");
+  if (sensor.kind == SensorKind::cone) read_cone_angle(section, sensor);
+  if (sensor.kind == SensorKind::grid) read_sides(section, sensor);
+  if (sensor.kind == SensorKind::flux) read_polygon(section, sensor);
+  if (sensor.kind == SensorKind::intensity) {
+    result.wall = section.text_if("wall").value_or("");
+    if (!section.has("wall")) section.fault("wall", "missing; use the name of a wall that light leaves by");
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<SensorCase> read_sensors(Section& top) {
+  std::vector<SensorCase> sensors;
+  for (Section& section : top.list("sensor")) {
+    SensorCase sensor = read_sensor(section);
+    if (!sensor.name.empty() && std::ranges::count(sensors, sensor.name, &SensorCase::name) > 0)
+      section.fault("name", "another sensor has this name; give each its own");
+    sensors.push_back(std::move(sensor));
+  }
+  return sensors;
+}
+
+}  // namespace etendue

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/write/sensor_files.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/write/csv_field.h"
+#include "app/write/image_files.h"
+#include "app/write/intensity_files.h"
+#include "app/write/sensor_rows.h"
+#include "app/write/unit_labels.h"
+#include "solver/sensors/photometry.h"
+
+namespace etendue {
+namespace {
+
+std::string grid_csv(const RunResult& result, const SensorRow& row) {
+  const std::vector<std::string>& bands = result.problem.bands().names;
+  const Sensor& sensor = row.place.sensor;
+  const GridReading& grid = row.reading.grid;
+  std::string table = "column,row,x,y,z,band,uncollided,collided,irradiance\n";
+  std::size_t at = 0;
+  for (int j = 0; j < sensor.count[1]; ++j)
+    for (int i = 0; i < sensor.count[0]; ++i)
+      for (const std::string& band : bands) {
+        if (std::isnan(grid.collided[at])) {
+          ++at;
+          continue;
+        }
+        const Vec3 point = grid_point(sensor, i, j);
+        table += fmt::format("{},{},{},{},{},{},{},{},{}\n", i, j, point.x(), point.y(), point.z(),
+                             csv_field(band), grid.uncollided[at], grid.collided[at],
+                             grid.uncollided[at] + grid.collided[at]);
+        ++at;
+      }
+  return table;
+}
+
+std::string grid_exr(const RunResult& result, const SensorRow& row) {
+  const std::vector<std::string>& bands = result.problem.bands().names;
+  const GridReading& grid = row.reading.grid;
+  std::vector<ImageChannel> channels;
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    ImageChannel whole{"irradiance." + bands[b], {}}, uncollided{"uncollided." + bands[b], {}};
+    for (std::size_t at = b; at < grid.collided.size(); at += bands.size()) {
+      whole.values.push_back(static_cast<float>(grid.uncollided[at] + grid.collided[at]));
+      uncollided.values.push_back(static_cast<float>(grid.uncollided[at]));
+    }
+    channels.push_back(std::move(whole));
+    channels.push_back(std::move(uncollided));
+  }
+  return exr_bytes(row.place.sensor.count, channels,
+                   fmt::format("irradiance [{}]", UnitLabels(result.input.units).flux));
+}
+
+}  // namespace
+
+std::string sensors_csv(const RunResult& result) {
+  std::string table = "sensor,band,quantity,uncollided,collided,value,unit,error\n";
+  for (const SensorTableRow& row : sensor_rows(result))
+    table +=
+        fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(row.sensor), csv_field(row.band), row.quantity,
+                    row.uncollided, row.collided, row.value(), csv_field(row.unit), row.error);
+  return table;
+}
+
+std::string sensors_text(const RunResult& result) {
+  std::string text;
+  for (const SensorTableRow& row : sensor_rows(result))
+    text += fmt::format("sensor {}: {} {} {:.6g} {} (uncollided {:.6g}, rays leave {:.1g})\n", row.sensor,
+                        row.quantity, row.band, row.value(), row.unit, row.uncollided, row.error);
+  const Photometry photometry(result.problem.bands());
+  if (!text.empty() && photometry.known()) text += "  photopic: " + photometry.rule() + "\n";
+  return text;
+}
+
+void add_sensor_files(const RunResult& result, OutputFolder& folder) {
+  if (result.sensors.empty()) return;
+  folder.add_text("sensors.csv", sensors_csv(result));
+  for (const SensorRow& row : result.sensors) {
+    const std::string& name = row.place.name;
+    if (row.place.sensor.kind == SensorKind::grid) {
+      folder.add_text(name + ".grid.csv", grid_csv(result, row));
+      folder.add_text(name + ".grid.exr", grid_exr(result, row));
+    }
+    if (row.place.sensor.kind != SensorKind::intensity) continue;
+    folder.add_text(name + ".intensity.csv", intensity_csv(result, row));
+    folder.add_text(name + ".intensity.svg", intensity_svg(result, row));
+    const std::string ies = intensity_ies(result, row);
+    if (!ies.empty()) folder.add_text(name + ".ies", ies);
+  }
+}
+
+}  // namespace etendue

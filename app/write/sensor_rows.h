@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/write/results.h"
+
+namespace etendue {
+
+/// A row of sensors.csv.
+struct SensorTableRow {
+  std::string sensor;
+  std::string band;  ///< "photopic" where bands are summed up as the eye does
+  std::string quantity;
+  double uncollided = 0;
+  double collided = 0;
+  double error = 0;
+  std::string unit;
+
+  double value() const { return uncollided + collided; }
+};
+
+/// All that the sensors of a run showed: radiometry as it was measured; where units are those of the SI, u/c
+/// and, where bands have edges, photons; and where the eye can see the bands (Photometry), photometry in the
+/// units that the case asks for.
+std::vector<SensorTableRow> sensor_rows(const RunResult& result);
+
+}  // namespace etendue

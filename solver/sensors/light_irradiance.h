@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "solver/lights/light_setup.h"
+
+namespace etendue {
+
+/// Light at a point, [band] [power/length^2].
+struct UncollidedAtPoint {
+  std::vector<double> irradiance;  ///< on the side of a plane that its normal points to
+  std::vector<double> fluence;
+};
+
+/// What lights bring to a point before the first collision, exact as far as it is known in closed form. A
+/// flat light brings
+///
+///     E = L E_polygon - sum over its beams of (1 - T) phi w.n,                                     (1)
+///
+/// the irradiance of its triangles in empty space, closed (polygon_irradiance), less what media and obstacles
+/// keep of the beams (transmittance T, 0 in the shadow) that it is cut into. Where nothing stands in the way
+/// that is exact to rounding; else the error is that of the beams times the part that is lost. The same holds
+/// of the fluence, with solid angles. Lights of other kinds, and all beside mirrors, are the sums of their
+/// beams: exact for points, spots and the sun.
+class LightIrradiance {
+ public:
+  /// The lights must outlive it.
+  explicit LightIrradiance(const LightSetup& lights);
+
+  /// `normal` is a unit vector.
+  UncollidedAtPoint at(const PointInCell& point, const Vec3& normal) const;
+
+ private:
+  struct FlatLight {
+    const LightSource* source;
+    std::vector<double> radiance;                ///< [band]
+    std::vector<std::array<Vec3, 3>> triangles;  ///< counterclockwise seen from the side that shines
+  };
+  void find_flat_lights();
+
+  const LightSetup& lights_;
+  std::vector<FlatLight> flat_;
+  std::vector<const LightSource*> others_;
+};
+
+}  // namespace etendue

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+namespace etendue {
+
+/// What sensors report, in the words and units of radiometry.
+enum class RadiometricQuantity {
+  irradiance,       ///< through the sensor's plane [power/length^2]; of a cone what comes from within it
+  fluence,          ///< from all sides [power/length^2]
+  radiance,         ///< from one direction [power/(length^2 sr)]
+  radiance_mean,    ///< over the cone [power/(length^2 sr)]
+  irradiance_mean,  ///< over a grid
+  irradiance_least,
+  irradiance_most,
+  flux_forward,   ///< power through a polygon, in the direction of its normal [power]
+  flux_backward,  ///< against it [power]
+  flux_net,       ///< forward less backward [power]
+  intensity_most  ///< of all directions [power/sr]
+};
+
+/// A quantity in every band, in two parts: light of lights that has not scattered or been reflected diffusely
+/// yet, and all other light.
+struct Measurement {
+  RadiometricQuantity quantity;
+  std::vector<double> uncollided;  ///< [band]
+  std::vector<double> collided;    ///< [band]
+  /// [band] estimate of what the sum over rays is off by; 0 where no sum is taken. The error of the solution
+  /// itself is not in it.
+  std::vector<double> error;
+};
+
+/// [row][column][band]: the irradiance at the points of a grid, its second side down; or the radiant
+/// intensity of what leaves by a wall, a row for each polar angle and a column for each azimuth.
+struct GridReading {
+  std::vector<double> uncollided;
+  std::vector<double> collided;
+};
+
+struct SensorReading {
+  std::vector<Measurement> measurements;
+  GridReading grid;  ///< empty for other kinds
+};
+
+}  // namespace etendue

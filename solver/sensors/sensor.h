@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesh/base/vec3.h"
+
+namespace etendue {
+
+/// What an instrument measures.
+enum class SensorKind {
+  irradiance,  ///< at a point, on the side that the normal points to
+  fluence,     ///< at a point, from all sides
+  radiance,    ///< at a point, from the direction in which it looks
+  cone,        ///< at a point, from all directions within an angle of the one in which it looks
+  grid,        ///< irradiance at the middles of equal parts of a parallelogram
+  flux,        ///< power through a flat convex polygon, to both sides
+  intensity    ///< what leaves the domain by a wall, over directions
+};
+
+/// An instrument, anywhere in the domain or on a wall.
+struct Sensor {
+  SensorKind kind = SensorKind::irradiance;
+  Vec3 position = Vec3::Zero();    ///< of a grid its first corner
+  Vec3 direction = Vec3::UnitZ();  ///< unit: the normal, or where it looks; never that of the light
+  /// [rad] of a cone, and of a flux that counts what comes from within a cone alone; 0: from everywhere
+  double half_angle = 0;
+  std::array<Vec3, 2> sides = {};  ///< of a grid, from its first corner [length]
+  /// Of a grid, parts of its sides; of a polygon the first, see SensorReader; of intensities, azimuths and
+  /// polar angles.
+  std::array<int, 2> count = {1, 1};
+  std::vector<Vec3> polygon = {};  ///< corners, in order, of a flux
+  int wall = -1;                   ///< of intensities
+  int rays = 2000;                 ///< at most, from one point, for other light than that of lights
+};
+
+/// The middle of a part of a grid.
+Vec3 grid_point(const Sensor& sensor, int i, int j);
+
+/// Unit normal of a polygon, from which its corners stand counterclockwise; the length is lost where they
+/// stand in a line.
+Vec3 polygon_normal(const std::vector<Vec3>& polygon);
+
+}  // namespace etendue

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/sensors/sensor_reading.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "solver/sensors/wall_intensity.h"
+
+namespace etendue {
+namespace {
+
+using std::numbers::pi;
+
+/// Estimated relative error at which no more rays are sent.
+constexpr double sum_tolerance = 1e-6;
+
+using Quantity = RadiometricQuantity;
+
+std::size_t value_count(const Sensor& sensor) {
+  return static_cast<std::size_t>(sensor.count[0]) * static_cast<std::size_t>(sensor.count[1]);
+}
+
+/// The point of a grid where a band has most, or least; the parts are those of that point.
+template <class Better>
+Measurement extreme_of(const GridReading& grid, std::size_t bands, Quantity quantity, const Better& better) {
+  Measurement found{quantity, {}, {}, std::vector<double>(bands, 0)};
+  const auto value = [&](std::size_t at) { return grid.uncollided[at] + grid.collided[at]; };
+  for (std::size_t b = 0; b < bands; ++b) {
+    std::size_t best = b;
+    for (std::size_t i = b; i < grid.collided.size(); i += bands)
+      if (std::isnan(value(best)) || better(value(i), value(best))) best = i;
+    found.uncollided.push_back(grid.uncollided[best]);
+    found.collided.push_back(grid.collided[best]);
+  }
+  return found;
+}
+
+Measurement most_of(const GridReading& grid, std::size_t bands, Quantity quantity) {
+  return extreme_of(grid, bands, quantity, std::greater<>{});
+}
+
+Measurement mean_of(const GridReading& grid, std::size_t bands, const std::vector<double>& errors) {
+  Measurement mean{Quantity::irradiance_mean, std::vector<double>(bands, 0), std::vector<double>(bands, 0),
+                   std::vector<double>(bands, 0)};
+  const auto known = static_cast<double>(
+      std::ranges::count_if(grid.collided, [](double value) { return !std::isnan(value); }));
+  const double share = static_cast<double>(bands) / known;
+  for (std::size_t i = 0; i < grid.collided.size(); ++i) {
+    if (std::isnan(grid.collided[i])) continue;
+    mean.uncollided[i % bands] += share * grid.uncollided[i];
+    mean.collided[i % bands] += share * grid.collided[i];
+    mean.error[i % bands] += share * errors[i];
+  }
+  return mean;
+}
+
+/// A point of a rule on a polygon and the area that it stands for.
+struct PolygonPoint {
+  Vec3 position;
+  double area;
+};
+
+// Sub-triangle (i, j) of n^2: corners at i/n and j/n of the two sides, standing up or upside down.
+std::vector<PolygonPoint> points_on(const std::vector<Vec3>& polygon, int n) {
+  std::vector<PolygonPoint> points;
+  for (std::size_t k = 2; k < polygon.size(); ++k) {
+    const Vec3 u = (polygon[k - 1] - polygon[0]) / n, v = (polygon[k] - polygon[0]) / n;
+    const double area = u.cross(v).norm() / 2 / 3;
+    const auto add = [&](const Vec3& corner, double sign) {
+      for (const auto& [a, b] : {std::pair(1. / 6, 1. / 6), {2. / 3, 1. / 6}, {1. / 6, 2. / 3}})
+        points.push_back({corner + sign * (a * u + b * v), area});
+    };
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j) {
+        add(polygon[0] + i * u + j * v, 1);
+        if (i + j + 1 < n) add(polygon[0] + (i + 1) * u + (j + 1) * v, -1);
+      }
+  }
+  return points;
+}
+
+/// Calls read(i, workspace) for the points of a sensor on all threads.
+template <class Read>
+void for_all_points(std::size_t count, const RayRadiance& scene, int threads, const Read& read) {
+  std::exception_ptr failure;
+#pragma omp parallel num_threads(threads)
+  {
+    RayRadiance::Workspace work(scene);
+#pragma omp for schedule(dynamic, 1)
+    for (std::size_t i = 0; i < count; ++i) try {
+        read(i, work);
+      } catch (...) {
+#pragma omp critical(etendue_sensor_points)
+        failure = std::current_exception();
+      }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+void add_to(std::vector<double>& sum, const std::vector<double>& values, double factor) {
+  for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += factor * values[b];
+}
+
+}  // namespace
+
+Vec3 polygon_normal(const std::vector<Vec3>& polygon) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    sum += (polygon[i - 1] - polygon[0]).cross(polygon[i] - polygon[0]);
+  return sum.normalized();
+}
+
+Vec3 grid_point(const Sensor& sensor, int i, int j) {
+  return sensor.position + (i + 0.5) / sensor.count[0] * sensor.sides[0] +
+         (j + 0.5) / sensor.count[1] * sensor.sides[1];
+}
+
+SensorReader::AtPoint SensorReader::radiance(const PointInCell& place, const Vec3& looking,
+                                             RayRadiance::Workspace& work) const {
+  const std::size_t bands = scene_.bands();
+  AtPoint found{std::vector<double>(bands), std::vector<double>(bands), std::vector<double>(bands, 0)};
+  scene_.along(place, looking, {.lights_shown = false}, work, found.collided);
+  if (lights_.empty()) return found;
+  scene_.along(place, looking, {.lights_shown = true}, work, found.uncollided);
+  for (std::size_t b = 0; b < bands; ++b) found.uncollided[b] -= found.collided[b];
+  return found;
+}
+
+SensorReader::AtPoint SensorReader::irradiance(const PointInCell& place, const Vec3& normal, int rays,
+                                               RayRadiance::Workspace& work) const {
+  const RayView view{.lights_shown = false};
+  const ConeIntegrals rest = integrate_over_cone(
+      {normal, pi / 2}, scene_.bands(),
+      [&](const Vec3& direction, std::span<double> values) {
+        scene_.along(place, direction, view, work, values);
+        for (double& value : values) value *= normal.dot(direction);
+      },
+      sum_tolerance, rays);
+  return {direct_.at(place, normal).irradiance, rest.values, rest.errors};
+}
+
+SensorReader::AtPoint SensorReader::fluence(const PointInCell& place, const Sensor& sensor,
+                                            RayRadiance::Workspace& work) const {
+  const RayView view{.lights_shown = false};
+  const ConeIntegrals rest = integrate_over_cone(
+      {Vec3::UnitZ(), pi}, scene_.bands(),
+      [&](const Vec3& direction, std::span<double> values) {
+        scene_.along(place, direction, view, work, values);
+      },
+      sum_tolerance, sensor.rays);
+  return {direct_.at(place, Vec3::UnitZ()).fluence, rest.values, rest.errors};
+}
+
+// Lights with an extent are seen by the rays; those without are beams, which no ray meets.
+std::vector<SensorReader::AtPoint> SensorReader::over_cone(const PointInCell& place, const Cone& cone,
+                                                           std::span<const Vec3> normals, int rays,
+                                                           RayRadiance::Workspace& work) const {
+  const std::size_t bands = scene_.bands();
+  const auto weight = [](const Vec3& normal, const Vec3& looking) {
+    return normal.isZero() ? 1 : std::max(0.0, normal.dot(looking));
+  };
+  // [normal][uncollided, collided][band]
+  const ConeIntegrals seen = integrate_over_cone(
+      cone, 2 * bands * normals.size(),
+      [&](const Vec3& looking, std::span<double> values) {
+        const AtPoint here = radiance(place, looking, work);
+        for (std::size_t i = 0; i < normals.size(); ++i)
+          for (std::size_t b = 0; b < bands; ++b) {
+            values[2 * i * bands + b] = weight(normals[i], looking) * here.uncollided[b];
+            values[(2 * i + 1) * bands + b] = weight(normals[i], looking) * here.collided[b];
+          }
+      },
+      sum_tolerance, rays);
+  LightBeams beams(bands);
+  for (const auto& source : lights_.sources())
+    if (!source->is_extended()) source->add_beams(place, Sight::attenuated, fine_light, beams);
+  std::vector<AtPoint> found(normals.size());
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    for (std::size_t b = 0; b < bands; ++b) {
+      const std::size_t first = 2 * i * bands + b;
+      double thin = 0;
+      for (std::size_t k = 0; k < beams.size(); ++k)
+        if (cone.holds(-beams.direction(k)))
+          thin += beams.fluence(k)[b] * weight(normals[i], -beams.direction(k));
+      found[i].uncollided.push_back(seen.values[first] + thin);
+      found[i].collided.push_back(seen.values[first + bands]);
+      found[i].error.push_back(seen.errors[first] + seen.errors[first + bands]);
+    }
+  return found;
+}
+
+void SensorReader::read_cone(const PointInCell& place, const Sensor& sensor, SensorReading& reading) const {
+  RayRadiance::Workspace work(scene_);
+  const Cone cone{sensor.direction, sensor.half_angle};
+  const std::array<Vec3, 2> normals = {Vec3::Zero(), cone.axis};
+  std::vector<AtPoint> found = over_cone(place, cone, normals, sensor.rays, work);
+  for (std::vector<double>* values : {&found[0].uncollided, &found[0].collided, &found[0].error})
+    for (double& value : *values) value /= cone.solid_angle();
+  for (std::size_t i = 0; i < 2; ++i)
+    reading.measurements.push_back({i == 0 ? Quantity::radiance_mean : Quantity::irradiance,
+                                    found[i].uncollided, found[i].collided, found[i].error});
+}
+
+void SensorReader::read_grid(const Sensor& sensor, const Locate& locate, int threads,
+                             SensorReading& reading) const {
+  const std::size_t bands = scene_.bands(), points = value_count(sensor);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  reading.grid = {std::vector<double>(points * bands, none), std::vector<double>(points * bands, none)};
+  std::vector<double> errors(points * bands, 0);
+  for_all_points(points, scene_, threads, [&](std::size_t p, RayRadiance::Workspace& work) {
+    const auto columns = static_cast<std::size_t>(sensor.count[0]);
+    const Vec3 point = grid_point(sensor, static_cast<int>(p % columns), static_cast<int>(p / columns));
+    const std::optional<PointInCell> place = locate(point);
+    if (!place) return;
+    const AtPoint here = irradiance(*place, sensor.direction, sensor.rays, work);
+    for (std::size_t b = 0; b < bands; ++b) {
+      reading.grid.uncollided[p * bands + b] = here.uncollided[b];
+      reading.grid.collided[p * bands + b] = here.collided[b];
+      errors[p * bands + b] = here.error[b];
+    }
+  });
+  reading.measurements = {mean_of(reading.grid, bands, errors),
+                          extreme_of(reading.grid, bands, Quantity::irradiance_least, std::less<>{}),
+                          most_of(reading.grid, bands, Quantity::irradiance_most)};
+}
+
+std::vector<SensorReader::AtPoint> SensorReader::both_sides(const PointInCell& place, const Vec3& normal,
+                                                            const Sensor& sensor,
+                                                            RayRadiance::Workspace& work) const {
+  const std::array<Vec3, 2> normals = {normal, -normal};
+  if (sensor.half_angle > 0)
+    return over_cone(place, {sensor.direction, sensor.half_angle}, normals, sensor.rays, work);
+  return {irradiance(place, normals[0], sensor.rays, work), irradiance(place, normals[1], sensor.rays, work)};
+}
+
+void SensorReader::read_flux(const Sensor& sensor, const Locate& locate, int threads,
+                             SensorReading& reading) const {
+  const std::vector<PolygonPoint> points = points_on(sensor.polygon, sensor.count[0]);
+  const Vec3 normal = polygon_normal(sensor.polygon);
+  std::vector<std::vector<AtPoint>> found(points.size());
+  for_all_points(points.size(), scene_, threads, [&](std::size_t p, RayRadiance::Workspace& work) {
+    if (const auto place = locate(points[p].position)) found[p] = both_sides(*place, normal, sensor, work);
+  });
+  const std::vector<double> nothing(scene_.bands(), 0);
+  Measurement forward{Quantity::flux_forward, nothing, nothing, nothing};
+  Measurement backward{Quantity::flux_backward, nothing, nothing, nothing};
+  Measurement net{Quantity::flux_net, nothing, nothing, nothing};
+  // Light that goes forward falls on the back.
+  const auto add = [](Measurement& sum, const AtPoint& part, double area) {
+    add_to(sum.uncollided, part.uncollided, area);
+    add_to(sum.collided, part.collided, area);
+    add_to(sum.error, part.error, std::abs(area));
+  };
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (found[p].empty()) continue;
+    add(backward, found[p][0], points[p].area);
+    add(forward, found[p][1], points[p].area);
+    add(net, found[p][0], -points[p].area);
+    add(net, found[p][1], points[p].area);
+  }
+  reading.measurements = {forward, backward, net};
+}
+
+SensorReading SensorReader::read(const Sensor& sensor, const Locate& locate, int threads) const {
+  SensorReading reading;
+  if (sensor.kind == SensorKind::grid) {
+    read_grid(sensor, locate, threads, reading);
+    return reading;
+  }
+  if (sensor.kind == SensorKind::flux) {
+    read_flux(sensor, locate, threads, reading);
+    return reading;
+  }
+  if (sensor.kind == SensorKind::intensity) {
+    reading.grid = wall_intensity(lights_, scene_, sensor.wall, sensor.count[0], sensor.count[1], threads);
+    reading.measurements.push_back(most_of(reading.grid, scene_.bands(), Quantity::intensity_most));
+    return reading;
+  }
+  const PointInCell place = locate(sensor.position).value();
+  if (sensor.kind == SensorKind::cone) {
+    read_cone(place, sensor, reading);
+    return reading;
+  }
+  RayRadiance::Workspace work(scene_);
+  const auto add = [&](Quantity quantity, AtPoint here) {
+    reading.measurements.push_back(
+        {quantity, std::move(here.uncollided), std::move(here.collided), std::move(here.error)});
+  };
+  if (sensor.kind == SensorKind::radiance)
+    add(Quantity::radiance, radiance(place, sensor.direction, work));
+  else if (sensor.kind == SensorKind::fluence)
+    add(Quantity::fluence, fluence(place, sensor, work));
+  else
+    add(Quantity::irradiance, irradiance(place, sensor.direction, sensor.rays, work));
+  return reading;
+}
+
+}  // namespace etendue

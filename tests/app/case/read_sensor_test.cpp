@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read_sensor.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/app/case/case_text.h"
+
+namespace etendue {
+namespace {
+
+const std::string sensor = cube + "[[sensor]]\nname = \"desk\"\n";
+
+TEST(ReadSensor, MeasuresIrradianceUnlessItSaysOtherwise) {
+  const Case input = case_of(sensor + "position = [0.5, 0.5, 0]\nnormal = [0, 0, 2]\n");
+  ASSERT_EQ(input.sensors.size(), 1U);
+  const Sensor& desk = input.sensors[0].sensor;
+  EXPECT_EQ(input.sensors[0].name, "desk");
+  EXPECT_EQ(desk.kind, SensorKind::irradiance);
+  EXPECT_EQ(desk.position, Vec3(0.5, 0.5, 0));
+  EXPECT_EQ(desk.direction, Vec3(0, 0, 1));
+  EXPECT_EQ(desk.rays, 2000);
+}
+
+TEST(ReadSensor, TakesEachKind) {
+  const std::string place = "position = [0.5, 0.5, 0.5]\n";
+  const auto read = [](const std::string& text) { return case_of(sensor + text).sensors.at(0); };
+  EXPECT_EQ(read("kind = \"fluence\"\n" + place).sensor.kind, SensorKind::fluence);
+  EXPECT_EQ(read("kind = \"radiance\"\ndirection = [3, 0, 0]\n" + place).sensor.direction, Vec3(1, 0, 0));
+  EXPECT_NEAR(read("kind = \"cone\"\ndirection = [1, 0, 0]\nangle = 30\n" + place).sensor.half_angle,
+              std::numbers::pi / 6, 1e-15);
+  const Sensor grid =
+      read("kind = \"grid\"\nalong = [1, 0, 0]\nacross = [0, 1, 0]\nparts = [8, 6]\n" + place).sensor;
+  EXPECT_EQ(grid.direction, Vec3(0, 0, 1));
+  EXPECT_EQ(grid.count, (std::array<int, 2>{8, 6}));
+  const Sensor flux =
+      read("kind = \"flux\"\npolygon = [[0, 0, 0.5], [1, 0, 0.5], [1, 1, 0.5]]\nparts = [3]\n").sensor;
+  EXPECT_EQ(flux.polygon.size(), 3U);
+  EXPECT_EQ(flux.count[0], 3);
+  EXPECT_EQ(flux.half_angle, 0);
+  const SensorCase intensity = read("kind = \"intensity\"\nwall = \"xmin\"\n");
+  EXPECT_EQ(intensity.wall, "xmin");
+  EXPECT_EQ(intensity.sensor.count, (std::array<int, 2>{24, 19}));
+}
+
+// The resolved case is read again by render and by runs that go on.
+TEST(ReadSensor, ReadsItsResolvedCase) {
+  const std::string grid = "kind = \"grid\"\nposition = [0, 0, 0]\nalong = [1, 0, 0]\nacross = [0, 1, 0]\n";
+  const Case input = case_of(sensor + grid);
+  const Case again = case_of(input.resolved_toml);
+  EXPECT_EQ(again.sensors.at(0).sensor.count, input.sensors.at(0).sensor.count);
+}
+
+TEST(ReadSensor, NamesWhatIsMissing) {
+  EXPECT_EQ(faults_of(sensor),
+            "slab.toml:7: sensor[0].position: missing; use a point of the domain\n"
+            "slab.toml:7: sensor[0].normal: missing; use a vector to the side where light is measured");
+  EXPECT_EQ(faults_of(sensor + "kind = \"flux\"\n"),
+            "slab.toml:7: sensor[0].polygon: missing; use a list of corners");
+  EXPECT_EQ(faults_of(sensor + "kind = \"cone\"\nposition = [0, 0, 0]\ndirection = [1, 0, 0]\n"),
+            "slab.toml:7: sensor[0].angle: missing; use the half angle of the cone in degrees");
+}
+
+TEST(ReadSensor, RefusesWhatItsKindDoesNotTake) {
+  EXPECT_EQ(
+      faults_of(sensor + "kind = \"fluence\"\nposition = [0, 0, 0]\nnormal = [1, 0, 0]\n"),
+      "slab.toml:11: sensor[0].normal = [1, 0, 0]: unused (a sensor of kind \"fluence\" does not take it); "
+      "remove it");
+}
+
+TEST(ReadSensor, RefusesPolygonsThatHaveNoInside) {
+  const std::string flux = sensor + "kind = \"flux\"\npolygon = ";
+  EXPECT_EQ(
+      faults_of(flux + "[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.1]]\n"),
+      "slab.toml:10: sensor[0].polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.1]]: is not flat; use "
+      "corners in one plane");
+  EXPECT_EQ(
+      faults_of(flux + "[[0, 0, 0], [1, 0, 0], [0.2, 0.2, 0], [0, 1, 0]]\n"),
+      "slab.toml:10: sensor[0].polygon = [[0, 0, 0], [1, 0, 0], [0.2, 0.2, 0], [0, 1, 0]]: is not convex; "
+      "use several sensors");
+  EXPECT_EQ(
+      faults_of(flux + "[[0, 0, 0], [1, 0, 0], [2, 0, 0]]\n"),
+      "slab.toml:10: sensor[0].polygon = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]: has no area; use corners that "
+      "span one");
+}
+
+TEST(ReadSensor, NeedsNamesThatDiffer) {
+  const std::string one = "[[sensor]]\nname = \"a\"\nkind = \"fluence\"\nposition = [0, 0, 0]\n";
+  EXPECT_EQ(faults_of(cube + one + one),
+            "slab.toml:12: sensor[1].name = \"a\": another sensor has this name; give each its own");
+}
+
+TEST(ReadSensor, UnitsOfPhotometryAreKnownOnes) {
+  EXPECT_EQ(case_of(cube + "[units]\nilluminance = \"fc\"\nluminance = \"lambert\"\n").units.luminance,
+            "lambert");
+  EXPECT_EQ(
+      faults_of(cube + "[units]\nilluminance = \"candela\"\n"),
+      "slab.toml:8: units.illuminance = \"candela\": is not known; use \"lx\", \"lux\", \"ph\", \"phot\", "
+      "\"fc\" or \"footcandle\"");
+}
+
+}  // namespace
+}  // namespace etendue
