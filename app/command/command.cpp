@@ -20,6 +20,7 @@ struct Dispatch {
 
   ExitCode operator()(const RunRequest& request) const { return run_case(request, out, err); }
   ExitCode operator()(const RenderRequest& request) const { return render_results(request, out, err); }
+  ExitCode operator()(const BakeRequest& request) const { return bake_results(request, out, err); }
   ExitCode operator()(const StudyRequest& request) const { return study_case(request, out, err); }
   ExitCode operator()(const CompareRequest& request) const { return compare_case(request, out, err); }
   ExitCode operator()(const CheckRequest& request) const { return check_case(request, out, err); }

@@ -16,6 +16,7 @@ const char* const examples = R"(Examples:
   etendue run cases/smoke-room/case.toml
   etendue run case.toml --set solve.tolerance=1e-8 --set directions.order=2 --output fine
   etendue render smoke-room --camera front
+  etendue bake smoke-room --quantity radiosity
   etendue study case.toml --refine mesh --levels 3
   etendue compare case.toml --methods ordinates,photons
   etendue check case.toml --mesh
@@ -45,6 +46,7 @@ class Parser {
     app_.require_subcommand(1);
     add_run();
     add_render();
+    add_bake();
     add_study();
     add_compare();
     add_check();
@@ -72,9 +74,10 @@ class Parser {
     if (arguments.empty() || arguments.front().starts_with('-')) return;
     const auto named = [&](const CLI::App* command) { return command->get_name() == arguments.front(); };
     if (!app_.get_subcommands(named).empty()) return;
-    throw InputError("command line: " + arguments.front() +
-                     ": no such command; use run, render, study, compare, check, mesh, directions or keys "
-                     "(see etendue --help)");
+    throw InputError(
+        "command line: " + arguments.front() +
+        ": no such command; use run, render, bake, study, compare, check, mesh, directions or keys "
+        "(see etendue --help)");
   }
 
   void add_run() {
@@ -97,6 +100,34 @@ class Parser {
     command.add_option("--output", output_, "Directory of the pictures, in place of RESULTS")
         ->type_name("DIR");
     add_threads_and_progress(command);
+  }
+
+  void add_bake() {
+    bake_command_ =
+        app_.add_subcommand("bake", "Vertex colours of the walls from a saved result: PLY and glTF");
+    CLI::App& command = *bake_command_;
+    command.add_option("results", bake_.results, "The directory of a run")->required()->type_name("RESULTS");
+    command
+        .add_option("--quantity", baked_,
+                    "irradiance (default), radiosity, or occlusion: how much of a uniform sky is seen")
+        ->check(CLI::IsMember({"irradiance", "radiosity", "occlusion"}))
+        ->type_name("WHAT");
+    command
+        .add_option(
+            "--sky", bake_.sky,
+            "A wall that is the sky of an occlusion; repeat for more; default: all that are black and cold")
+        ->allow_extra_args(false)
+        ->type_name("WALL");
+    command
+        .add_option("--gather", bake_.gather,
+                    "Rays from each vertex of walls that reflect, as of a camera; default: 0")
+        ->check(CLI::IsMember({0, 64, 144, 256, 576, 1024}))
+        ->type_name("N");
+    command.add_flag("--verbose", bake_.verbose, "Show the mesher's log on standard error");
+    command.add_option("--output", output_, "Directory of the files, in place of RESULTS")->type_name("DIR");
+    command.add_option("--threads", threads_, "Number of threads; 0: all cores")
+        ->check(whole_number)
+        ->type_name("N");
   }
 
   void add_study() {
@@ -208,6 +239,7 @@ class Parser {
   Request request() {
     if (run_command_->parsed()) return finished_run();
     if (render_command_->parsed()) return finished_render();
+    if (bake_command_->parsed()) return finished_bake();
     if (study_command_->parsed()) return finished_study();
     if (compare_command_->parsed()) return finished_compare();
     if (check_command_->parsed()) return check_;
@@ -235,6 +267,17 @@ class Parser {
     return render_;
   }
 
+  BakeRequest finished_bake() {
+    if (output_) bake_.output = *output_;
+    if (threads_) bake_.threads = *threads_;
+    if (baked_ == "radiosity") bake_.quantity = BakedQuantity::radiosity;
+    if (baked_ == "occlusion") bake_.quantity = BakedQuantity::occlusion;
+    if (!bake_.sky.empty() && bake_.quantity != BakedQuantity::occlusion)
+      throw InputError(
+          "command line: bake: --sky: is for an occlusion; use --quantity occlusion, or leave it out");
+    return bake_;
+  }
+
   StudyRequest finished_study() {
     study_.refinement = *refine_ == "mesh"         ? Refinement::mesh
                         : *refine_ == "directions" ? Refinement::directions
@@ -254,6 +297,7 @@ class Parser {
   CLI::App app_;
   CLI::App* run_command_ = nullptr;
   CLI::App* render_command_ = nullptr;
+  CLI::App* bake_command_ = nullptr;
   CLI::App* study_command_ = nullptr;
   CLI::App* compare_command_ = nullptr;
   CLI::App* check_command_ = nullptr;
@@ -261,6 +305,7 @@ class Parser {
   CLI::App* directions_command_ = nullptr;
   RunRequest run_;
   RenderRequest render_;
+  BakeRequest bake_;
   StudyRequest study_;
   CompareRequest compare_;
   CheckRequest check_;
@@ -270,6 +315,7 @@ class Parser {
   std::optional<int> threads_;
   std::optional<std::string> progress_;
   std::optional<std::string> refine_;
+  std::string baked_ = "irradiance";
 };
 
 }  // namespace

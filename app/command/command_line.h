@@ -34,6 +34,20 @@ struct RenderRequest : CaseRequest {
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
+/// What is baked into the walls.
+enum class BakedQuantity { irradiance, radiosity, occlusion };
+
+/// Vertex colours of the walls from a saved result; the case is that of the result.
+struct BakeRequest : CaseRequest {
+  std::filesystem::path results;  ///< the directory of a run
+  BakedQuantity quantity = BakedQuantity::irradiance;
+  std::vector<std::string>
+      sky;         ///< walls that are the sky of an occlusion; empty: all that are black and cold
+  int gather = 0;  ///< as of a camera
+  std::optional<std::filesystem::path> output;
+  std::optional<int> threads;
+};
+
 /// What a study refines from level to level; both: on a grid of meshes and direction sets.
 enum class Refinement { mesh, directions, both };
 
@@ -76,8 +90,8 @@ struct ShowText {
   std::string text;
 };
 
-using Request = std::variant<RunRequest, RenderRequest, StudyRequest, CompareRequest, CheckRequest,
-                             MeshRequest, DirectionsRequest, KeysRequest, ShowText>;
+using Request = std::variant<RunRequest, RenderRequest, BakeRequest, StudyRequest, CompareRequest,
+                             CheckRequest, MeshRequest, DirectionsRequest, KeysRequest, ShowText>;
 
 /// What the arguments (without the program's name) ask for. Throws InputError.
 Request parse_command_line(const std::vector<std::string>& arguments);

@@ -19,6 +19,7 @@ using ResultReader = std::function<void(const RunResult&)>;
 ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err,
                   const ResultReader& reader = {});
 ExitCode render_results(const RenderRequest& request, std::ostream& out, std::ostream& err);
+ExitCode bake_results(const BakeRequest& request, std::ostream& out, std::ostream& err);
 ExitCode study_case(const StudyRequest& request, std::ostream& out, std::ostream& err);
 ExitCode compare_case(const CompareRequest& request, std::ostream& out, std::ostream& err);
 ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream& err);

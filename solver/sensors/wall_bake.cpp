@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/sensors/wall_bake.h"
+
+#include <algorithm>
+#include <exception>
+#include <numbers>
+
+#include "solver/sensors/light_irradiance.h"
+
+namespace etendue {
+namespace {
+
+using std::numbers::pi;
+
+/// Part of the way from a vertex to the middle of its face.
+constexpr double off_the_vertex = 0.02;
+
+/// [vertex][band]
+std::vector<double> light_at_vertices(const WallSurface& surface, const LightSetup& lights, int threads) {
+  const TetrahedralMesh& mesh = lights.problem().mesh();
+  const std::size_t bands = lights.paths().bands();
+  const LightIrradiance direct(lights);
+  std::vector<double> values(surface.vertices.size() * bands);
+  std::exception_ptr failure;
+#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v) try {
+      const WallSurface::Vertex& vertex = surface.vertices[v];
+      const FaceIndex face = vertex.corner.face;
+      const Vec3 place = vertex.position + off_the_vertex * (mesh.centroid(face) - vertex.position);
+      const UncollidedAtPoint light = direct.at({mesh.owner(face), place}, vertex.normal);
+      std::copy(light.irradiance.begin(), light.irradiance.end(),
+                values.begin() + static_cast<std::ptrdiff_t>(v * bands));
+    } catch (...) {
+#pragma omp critical(etendue_wall_bake)
+      failure = std::current_exception();
+    }
+  if (failure) std::rethrow_exception(failure);
+  return values;
+}
+
+}  // namespace
+
+WallSurface wall_surface(const TetrahedralMesh& mesh) {
+  WallSurface surface;
+  surface.triangles.resize(static_cast<std::size_t>(mesh.boundary_face_count()));
+  for (const std::vector<WallCorner>& plane : corners_by_plane(mesh)) {
+    const WallCorner& first = plane.front();
+    for (const WallCorner& corner : plane)
+      surface.triangles[corner.face.at()][corner.node] = static_cast<std::int32_t>(surface.vertices.size());
+    surface.vertices.push_back({mesh.point(VertexIndex(mesh.vertices(first.face)[first.node])),
+                                -mesh.area_normal(first.face).normalized(), first});
+  }
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const auto& corners = mesh.vertices(FaceIndex(f));
+    const Vec3 &a = mesh.point(VertexIndex(corners[0])), &b = mesh.point(VertexIndex(corners[1])),
+               &c = mesh.point(VertexIndex(corners[2]));
+    auto& triangle = surface.triangles[static_cast<std::size_t>(f)];
+    if ((b - a).cross(c - a).dot(mesh.area_normal(FaceIndex(f))) > 0) std::swap(triangle[1], triangle[2]);
+  }
+  return surface;
+}
+
+std::vector<double> bake_irradiance(const WallSurface& surface, const LightSetup& lights,
+                                    const WallIrradiance& brought, int threads) {
+  const std::size_t bands = lights.paths().bands();
+  std::vector<double> values(surface.vertices.size() * bands, 0);
+  if (!lights.empty()) values = light_at_vertices(surface, lights, threads);
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
+    const WallCorner& corner = surface.vertices[v].corner;
+    for (std::size_t b = 0; b < bands; ++b)
+      values[v * bands + b] += brought.values[(corner.face.at() * 3 + corner.node) * bands + b];
+  }
+  return values;
+}
+
+std::vector<double> bake_radiosity(const WallSurface& surface, const Problem& problem,
+                                   const std::vector<double>& irradiance) {
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  std::vector<double> values(irradiance.size());
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
+    const Wall& wall = problem.wall(problem.mesh().wall(surface.vertices[v].corner.face));
+    for (std::size_t b = 0; b < bands; ++b)
+      values[v * bands + b] = wall.diffuse[b] * irradiance[v * bands + b] + pi * wall.radiance[b];
+  }
+  return values;
+}
+
+std::vector<double> bake_sky_visibility(const WallSurface& surface, const TetrahedralMesh& mesh,
+                                        const std::vector<int>& sky, int threads) {
+  std::vector<Medium> media;
+  for (const std::string& name : mesh.region_names())
+    media.push_back(
+        {name, {Coefficient(0.0)}, {Coefficient(0.0)}, {Coefficient(0.0)}, {PhaseIsotropic{}}, {}});
+  std::vector<Wall> walls;
+  for (std::size_t w = 0; w < mesh.wall_names().size(); ++w) {
+    const bool shines = std::ranges::count(sky, static_cast<int>(w)) > 0;
+    walls.push_back({mesh.wall_names()[w], {shines ? 1.0 : 0.0}, {0.0}, {0.0}, {}, Uncollided::yes});
+  }
+  const Problem outdoors(mesh, {}, media, walls);
+  const LightSetup lights(outdoors);
+  std::vector<double> values = light_at_vertices(surface, lights, threads);
+  for (double& value : values) value /= pi;
+  return values;
+}
+
+}  // namespace etendue

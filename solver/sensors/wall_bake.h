@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "solver/picture/wall_light.h"
+
+namespace etendue {
+
+/// The walls as a surface with vertices of its own for each plane, so that what is baked into them is
+/// continuous in a plane and jumps at edges.
+struct WallSurface {
+  struct Vertex {
+    Vec3 position;
+    Vec3 normal;        ///< unit, into the domain
+    WallCorner corner;  ///< one of the corners that stand there
+  };
+  std::vector<Vertex> vertices;
+  /// [boundary face], counterclockwise seen from inside of the domain
+  std::vector<std::array<std::int32_t, 3>> triangles;
+};
+
+WallSurface wall_surface(const TetrahedralMesh& mesh);
+
+/// Irradiance [vertex][band]: of the lights exact there (LightIrradiance), else as `brought` has it. Read 2 %
+/// of the way to the middle of a face: at an edge of the room it would not be known on which side.
+std::vector<double> bake_irradiance(const WallSurface& surface, const LightSetup& lights,
+                                    const WallIrradiance& brought, int threads);
+
+/// What the wall sends back and emits, per area, [vertex][band] [power/length^2]: (diffuse) E + pi L.
+std::vector<double> bake_radiosity(const WallSurface& surface, const Problem& problem,
+                                   const std::vector<double>& irradiance);
+
+/// Visibility of a uniform sky [vertex], weighted by the cosine: 1 less the ambient occlusion. The walls in
+/// `sky` shine, all others are black, and nothing is between them.
+std::vector<double> bake_sky_visibility(const WallSurface& surface, const TetrahedralMesh& mesh,
+                                        const std::vector<int>& sky, int threads);
+
+}  // namespace etendue
