@@ -23,6 +23,7 @@
 #include "solver/problem/directional_scattering.h"
 #include "solver/problem/light.h"
 #include "solver/problem/phase_function.h"
+#include "solver/radiosity/radiosity_method.h"
 #include "solver/sensors/sensor.h"
 
 namespace etendue {
@@ -139,6 +140,14 @@ struct PhotonCase {
   int seed = 1;
 };
 
+/// Of solve.method = "radiosity".
+struct RadiosityCase {
+  double patch_size = 0;  ///< [length]; 0: the faces of the mesh
+  RadiosityMethod solution = RadiosityMethod::gathering;
+  int rays = 16;   ///< between two patches
+  int passes = 0;  ///< that are written
+};
+
 /// A radiance that is meant to be the answer: source and inflow follow from it.
 struct ExactCase {
   std::string radiance;               ///< a formula in x, y, z, wx, wy, wz; the same in all bands
@@ -181,8 +190,9 @@ struct Case {
   AngularSpace angular_space = AngularSpace::sphere;
   Origin directions_origin;
   SolveOptions solve;
-  std::optional<PhotonCase> photons;  ///< solve by photons
-  std::optional<InputFile> initial;   ///< a solution to start from
+  std::optional<PhotonCase> photons;       ///< solve by photons
+  std::optional<RadiosityCase> radiosity;  ///< solve by radiosity
+  std::optional<InputFile> initial;        ///< a solution to start from
   std::optional<ExactCase> exact;
   std::vector<Probe> probes;
   std::vector<CameraCase> cameras;

@@ -98,11 +98,11 @@ std::vector<KeyDeclaration> run_keys() {
        "method",
        text,
        {.default_value = "\"auto\"",
-        .choices = {"auto", "gmres", "source-iteration", "photons"},
-        .later = {"radiosity"},
+        .choices = {"auto", "gmres", "source-iteration", "photons", "radiosity"},
         .help =
-            "auto: the best that this version has, which is gmres. photons: Monte Carlo; directions, space "
-            "and the other keys of the iteration then do not count."}},
+            "auto: the best that this version has, which is gmres. photons: Monte Carlo; radiosity: form "
+            "factors between walls with nothing between them; directions, space and most other keys of the "
+            "iteration then do not count."}},
       {"solve",
        "photons",
        number,
@@ -158,6 +158,35 @@ std::vector<KeyDeclaration> run_keys() {
        text,
        {.help = "A `solution.vtu` of the same mesh and case to start from; what is solved and written may "
                 "differ."}},
+
+      {"radiosity",
+       "patch_size",
+       number,
+       {.unit = "length",
+        .default_note = "the faces of the mesh",
+        .range = positive,
+        .help =
+            "Faces with longer sides are cut into patches, smaller ones joined where they lie in one plane "
+            "and square."}},
+      {"radiosity",
+       "solution",
+       text,
+       {.default_value = "\"gathering\"",
+        .choices = {"gathering", "shooting", "direct"},
+        .help = "Pass by pass from all patches to all; from the brightest patch first; or by elimination."}},
+      {"radiosity",
+       "rays",
+       integer,
+       {.default_value = "16",
+        .range = {.lowest = 1, .highest = 1e6},
+        .help = "Between two patches where something may stand between them; eight times as many where "
+                "some are blocked."}},
+      {"radiosity",
+       "passes",
+       integer,
+       {.default_value = "0",
+        .range = {.lowest = 0, .highest = 1000},
+        .help = "So many first passes are written as `walls_passK.vtp`, with a series to play."}},
 
       {"exact",
        "radiance",

@@ -114,7 +114,21 @@ std::optional<PhotonCase> read_photons(Section& solve) {
   return photons;
 }
 
+RadiosityMethod radiosity_method(const std::string& name) {
+  if (name == "shooting") return RadiosityMethod::shooting;
+  return name == "direct" ? RadiosityMethod::direct : RadiosityMethod::gathering;
+}
+
 }  // namespace
+
+void read_radiosity(Section radiosity, bool chosen, Case& result) {
+  RadiosityCase read;
+  read.patch_size = radiosity.number_if("patch_size").value_or(0);
+  read.solution = radiosity_method(radiosity.text("solution"));
+  read.rays = radiosity.integer("rays");
+  read.passes = radiosity.integer("passes");
+  if (chosen) result.radiosity = read;
+}
 
 void read_solve(Section solve, const std::filesystem::path& case_folder, Case& result) {
   SolveOptions& options = result.solve;

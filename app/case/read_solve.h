@@ -9,6 +9,8 @@ namespace etendue {
 /// The tables [directions], [space] and [solve].
 void read_directions(Section directions, Case& result);
 void read_space(Section space, SolveOptions& options);
+/// The table [radiosity]; it may stand beside another method.
+void read_radiosity(Section radiosity, bool chosen, Case& result);
 void read_solve(Section solve, const std::filesystem::path& case_folder, Case& result);
 
 }  // namespace etendue

@@ -40,7 +40,8 @@ std::string whole_number(const std::string& text) {
 /// The parser and the places that it fills.
 class Parser {
  public:
-  Parser() : app_("Radiative transport by discrete ordinates and photons on tetrahedra.", "etendue") {
+  Parser()
+      : app_("Radiative transport by discrete ordinates, photons and radiosity on tetrahedra.", "etendue") {
     app_.set_version_flag("--version", "etendue " + program_version());
     app_.footer(examples);
     app_.require_subcommand(1);
@@ -205,13 +206,13 @@ class Parser {
         app_.add_subcommand("compare", "Solve a case by several methods and compare their answers");
     add_run_options(*compare_command_);
     compare_command_
-        ->add_option(
-            "--methods", compare_.methods,
-            "ordinates and photons, with a comma between; the first is what others are compared with")
+        ->add_option("--methods", compare_.methods,
+                     "two or three of ordinates, photons and radiosity, with commas between; the first is "
+                     "what others are compared with")
         ->required()
         ->delimiter(',')
-        ->expected(2)
-        ->check(CLI::IsMember({"ordinates", "photons"}))
+        ->expected(2, 3)
+        ->check(CLI::IsMember({"ordinates", "photons", "radiosity"}))
         ->type_name("METHODS");
   }
 
@@ -288,9 +289,10 @@ class Parser {
 
   CompareRequest finished_compare() {
     compare_.run = finished_run();
-    if (compare_.methods[0] == compare_.methods[1])
-      throw InputError("command line: compare: --methods = " + compare_.methods[0] + "," +
-                       compare_.methods[1] + ": the same method twice; use ordinates,photons");
+    for (auto method = compare_.methods.begin(); method != compare_.methods.end(); ++method)
+      if (std::find(compare_.methods.begin(), method, *method) != method)
+        throw InputError("command line: compare: --methods = " + CLI::detail::join(compare_.methods, ",") +
+                         ": the same method twice; use each once, as in ordinates,photons,radiosity");
     return compare_;
   }
 

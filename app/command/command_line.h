@@ -63,7 +63,7 @@ struct StudyRequest {
 /// Several methods on one case. The first is what the others are compared with.
 struct CompareRequest {
   RunRequest run;
-  std::vector<std::string> methods;  ///< "ordinates", "photons"
+  std::vector<std::string> methods;  ///< "ordinates", "photons", "radiosity"
 };
 
 struct CheckRequest : CaseRequest {

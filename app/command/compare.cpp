@@ -27,8 +27,9 @@ struct DifferenceField {
   }
 };
 
+/// `suffix` tells the files of several comparisons apart.
 void write_comparison(const Comparison& comparison, const Case& input, const Problem& problem,
-                      const std::string& tables, std::ostream& out) {
+                      const std::string& tables, const std::string& suffix, std::ostream& out) {
   const std::filesystem::path& directory = input.output.directory;
   const std::string unit = UnitLabels(input.units).flux;
   const DifferenceField field(comparison);
@@ -39,14 +40,15 @@ void write_comparison(const Comparison& comparison, const Case& input, const Pro
                {"difference", unit, field.difference},
                {"error", unit, field.error},
                {"difference_in_errors", "1", field.in_errors}},
-              folder.add("difference.vtu"), directory / "difference.vtu");
-  folder.add_text("comparison.csv", comparison_csv(comparison));
+              folder.add("difference" + suffix + ".vtu"), directory / ("difference" + suffix + ".vtu"));
+  folder.add_text("comparison" + suffix + ".csv", comparison_csv(comparison));
   folder.add_text(
-      "comparison.html",
+      "comparison" + suffix + ".html",
       comparison_page(comparison, problem, input.title.empty() ? "Comparison" : input.title, tables));
   folder.publish({});
-  out << "written to " << directory.string() << ": difference.vtu comparison.csv comparison.html"
-      << std::endl;
+  out << "written to " << directory.string() << ":";
+  for (const std::string& name : folder.names()) out << " " << name;
+  out << std::endl;
 }
 
 }  // namespace
@@ -58,22 +60,23 @@ ExitCode compare_case(const CompareRequest& request, std::ostream& out, std::ost
   const TetrahedralMesh mesh = build_mesh(input, verbose_log(request.run, err));
   const Problem problem = build_problem(input, mesh);
   const ComparedCase compared{request.run, directory, mesh};
-  const auto answer = [&](const std::string& method) {
-    out << "\nby " << method << "\n";
-    return method == "photons" ? answer_by_photons(compared, out, err)
-                               : answer_by_ordinates(compared, out, err);
-  };
-  Comparison comparison{answer(request.methods[0]), {}};
-  if (comparison.first.whole) comparison.second = answer(request.methods[1]);
-  if (!comparison.first.whole || !comparison.second.whole) {
-    err << "interrupted: there is nothing to compare\n";
-    return ExitCode::interrupted;
+  Comparison comparison;
+  for (std::size_t i = 0; i < request.methods.size(); ++i) {
+    out << "\nby " << request.methods[i] << "\n";
+    MethodAnswer& answer = i == 0 ? comparison.first : comparison.second;
+    answer = answer_by(request.methods[i], compared, out, err);
+    if (!answer.whole) {
+      err << "interrupted: there is nothing to compare\n";
+      return ExitCode::interrupted;
+    }
+    if (i == 0) continue;
+    const auto& bands = problem.bands().names;
+    const std::string tables =
+        comparison_text(comparison, cell_agreement(comparison, mesh, bands.size()), bands);
+    out << tables;
+    const std::string suffix = request.methods.size() > 2 ? "-" + request.methods[i] : "";
+    write_comparison(comparison, input, problem, tables, suffix, out);
   }
-  const auto& bands = problem.bands().names;
-  const std::string tables =
-      comparison_text(comparison, cell_agreement(comparison, mesh, bands.size()), bands);
-  out << tables;
-  write_comparison(comparison, input, problem, tables, out);
   return ExitCode::done;
 }
 

@@ -81,6 +81,15 @@ RunRequest request_for(const RunRequest& run, const std::filesystem::path& direc
 /// Adds a change in quadrature.
 void widen(double& error, double change) { error = std::hypot(error, change); }
 
+/// What another run on the same cells changes.
+void widen_by(const MethodAnswer& other, MethodAnswer& answer) {
+  for (std::size_t i = 0; i < answer.numbers.size(); ++i)
+    widen(answer.numbers[i].error, other.numbers[i].value - answer.numbers[i].value);
+  for (std::size_t i = 0; i < answer.cells.size(); ++i)
+    widen(answer.cell_errors[i], other.cells[i] - answer.cells[i]);
+  answer.whole = answer.whole && other.whole;
+}
+
 /// A lower order that the set has, from half of it on; without any, twice the order.
 std::string other_directions(const Case& input) {
   for (int order = (input.direction_order + 1) / 2; order < input.direction_order; ++order)
@@ -96,14 +105,7 @@ void add_error_of_directions(const ComparedCase& base, MethodAnswer& answer, std
     const Case input = read_case(base.run.file, base.run.overrides);
     const RunRequest request = request_for(base.run, base.directory / "ordinates-directions",
                                            {by_ordinates, other_directions(input)});
-    run_case(request, out, err, [&](const RunResult& fine) {
-      const MethodAnswer other = answer_of(fine);
-      for (std::size_t i = 0; i < answer.numbers.size(); ++i)
-        widen(answer.numbers[i].error, other.numbers[i].value - answer.numbers[i].value);
-      for (std::size_t i = 0; i < answer.cells.size(); ++i)
-        widen(answer.cell_errors[i], other.cells[i] - answer.cells[i]);
-      answer.whole = answer.whole && other.whole;
-    });
+    run_case(request, out, err, [&](const RunResult& fine) { widen_by(answer_of(fine), answer); });
   } catch (const InputError& error) {
     answer.notes.push_back(std::string("the error of the directions is not known: ") + error.what());
   }
@@ -135,6 +137,14 @@ void add_error_of_mesh(const ComparedCase& base, MethodAnswer& answer, std::ostr
   } catch (const InputError& error) {
     answer.notes.push_back(std::string("the error of the cells is not known: ") + error.what());
   }
+}
+
+/// Twice the size of patches that a run had.
+double coarser_patches(const RunResult& run) {
+  if (run.input.radiosity->patch_size > 0) return 2 * run.input.radiosity->patch_size;
+  double area = 0;
+  for (const auto& wall : run.walls) area += wall.front().area;
+  return 2 * std::sqrt(area / static_cast<double>(run.radiosity->patches));
 }
 
 }  // namespace
@@ -171,6 +181,30 @@ MethodAnswer answer_by_photons(const ComparedCase& compared, std::ostream& out, 
   run_case(request_for(compared.run, compared.directory / "photons", {"solve.method=\"photons\""}), out, err,
            [&](const RunResult& result) { answer = answer_of(result); });
   return answer;
+}
+
+MethodAnswer answer_by_radiosity(const ComparedCase& compared, std::ostream& out, std::ostream& err) {
+  const std::string method = "solve.method=\"radiosity\"";
+  MethodAnswer answer;
+  double coarser = 0;
+  run_case(request_for(compared.run, compared.directory / "radiosity", {method}), out, err,
+           [&](const RunResult& result) {
+             answer = answer_of(result);
+             coarser = coarser_patches(result);
+           });
+  if (!answer.whole) return answer;
+  out << "\nwhat larger patches change\n";
+  run_case(request_for(compared.run, compared.directory / "radiosity-patches",
+                       {method, fmt::format("radiosity.patch_size={}", coarser)}),
+           out, err, [&](const RunResult& result) { widen_by(answer_of(result), answer); });
+  return answer;
+}
+
+MethodAnswer answer_by(const std::string& method, const ComparedCase& compared, std::ostream& out,
+                       std::ostream& err) {
+  if (method == "photons") return answer_by_photons(compared, out, err);
+  if (method == "radiosity") return answer_by_radiosity(compared, out, err);
+  return answer_by_ordinates(compared, out, err);
 }
 
 }  // namespace etendue

@@ -47,4 +47,12 @@ MethodAnswer answer_by_ordinates(const ComparedCase& compared, std::ostream& out
 /// Photons: the standard errors are the errors.
 MethodAnswer answer_by_photons(const ComparedCase& compared, std::ostream& out, std::ostream& err);
 
+/// Radiosity: also runs the case once on patches of four times the area; what they change is taken as the
+/// error, which is then rather too large.
+MethodAnswer answer_by_radiosity(const ComparedCase& compared, std::ostream& out, std::ostream& err);
+
+/// By its name: ordinates, photons or radiosity.
+MethodAnswer answer_by(const std::string& method, const ComparedCase& compared, std::ostream& out,
+                       std::ostream& err);
+
 }  // namespace etendue

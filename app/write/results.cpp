@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/write/results.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 
 #include "app/write/output_folder.h"
@@ -13,6 +15,30 @@
 namespace etendue {
 
 std::string program_version() { return ETENDUE_VERSION; }
+
+namespace {
+
+/// The walls after each of the first passes, and a file that plays them one after the other.
+void add_passes(const RunResult& result, OutputFolder& folder) {
+  std::string series;
+  for (std::size_t i = 0; i < result.passes.size(); ++i) {
+    const std::string name = fmt::format("walls_pass{}.vtp", i + 1);
+    const RunResult pass{.input = result.input,
+                         .problem = result.problem,
+                         .solution = result.passes[i],
+                         .probes = {},
+                         .balances = {},
+                         .walls = {},
+                         .regions = {},
+                         .seconds = {}};
+    write_walls(pass, folder.add(name), result.input.output.directory / name);
+    series += fmt::format("{}\n    {{\"name\": \"{}\", \"time\": {}}}", i > 0 ? "," : "", name, i + 1);
+  }
+  folder.add_text("walls.vtp.series",
+                  "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [" + series + "\n  ]\n}\n");
+}
+
+}  // namespace
 
 WrittenResults write_results(const RunResult& result) {
   using Clock = std::chrono::steady_clock;
@@ -30,6 +56,9 @@ WrittenResults write_results(const RunResult& result) {
   add_sensor_files(result, folder);
   folder.add_text("walls.csv", walls_csv(result));
   folder.add_text("regions.csv", regions_csv(result));
+  if (result.radiosity && !result.radiosity->bounces.empty())
+    folder.add_text("passes.csv", passes_csv(result));
+  if (!result.passes.empty()) add_passes(result, folder);
   if (!result.solution.fixups.empty()) folder.add_text("positivity.csv", positivity_csv(result));
   folder.add_text("history.csv", history_csv(result));
   std::vector<std::string> names = folder.names();

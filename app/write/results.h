@@ -13,6 +13,7 @@
 #include "solver/ordinates/solution.h"
 #include "solver/photons/solve_photons.h"
 #include "solver/problem/problem.h"
+#include "solver/radiosity/solve_radiosity.h"
 #include "solver/sensors/measurement.h"
 
 namespace etendue {
@@ -73,7 +74,9 @@ struct RunResult {
   std::vector<std::vector<WallPower>> walls;      ///< [wall][band]
   std::vector<std::vector<RegionPower>> regions;  ///< [region][band]
   std::optional<RunErrors> errors = {};           ///< of a solution by photons
-  std::optional<ExactComparison> exact = {};      ///< of a case that says what the answer is
+  std::optional<RadiosityReport> radiosity = {};
+  std::vector<Solution> passes = {};          ///< walls after the first passes of radiosity
+  std::optional<ExactComparison> exact = {};  ///< of a case that says what the answer is
   RunSeconds seconds;
   int threads = 1;
 };

@@ -42,6 +42,27 @@ Json as_json(const RunErrors& errors) {
           {"balance_error", array_of(errors.balances, [](const Balance& b) { return as_json(b); })}};
 }
 
+Json as_json(const RadiosityReport& report) {
+  const FactorChecks& checks = report.checks;
+  return {{"patches", report.patches},
+          {"smallest_patch", report.smallest_area},
+          {"largest_patch", report.largest_area},
+          {"convex", report.convex},
+          {"matrix_kept", report.kept},
+          {"row_sum_error", checks.row_sum},
+          {"row_sum_error_mean", checks.row_sum_mean},
+          {"row_sum_error_closed", checks.closed_row_sum},
+          {"closing_passes", checks.closing_passes},
+          {"reciprocity_error", checks.reciprocity},
+          {"self_factor", checks.self},
+          {"additivity_error", checks.additivity},
+          {"passes", report.passes},
+          {"seconds",
+           {{"factors", report.factor_seconds},
+            {"solution", report.solve_seconds},
+            {"fields", report.field_seconds}}}};
+}
+
 Json as_json(const UncollidedBalance& balance) {
   return {{"sent", balance.sent},           {"absorbed", balance.absorbed}, {"collided", balance.collided},
           {"reflected", balance.reflected}, {"kept", balance.kept},         {"residual", balance.residual}};
@@ -129,6 +150,7 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
     summary["uncollided"] =
         array_of(solution.lights.balance, [](const UncollidedBalance& b) { return as_json(b); });
   if (result.errors) summary["photons"] = as_json(*result.errors);
+  if (result.radiosity) summary["radiosity"] = as_json(*result.radiosity);
   summary["negative"] = array_of(solution.negative, [](const NegativeCensus& n) { return as_json(n); });
   if (!solution.fixups.empty())
     summary["positivity"] = array_of(fixup_totals(solution), [](const FixupTotal& total) {

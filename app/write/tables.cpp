@@ -91,6 +91,15 @@ std::string regions_csv(const RunResult& result) {
   return table;
 }
 
+std::string passes_csv(const RunResult& result) {
+  const std::vector<std::string>& bands = result.problem.bands().names;
+  std::string table = "pass,band,exitant,incident,deposit\n";
+  for (const Bounce& bounce : result.radiosity->bounces)
+    add_row(table, "{},{},{},{},{}", bounce.pass, csv_field(bands[bounce.band]), bounce.exitant,
+            bounce.incident, bounce.deposit);
+  return table;
+}
+
 std::string positivity_csv(const RunResult& result) {
   const std::vector<std::string>& bands = result.problem.bands().names;
   std::string table = "ordinate,wx,wy,wz,weight,band,cells,failed,smallest,moved\n";

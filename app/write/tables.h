@@ -14,6 +14,9 @@ std::string walls_csv(const RunResult& result);    ///< wall,band,area,irradianc
 std::string regions_csv(const RunResult& result);  ///< region,band,volume,fluence_mean,absorbed,emitted
 std::string history_csv(const RunResult& result);  ///< sweep,band,residual
 
+/// pass,band,exitant,incident,deposit: powers of the passes of radiosity.
+std::string passes_csv(const RunResult& result);
+
 /// What keeping values positive met, ordinate by ordinate.
 std::string positivity_csv(const RunResult& result);
 

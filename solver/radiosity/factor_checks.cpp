@@ -12,17 +12,25 @@ namespace {
 
 constexpr std::uint64_t sampled_pairs = 200;
 
+/// Two halves of a patch of several triangles, four quarters of one.
+std::vector<FlatPatch> parts_of(const FlatPatch& patch) {
+  const std::vector<TriangleCorners>& all = patch.triangles();
+  if (all.size() > 1) {
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    return {FlatPatch({all.begin(), middle}), FlatPatch({middle, all.end()})};
+  }
+  const TriangleCorners& t = all[0];
+  const Vec3 ab = (t[0] + t[1]) / 2, bc = (t[1] + t[2]) / 2, ca = (t[2] + t[0]) / 2;
+  return {FlatPatch({{t[0], ab, ca}}), FlatPatch({{ab, t[1], bc}}), FlatPatch({{ca, bc, t[2]}}),
+          FlatPatch({{ab, bc, ca}})};
+}
+
 /// Both ways, and the second patch in parts.
 void check_pair(const FlatPatch& j, const FlatPatch& k, FactorChecks& checks) {
   const double forth = exchange_area(j, k), back = exchange_area(k, j);
   checks.reciprocity = std::max(checks.reciprocity, std::abs(forth - back) / std::min(j.area(), k.area()));
   double sum = 0;
-  for (const TriangleCorners& t : k.triangles()) {
-    const Vec3 ab = (t[0] + t[1]) / 2, bc = (t[1] + t[2]) / 2, ca = (t[2] + t[0]) / 2;
-    for (const TriangleCorners& part : {TriangleCorners{t[0], ab, ca}, TriangleCorners{ab, t[1], bc},
-                                        TriangleCorners{ca, bc, t[2]}, TriangleCorners{ab, bc, ca}})
-      sum += exchange_area(j, FlatPatch({part}));
-  }
+  for (const FlatPatch& part : parts_of(k)) sum += exchange_area(j, part);
   checks.additivity = std::max(checks.additivity, std::abs(forth - sum) / j.area());
 }
 

@@ -9,12 +9,11 @@
 #include "solver/problem/problem.h"
 #include "solver/radiosity/factor_checks.h"
 #include "solver/radiosity/radiosity_equation.h"
+#include "solver/radiosity/radiosity_method.h"
 #include "solver/radiosity/wall_light_field.h"
 #include "solver/radiosity/wall_patches.h"
 
 namespace etendue {
-
-enum class RadiosityMethod { gathering, shooting, direct };
 
 struct RadiosityOptions {
   double patch_size = 0;  ///< [length]; 0: each boundary face is a patch

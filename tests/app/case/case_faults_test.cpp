@@ -50,9 +50,6 @@ const Check keys[] = {
 };
 
 const Check later[] = {
-    {"Method", "[solve]\nmethod = \"radiosity\"\n",
-     "slab.toml:8: solve.method = \"radiosity\": not in this version; use \"auto\", \"gmres\", "
-     "\"source-iteration\" or \"photons\""},
     {"Acceleration", "[space]\norder = 0\n[solve]\nacceleration = \"diffusion\"\n",
      "slab.toml:10: solve.acceleration = \"diffusion\": takes linear elements; use space.order = 1, or "
      "\"auto\" "

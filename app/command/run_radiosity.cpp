@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/run_radiosity.h"
+
+#include <fmt/format.h>
+
+#include "mesh/base/errors.h"
+
+namespace etendue {
+namespace {
+
+// A probe on a wall sees the light in front of that wall: it is moved so far towards its cell's middle.
+constexpr double off_the_wall = 1e-6;
+// From a probe, where something may stand between.
+constexpr int rays_to_a_patch = 64;
+
+std::vector<ProbeRow> probes_of(const Case& input, const Problem& problem, const CellLocator& locator,
+                                const WallLightField& field) {
+  std::vector<ProbeRow> rows;
+  for (const Probe& place : input.probes)
+    for (std::size_t i = 0; i < place.points.size(); ++i) {
+      ProbeRow row{place.name, static_cast<int>(i), place.points[i], {}, {}};
+      const Vec3 middle = problem.mesh().centroid(locator.find(row.point).front().cell);
+      const WallLightValue value = field.at(row.point + off_the_wall * (middle - row.point), place.normal);
+      for (std::size_t b = 0; b < value.fluence.size(); ++b) {
+        const Vec3& flux = value.net_flux[b];
+        row.values.push_back({value.fluence[b], {flux[0], flux[1], flux[2]}});
+      }
+      if (place.normal) row.irradiance = value.irradiance;
+      rows.push_back(std::move(row));
+    }
+  return rows;
+}
+
+}  // namespace
+
+void check_for_radiosity(const Case& input, const Problem& problem) {
+  refuse_for_radiosity(problem);
+  if (input.exact)
+    throw InputError(
+        fault_at(input.exact->origin, "",
+                 "its source lies in the domain, and radiosity knows walls alone; use solve.method "
+                 "= \"auto\""));
+  if (!input.output.radiance_ordinates.empty())
+    throw InputError(fault_at(input.output.origin, "",
+                              "asks for the radiance of an ordinate, and radiosity has none; take it out of "
+                              "output.fields"));
+  if (input.initial)
+    throw InputError(
+        fault_at(input.initial->origin, input.initial->path.string(),
+                 "radiosity starts from nothing (its passes are those of the light); take it out"));
+}
+
+RadiosityOptions radiosity_options(const Case& input, int threads) {
+  RadiosityOptions options;
+  options.patch_size = input.radiosity->patch_size;
+  options.method = input.radiosity->solution;
+  options.rays = input.radiosity->rays;
+  options.limits = {input.solve.tolerance, input.solve.max_sweeps};
+  options.threads = threads;
+  return options;
+}
+
+std::string radiosity_memory_text(const RadiosityMemory& memory) {
+  const double matrix = static_cast<double>(ExchangeMatrix::bytes_of(memory.patches)) / (1024.0 * 1024.0);
+  return fmt::format("patches: {}; their matrix would take {:.3g} MiB and is {}\n", memory.patches, matrix,
+                     memory.kept ? "kept" : "made anew in each pass");
+}
+
+RadiosityRun run_radiosity(const Case& input, const Problem& problem, const CellLocator& locator, int threads,
+                           std::ostream& out, const std::function<bool()>& interrupted) {
+  const RadiosityOptions options = radiosity_options(input, threads);
+  out << "form factors" << std::flush;
+  RadiosityRoom room(problem, options);
+  out << fmt::format(" in {:.3g} s\n", room.report().factor_seconds) << std::flush;
+  RadiosityRun run;
+  run.solution = room.solve([&](const RadiosityState& state) {
+    if (run.passes.size() < static_cast<std::size_t>(input.radiosity->passes))
+      room.fields_on_walls(state.irradiance, run.passes.emplace_back());
+    return !interrupted();
+  });
+  run.report = room.report();
+  run.probes = probes_of(input, problem, locator, room.light(rays_to_a_patch));
+  return run;
+}
+
+}  // namespace etendue

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <vector>
+
+#include "app/case/case.h"
+#include "app/write/results.h"
+#include "mesh/tetrahedra/cell_locator.h"
+#include "solver/radiosity/solve_radiosity.h"
+
+namespace etendue {
+
+/// A solution by radiosity with all that is measured of it.
+struct RadiosityRun {
+  Solution solution;
+  RadiosityReport report;
+  std::vector<ProbeRow> probes;
+  std::vector<Solution> passes;  ///< walls after the first passes, as the case asks
+};
+
+/// Throws InputError where radiosity does not know what the case asks.
+void check_for_radiosity(const Case& input, const Problem& problem);
+
+RadiosityOptions radiosity_options(const Case& input, int threads);
+
+/// What the matrix takes, as a line.
+std::string radiosity_memory_text(const RadiosityMemory& memory);
+
+/// Solves a case. Says on `out` what it does.
+RadiosityRun run_radiosity(const Case& input, const Problem& problem, const CellLocator& locator, int threads,
+                           std::ostream& out, const std::function<bool()>& interrupted);
+
+}  // namespace etendue

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command/small_case.h"
+
+namespace etendue {
+namespace {
+
+using nlohmann::json;
+using test::CaseFolder;
+using test::etendue_says;
+using test::Outcome;
+using test::ScratchFolder;
+using test::text_of;
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A cube without matter: a bright floor, red side walls.
+std::string empty_cube() {
+  return R"(title = "Empty"
+[mesh]
+edge_length = 0.5
+[[mesh.box]]
+region = "air"
+min = [0, 0, 0]
+max = [1, 1, 1]
+walls = { zmin = "floor" }
+[bands]
+names = ["red", "green"]
+[media.air]
+[walls.floor]
+radiance = [1, 0.5]
+diffuse = 0.2
+[walls."*"]
+diffuse = [0.8, 0.3]
+[solve]
+method = "radiosity"
+tolerance = 1e-8
+[[probe]]
+name = "up"
+points = [[0.5, 0.5, 0.5], [0.5, 0.5, 0]]
+normal = [0, 0, -1]
+)";
+}
+
+json summary_in(const std::filesystem::path& results) {
+  return json::parse(text_of(results / "summary.json"));
+}
+
+TEST(RunRadiosity, WritesWhatOtherMethodsWriteWithItsChecks) {
+  const CaseFolder folder(empty_cube());
+  const Outcome outcome =
+      etendue_says({"run", folder.file(), "--output", folder.results(), "--set", "radiosity.passes=2"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_EQ(ScratchFolder::names_in(folder.results()),
+            (std::vector<std::string>{"fields.vtu", "history.csv", "passes.csv", "probes.csv", "regions.csv",
+                                      "summary.json", "walls.csv", "walls.vtp", "walls.vtp.series",
+                                      "walls_pass1.vtp", "walls_pass2.vtp"}));
+  EXPECT_TRUE(has(outcome.out, "A_j F_jk = A_k F_kj")) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "patches: ")) << outcome.out;
+  const json summary = summary_in(folder.results());
+  EXPECT_EQ(summary["method"], "radiosity");
+  EXPECT_TRUE(summary["converged"]);
+  EXPECT_LT(summary["radiosity"]["row_sum_error_closed"].get<double>(), 1e-11);
+  for (const json& balance : summary["balance"]) EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-7);
+  const json series = json::parse(text_of(folder.path() / "results/walls.vtp.series"));
+  EXPECT_EQ(series["files"][1]["name"], "walls_pass2.vtp");
+}
+
+// A probe on the floor that looks down sees the floor alone: B = pi L + rho E.
+TEST(RunRadiosity, ProbesOnWallsSeeTheLightBeforeThem) {
+  const CaseFolder folder(empty_cube());
+  for (const char* solution : {"gathering", "shooting", "direct"}) {
+    const Outcome outcome = etendue_says({"run", folder.file(), "--output", folder.results(), "--set",
+                                          std::string("radiosity.solution=\"") + solution + "\"", "--set",
+                                          "radiosity.patch_size=2"});
+    ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+    const std::string probes = text_of(folder.path() / "results/probes.csv");
+    const std::string walls = text_of(folder.path() / "results/walls.csv");
+    double outgoing = 0, irradiance = 0;
+    ASSERT_EQ(std::sscanf(walls.c_str() + walls.find("floor,red"), "floor,red,%*f,%*f,%*f,%lf", &outgoing),
+              1);
+    ASSERT_EQ(std::sscanf(probes.c_str() + probes.find("up,1,"), "up,1,%*f,%*f,%*f,red,%*f,%*f,%*f,%*f,%lf",
+                          &irradiance),
+              1);
+    EXPECT_NEAR(irradiance, outgoing, 1e-5 * outgoing) << solution;
+  }
+}
+
+TEST(RunRadiosity, RefusesWhatItDoesNotKnow) {
+  const CaseFolder folder(empty_cube());
+  const auto fault = [&](const std::string& assignment) {
+    const Outcome outcome =
+        etendue_says({"run", folder.file(), "--output", folder.results(), "--set", assignment});
+    EXPECT_EQ(outcome.code, ExitCode::input_error);
+    return outcome.err;
+  };
+  EXPECT_TRUE(has(fault("media.air.absorption=0.1"), "media.air.absorption: is not 0 (radiosity carries"));
+  EXPECT_TRUE(has(fault("walls.floor.specular=0.1"), "walls.floor.specular: is a mirror"));
+  EXPECT_TRUE(
+      has(fault("light=[{name=\"bulb\",kind=\"point\",position=[0.5,0.5,0.5],power=1}]"), "is a light"));
+  EXPECT_TRUE(has(fault("output.fields=[\"radiance:0\"]"), "radiosity has none"));
+  EXPECT_TRUE(has(fault("directions={set=\"flatland\",order=4}"), "flatland"));
+}
+
+TEST(RunRadiosity, HasTheSameBitsForAnyNumberOfThreads) {
+  const CaseFolder folder(empty_cube());
+  for (const char* threads : {"1", "3"})
+    ASSERT_EQ(etendue_says({"run", folder.file(), "--output", (folder.path() / threads).string(), "--threads",
+                            threads})
+                  .code,
+              ExitCode::done);
+  for (const char* name : {"fields.vtu", "walls.vtp", "walls.csv", "passes.csv", "probes.csv"})
+    EXPECT_EQ(text_of(folder.path() / "1" / name), text_of(folder.path() / "3" / name)) << name;
+}
+
+// Three methods that share nothing but the problem.
+TEST(RunRadiosity, AgreesWithOrdinatesAndPhotons) {
+  const CaseFolder folder(empty_cube());
+  const Outcome outcome = etendue_says({"compare", folder.file(), "--output", folder.results(), "--methods",
+                                        "radiosity,ordinates,photons", "--set", "solve.photons=20000",
+                                        "--set", "solve.probe_photons=2000", "--set", "directions.order=2"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  for (const char* name :
+       {"comparison-ordinates.csv", "comparison-photons.csv", "comparison-photons.html",
+        "difference-ordinates.vtu", "ordinates", "photons", "radiosity", "radiosity-patches"})
+    EXPECT_EQ(std::ranges::count(ScratchFolder::names_in(folder.results()), name), 1) << name;
+  const std::string table = text_of(folder.path() / "results/comparison-photons.csv");
+  double in_errors = 100;
+  ASSERT_EQ(std::sscanf(table.c_str() + table.find("\"region air\",\"red\",fluence"),
+                        "\"region air\",\"red\",fluence,%*f,%*f,%*f,%*f,%*f,%lf", &in_errors),
+            1)
+      << table;
+  EXPECT_LT(std::abs(in_errors), 3) << table;
+}
+
+}  // namespace
+}  // namespace etendue
