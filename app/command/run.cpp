@@ -141,14 +141,16 @@ std::string directions_line(const RunDirections& directions) {
                             once.order());
 }
 
-Solution solve_visibly(const LightSetup& lights, const RunDirections& directions, const SolveOptions& options,
-                       ProgressDisplay& display, Checkpoints checkpoints, const Interruption& interruption) {
+Solution solve_visibly(UncollidedLight uncollided, const RunDirections& directions,
+                       const SolveOptions& options, ProgressDisplay& display, Checkpoints checkpoints,
+                       const Interruption& interruption) {
   const auto observe = [&](const SweepProgress& progress) {
     display.show(progress);
     checkpoints.consider(progress);
     return interruption.noted() ? SolveControl::stop : SolveControl::proceed;
   };
-  Solution solution = solve_rotated(lights, directions.sets, options, observe, directions.first_collided);
+  Solution solution =
+      solve_rotated(std::move(uncollided), directions.sets, options, observe, directions.first_collided);
   display.finish();
   return solution;
 }
@@ -311,10 +313,12 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
       << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
 
+  // A signal before this ends the program at once: there is nothing to keep, and rays may take long.
+  UncollidedLight uncollided(lights, options);
   interruption.note_the_first();
   ProgressDisplay display(resolved_style(request.progress, out), out);
-  const Solution solution =
-      solve_visibly(lights, all_directions, options, display, Checkpoints(input, problem, err), interruption);
+  const Solution solution = solve_visibly(std::move(uncollided), all_directions, options, display,
+                                          Checkpoints(input, problem, err), interruption);
   interruption.note_all();
   std::optional<RayRadiance> scene;
   if (!input.sensors.empty() || !input.cameras.empty())

@@ -17,6 +17,9 @@ class ExtendedSource : public LightSource {
   void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
   bool is_near(const Vec3& place, double size) const override;
   bool is_extended() const override { return true; }
+  bool is_smooth_over(double size) const override {
+    return tree_.shape() == EmitterShape::tetrahedra && 3 * size < tree_.box().diagonal().norm();
+  }
 
  private:
   struct View;

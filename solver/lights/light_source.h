@@ -48,6 +48,9 @@ class LightSource {
   /// size; beams and points are always looked at directly.
   virtual bool is_near(const Vec3& place, double size) const = 0;
   virtual bool is_extended() const { return false; }
+  /// Whether its fluence varies little over a place of this size that is near it or in it, as that of a
+  /// larger volume does: that of a surface jumps.
+  virtual bool is_smooth_over(double) const { return false; }
 
  private:
   std::string name_;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "solver/lights/cell_light.h"
@@ -15,10 +17,11 @@ class VertexLight {
  public:
   VertexLight(const LightPaths& paths, const LightSource& source, int threads);
 
-  /// Adds the light of a cell. False, and nothing is added, where that will not do: near the light, and in
-  /// the dark and its edge.
+  /// Adds the light of a cell. False, and nothing is added, where that will not do: near a surface that
+  /// shines, in thick cells near or in a volume that does, and in the dark and its edge. Near and in a volume
+  /// that shines the middle of the cell is looked at too.
   bool add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const;
-  /// The same for the irradiance of a boundary face; mirrors are left out too.
+  /// The same for the irradiance of a boundary face.
   bool add(FaceIndex face, LightBeams& beams, NodalMoments& moments) const;
 
  private:
@@ -26,7 +29,18 @@ class VertexLight {
     double fluence = 0;
     Vec3 direction = Vec3::Zero();  ///< net flux over fluence
   };
+  /// By how much the middle of a cell differs from what is linear, [band].
+  struct Bulge {
+    std::vector<double> log_transmittance;
+    std::vector<Vec3> direction;
+  };
+  void look_at_middle(const LitCell& cell, LightBeams& beams, Bulge& bulge) const;
   bool is_lit(std::span<const std::int32_t> vertices) const;
+  bool is_too_near(const Vec3& place, double size, double thickness) const;
+  void add_to_mirror(FaceIndex face, LightBeams& beams, NodalMoments& moments) const;
+  /// ln T [band] at a point of a cell or face with these vertices.
+  double log_transmittance(std::span<const double> barycentric, std::span<const std::int32_t> vertices,
+                           std::size_t band) const;
   /// [band] at a point of a cell or face with these vertices.
   std::vector<LightHere> look(const PointInCell& here, std::span<const double> barycentric,
                               std::span<const std::int32_t> vertices, LightBeams& beams) const;
@@ -39,6 +53,8 @@ class VertexLight {
   std::size_t bands_;
   std::vector<double> log_transmittance_;  ///< [vertex][band]; -infinity in the dark
   std::vector<Vec3> mean_direction_;       ///< [vertex][band] net flux over fluence
+  /// Of (vertex, plane of a mirror) [band]: mean |cosine| to the plane's normal, weighted by fluence.
+  std::map<std::pair<std::int32_t, int>, std::vector<double>> mean_cosine_;
 };
 
 }  // namespace etendue

@@ -40,7 +40,12 @@ std::size_t estimate_rotated_memory(const LightSetup& lights, const std::vector<
 Solution solve_rotated(const LightSetup& lights, const std::vector<DirectionSet>& sets,
                        const SolveOptions& options, const SolveObserver& observer,
                        const std::vector<DirectionSet>& first_collided) {
-  UncollidedLight uncollided(lights, options);
+  return solve_rotated(UncollidedLight(lights, options), sets, options, observer, first_collided);
+}
+
+Solution solve_rotated(UncollidedLight uncollided, const std::vector<DirectionSet>& sets,
+                       const SolveOptions& options, const SolveObserver& observer,
+                       const std::vector<DirectionSet>& first_collided) {
   MeanSolution mean;
   SavedState last;
   SolveOptions warm = options;
@@ -74,7 +79,7 @@ Solution solve_rotated(const LightSetup& lights, const std::vector<DirectionSet>
         solution.notes.begin(),
         fmt::format("mean of {} rotated sets of directions; the standard error of the fluence is {:.2g} % "
                     "(root mean square over the volume)",
-                    count, 100 * relative_direction_error(lights.problem().mesh(), solution)));
+                    count, 100 * relative_direction_error(uncollided.lights().problem().mesh(), solution)));
   std::move(uncollided).finish(solution);
   return solution;
 }

@@ -16,6 +16,11 @@ Solution solve_rotated(const LightSetup& lights, const std::vector<DirectionSet>
                        const SolveOptions& options, const SolveObserver& observer = {},
                        const std::vector<DirectionSet>& first_collided = {});
 
+/// The same with uncollided light that was found before, which is handed over to the solution.
+Solution solve_rotated(UncollidedLight uncollided, const std::vector<DirectionSet>& sets,
+                       const SolveOptions& options, const SolveObserver& observer = {},
+                       const std::vector<DirectionSet>& first_collided = {});
+
 /// Root mean square over the volume of direction_error over that of the fluence, in the band where it is
 /// most.
 double relative_direction_error(const TetrahedralMesh& mesh, const Solution& solution);

@@ -18,6 +18,7 @@ class UncollidedLight {
   /// solve(). The options must not have an angular input of their own.
   Solution solve_rest(const DirectionSet& directions, const DirectionSet* first_collided,
                       const SolveOptions& options, const SolveObserver& observer) const;
+  const LightSetup& lights() const { return lights_; }
   /// Hands the uncollided part over to a solution.
   void finish(Solution& solution) &&;
 

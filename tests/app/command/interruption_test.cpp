@@ -108,6 +108,22 @@ TEST(Interruption, WhileMeshingLeavesNothing) {
   EXPECT_EQ(ScratchFolder::names_in(folder.path()), (std::vector<std::string>{"case.toml", "said"}));
 }
 
+// Rays may take long, and before the first sweep there is nothing to keep.
+TEST(Interruption, WhileFollowingLightsLeavesNothing) {
+  const ScratchFolder folder;
+  const std::filesystem::path said = folder.path() / "said";
+  Process run({"run", std::string(ETENDUE_SOURCE_DIR) + "/cases/kobayashi-3/uncollided.toml", "--output",
+               (folder.path() / "results").string(), "--set",
+               R"(mesh.max_volume={ "*" = 400, void = 2, source = 0.1 })"},
+              said);
+  ASSERT_TRUE(run.says("memory:")) << text_of(said);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130) << text_of(said);
+  EXPECT_NE(text_of(said).find("interrupted: nothing was written"), std::string::npos) << text_of(said);
+  EXPECT_EQ(ScratchFolder::names_in(folder.path()), (std::vector<std::string>{"said"}));
+}
+
 TEST(Interruption, KilledRunLeavesNoFileUnderItsName) {
   const CaseFolder folder;
   Process run(endless_run(folder), said_in(folder));
