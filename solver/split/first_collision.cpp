@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/split/first_collision.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace etendue {
@@ -39,6 +41,43 @@ void look(const LightSource& source, const PointInCell& here, const Vec3& centro
     }
 }
 
+/// Turns a distribution p_m of integral 1 into p_m e^(b.w_m) over its integral, the nearest one in entropy
+/// (Kullback 1959) that has this mean direction: small sets see a peak between their ordinates from the side,
+/// and miss its mean cosine. Where the peak is narrower than the set can tell b stays at what it may be.
+void keep_mean_direction(const DirectionSet& directions, const Vec3& wanted, std::vector<double>& p) {
+  constexpr int most_steps = 40;
+  constexpr double exact = 1e-14, longest_step = 2, steepest = 30;
+  Vec3 b = Vec3::Zero();
+  for (int step = 0; step < most_steps; ++step) {
+    Vec3 mean = Vec3::Zero();
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    double sum = 0;
+    for (std::size_t m = 0; m < p.size(); ++m) {
+      const Vec3& w = directions.directions()[m];
+      const double value = directions.weights()[m] * p[m] * std::exp(b.dot(w));
+      sum += value;
+      mean += value * w;
+      spread += value * w * w.transpose();
+    }
+    mean /= sum;
+    spread = spread / sum - mean * mean.transpose();
+    const Vec3 missing = wanted - mean;
+    if (missing.norm() < exact) break;
+    // Newton's step for the maximum of b.wanted - ln(sum), which is concave in b.
+    Vec3 change = spread.ldlt().solve(missing);
+    if (!change.allFinite()) break;
+    if (change.norm() > longest_step) change *= longest_step / change.norm();
+    if ((b + change).norm() > steepest) break;
+    b += change;
+  }
+  double integral = 0;
+  for (std::size_t m = 0; m < p.size(); ++m) {
+    p[m] *= std::exp(b.dot(directions.directions()[m]));
+    integral += directions.weights()[m] * p[m];
+  }
+  for (double& value : p) value /= integral;
+}
+
 }  // namespace
 
 FirstCollision::FirstCollision(const LightSetup& lights, const UncollidedField& field,
@@ -51,7 +90,7 @@ FirstCollision::FirstCollision(const LightSetup& lights, const UncollidedField& 
 }
 
 // At a vertex the light comes in beams k of directions w_k: the distribution is the sum over k of phi_k
-// p(w_m.w_k), divided by its sum over the set.
+// p(w_m.w_k), divided by its sum over the set, with the mean cosine that the phase function has.
 void FirstCollision::tabulate(const LightSetup& lights, int threads) {
   const TetrahedralMesh& mesh = problem_.mesh();
   const auto vertices = static_cast<std::size_t>(mesh.vertex_count());
@@ -70,10 +109,13 @@ void FirstCollision::tabulate(const LightSetup& lights, int threads) {
         for (std::size_t v = 0; v < vertices; ++v) {
           look(*lights.sources()[s], {cells[v], mesh.points()[v]}, mesh.centroid(cells[v]), beams);
           std::fill(values.begin(), values.end(), 0.0);
-          double sum = 0;
+          double sum = 0, light = 0;
+          Vec3 travel = Vec3::Zero();
           for (std::size_t k = 0; k < beams.size(); ++k) {
             double fluence = 0;
             for (const double value : beams.fluence(k)) fluence += value;
+            light += fluence;
+            travel += fluence * beams.direction(k);
             for (std::size_t m = 0; m < ordinates; ++m)
               values[m] +=
                   fluence *
@@ -82,7 +124,10 @@ void FirstCollision::tabulate(const LightSetup& lights, int threads) {
           }
           for (std::size_t m = 0; m < ordinates; ++m) sum += directions_.weights()[m] * values[m];
           // In a vertex that is itself the light all directions are alike.
-          for (std::size_t m = 0; m < ordinates && sum > 0; ++m) table[m * vertices + v] = values[m] / sum;
+          if (!(sum > 0)) continue;
+          for (double& value : values) value /= sum;
+          keep_mean_direction(directions_, phase_moment(phases_.phases()[p], 1) * travel / light, values);
+          for (std::size_t m = 0; m < ordinates; ++m) table[m * vertices + v] = values[m];
         }
       }
     }

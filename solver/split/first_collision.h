@@ -15,7 +15,8 @@ namespace etendue {
 ///     s_m = sigma_s phi p(w_m.w') / sum over n of w_n p(w_n.w'),
 ///
 /// with the exact phase function p, divided by its sum over the set so that the scattered power is sigma_s
-/// phi; and at walls the radiance that is diffusely reflected, (diffuse / pi_h) E.
+/// phi, and tilted so that its net flux is that of p; and at walls the
+/// radiance that is diffusely reflected, (diffuse / pi_h) E.
 ///
 /// The direction w' of the light enters by its distribution at the vertices; phi is the P1 projection.
 class FirstCollision : public AngularInput {
