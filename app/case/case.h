@@ -128,7 +128,8 @@ struct CameraCase {
 struct SensorCase {
   std::string name;
   Sensor sensor;
-  std::string wall;  ///< of intensities; its number is known when there is a mesh
+  std::string wall;    ///< of intensities; its number is known when there is a mesh
+  std::string region;  ///< of an account
   Origin origin;
 };
 

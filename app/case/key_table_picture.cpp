@@ -61,6 +61,12 @@ std::vector<KeyDeclaration> picture_keys() {
             "Rays that look from each vertex of a wall for the light that directions brought there: free of "
             "their rays, at the cost of as many rays. 0: as the solution has it."}},
       {"camera",
+       "errors",
+       boolean,
+       {.default_value = "false",
+        .help = "Estimates of each pixel's error as channels of NAME.exr: of the cells, and, in a run with "
+                "directions.rotations, of the directions; each takes as long as the picture."}},
+      {"camera",
        "exposure",
        number,
        {.default_note = "95 % of the picture are below white",

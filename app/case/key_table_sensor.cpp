@@ -14,12 +14,13 @@ std::vector<KeyDeclaration> sensor_keys() {
        "kind",
        text,
        {.default_value = "\"irradiance\"",
-        .choices = {"irradiance", "fluence", "radiance", "cone", "grid", "flux", "intensity"},
+        .choices = {"irradiance", "fluence", "radiance", "cone", "grid", "flux", "intensity", "region"},
         .help =
             "irradiance on one side of a plane; fluence from all sides; radiance from one direction; of a "
             "cone the mean radiance and what it brings to the plane across it; grid: irradiance at the "
             "middles of parts of a parallelogram; flux: power through a polygon, both ways; "
-            "intensity of what leaves the domain by a wall, over directions."}},
+            "intensity of what leaves the domain by a wall, over directions; region: the account of its "
+            "light."}},
       {"sensor",
        "position",
        point,
@@ -40,7 +41,8 @@ std::vector<KeyDeclaration> sensor_keys() {
        number,
        {.unit = "degrees",
         .range = {.lowest = 0, .highest = 90, .lowest_excluded = true},
-        .help = "Half angle of a cone; of a flux it leaves out light that comes from elsewhere."}},
+        .help =
+            "Half angle of a cone; of a flux or a region it leaves out light that comes from elsewhere."}},
       {"sensor", "along", point, {.unit = "length", .help = "Side of a grid, from its corner."}},
       {"sensor", "across", point, {.unit = "length", .help = "Its other side."}},
       {"sensor",
@@ -52,6 +54,10 @@ std::vector<KeyDeclaration> sensor_keys() {
             "Of a grid: parts along and across. Of a flux: n, and 3 n^2 points for each triangle about the "
             "polygon's first corner. Of intensity: azimuths, and polar angles from 0 to 90 degrees."}},
       {"sensor", "wall", text, {.help = "Of intensity: the wall that the light leaves by."}},
+      {"sensor",
+       "region",
+       text,
+       {.help = "Of a region: its name. The radiance of all directions is kept in memory for it."}},
       {"sensor",
        "polygon",
        points,

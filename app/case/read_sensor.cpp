@@ -14,7 +14,8 @@ const std::map<std::string, SensorKind> kinds = {{"irradiance", SensorKind::irra
                                                  {"cone", SensorKind::cone},
                                                  {"grid", SensorKind::grid},
                                                  {"flux", SensorKind::flux},
-                                                 {"intensity", SensorKind::intensity}};
+                                                 {"intensity", SensorKind::intensity},
+                                                 {"region", SensorKind::region}};
 
 /// The keys that a kind of sensor takes, beside name, kind and rays.
 const std::map<SensorKind, std::vector<std::string>> keys_of = {
@@ -24,7 +25,8 @@ const std::map<SensorKind, std::vector<std::string>> keys_of = {
     {SensorKind::cone, {"position", "direction", "angle"}},
     {SensorKind::grid, {"position", "along", "across", "normal", "parts"}},
     {SensorKind::flux, {"polygon", "parts", "direction", "angle"}},
-    {SensorKind::intensity, {"wall", "parts"}}};
+    {SensorKind::intensity, {"wall", "parts"}},
+    {SensorKind::region, {"region", "direction", "angle"}}};
 
 /// Of intensities: every 15 degrees around, every 5 from the axis.
 constexpr int default_azimuths = 24, default_polar_angles = 19;
@@ -36,7 +38,7 @@ bool takes(SensorKind kind, const std::string& key) { return std::ranges::count(
 
 void refuse_other_keys(Section& section, const std::string& name, SensorKind kind) {
   for (const char* key :
-       {"position", "normal", "direction", "angle", "along", "across", "parts", "polygon", "wall"})
+       {"position", "normal", "direction", "angle", "along", "across", "parts", "polygon", "wall", "region"})
     if (!takes(kind, key)) section.unused(key, "a sensor of kind \"" + name + "\" does not take it");
 }
 
@@ -90,6 +92,16 @@ void read_cone_angle(Section& section, Sensor& sensor) {
   sensor.half_angle = section.number("angle") * std::numbers::pi / 180;
 }
 
+/// The cone that light comes from, where there is one.
+void read_optional_cone(Section& section, Sensor& sensor) {
+  if (section.has("angle") != section.has("direction"))
+    section.fault(section.has("angle") ? "direction" : "angle",
+                  "missing; use direction and angle of a cone, or neither");
+  if (!section.has("angle") || !section.has("direction")) return;
+  read_cone_angle(section, sensor);
+  sensor.direction = unit_vector(section, "direction", "where the light comes from");
+}
+
 void check_polygon(Section& section, const std::vector<Vec3>& polygon) {
   if (polygon.size() < 3) return section.fault("polygon", "has fewer than three corners; use three or more");
   const Vec3 normal = polygon_normal(polygon);
@@ -112,12 +124,7 @@ void read_polygon(Section& section, Sensor& sensor) {
     for (const auto& corner : corners->array()) sensor.polygon.push_back(to_vec3(*corner));
     check_polygon(section, sensor.polygon);
   }
-  if (section.has("angle") != section.has("direction"))
-    section.fault(section.has("angle") ? "direction" : "angle",
-                  "missing; use direction and angle of a cone, or neither");
-  if (!section.has("angle") || !section.has("direction")) return;
-  read_cone_angle(section, sensor);
-  sensor.direction = unit_vector(section, "direction", "where the light comes from");
+  read_optional_cone(section, sensor);
 }
 
 SensorCase read_sensor(Section& section) {
@@ -142,6 +149,11 @@ SensorCase read_sensor(Section& section) {
   if (sensor.kind == SensorKind::cone) read_cone_angle(section, sensor);
   if (sensor.kind == SensorKind::grid) read_sides(section, sensor);
   if (sensor.kind == SensorKind::flux) read_polygon(section, sensor);
+  if (sensor.kind == SensorKind::region) {
+    result.region = section.text_if("region").value_or("");
+    if (!section.has("region")) section.fault("region", "missing; use the name of a region");
+    read_optional_cone(section, sensor);
+  }
   if (sensor.kind == SensorKind::intensity) {
     result.wall = section.text_if("wall").value_or("");
     if (!section.has("wall")) section.fault("wall", "missing; use the name of a wall that light leaves by");

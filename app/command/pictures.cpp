@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <utility>
 
 #include "app/command/picture_progress.h"
 
@@ -36,6 +38,22 @@ bool uses_formulas(const Problem& problem) {
   });
 }
 
+/// False where it was interrupted.
+bool add_errors(const ErrorScenes& scenes, int threads, const std::function<bool()>& interrupted,
+                NamedPicture& named) {
+  for (const auto& [of, scene] :
+       {std::pair("cells", scenes.of_cells()), std::pair("directions", scenes.of_directions())}) {
+    if (scene == nullptr) continue;
+    Picture error =
+        take_picture(*scene, named.camera.camera, threads, [&](double) { return !interrupted(); });
+    if (!error.whole) return false;
+    for (std::size_t i = 0; i < error.radiance.size(); ++i)
+      error.radiance[i] = std::abs(error.radiance[i] - named.picture.radiance[i]);
+    named.errors.push_back({of, std::move(error)});
+  }
+  return true;
+}
+
 bool is_black(const Picture& picture) {
   return std::all_of(picture.radiance.begin(), picture.radiance.end(),
                      [](double value) { return value == 0; });
@@ -61,8 +79,8 @@ void check_views(const std::vector<CameraCase>& cameras, const std::vector<Senso
 }
 
 bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const RayRadiance& scene,
-                    int threads, const std::filesystem::path& directory, ProgressStyle progress,
-                    std::ostream& out, const std::function<bool()>& interrupted) {
+                    const ErrorScenes& error_scenes, int threads, const std::filesystem::path& directory,
+                    ProgressStyle progress, std::ostream& out, const std::function<bool()>& interrupted) {
   out << fmt::format("pictures: {}\n", BandColor(input.bands).rule());
   std::vector<NamedPicture> pictures;
   for (const CameraCase& camera : cameras) {
@@ -79,7 +97,9 @@ bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, c
                        seconds_since(begun));
     if (is_black(picture))
       out << fmt::format("  the picture {} is black: nothing that the camera looks at shines\n", camera.name);
-    pictures.push_back({camera, std::move(picture)});
+    pictures.push_back({camera, std::move(picture), {}});
+    if (camera.camera.errors && !add_errors(error_scenes, threads, interrupted, pictures.back()))
+      return false;
   }
   const std::vector<std::string> names = add_pictures(directory, input, pictures);
   out << "written to " << directory.string() << ":";

@@ -8,6 +8,7 @@
 
 #include "app/case/case.h"
 #include "app/command/command_line.h"
+#include "app/command/error_scenes.h"
 #include "app/write/pictures.h"
 #include "solver/picture/ray_radiance.h"
 
@@ -20,7 +21,7 @@ void check_views(const std::vector<CameraCase>& cameras, const std::vector<Senso
 /// Takes the cameras' pictures and writes them into a directory, with progress. False where `interrupted`
 /// said so: then no picture was written.
 bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const RayRadiance& scene,
-                    int threads, const std::filesystem::path& directory, ProgressStyle progress,
-                    std::ostream& out, const std::function<bool()>& interrupted);
+                    const ErrorScenes& errors, int threads, const std::filesystem::path& directory,
+                    ProgressStyle progress, std::ostream& out, const std::function<bool()>& interrupted);
 
 }  // namespace etendue

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <memory>
+#include <numeric>
 #include <thread>
 
 #include "app/case/build.h"
@@ -54,10 +55,14 @@ int thread_count(const Case& input) {
 }
 
 /// The solver's options as the case has them, with all that this run adds.
-SolveOptions solve_options(const Case& input, std::vector<IrradianceMeter> meters) {
+SolveOptions solve_options(const Case& input, int ordinates, std::vector<IrradianceMeter> meters) {
   SolveOptions options = input.solve;
   options.threads = thread_count(input);
   options.keep_ordinates = input.output.radiance_ordinates;
+  if (need_all_ordinates(input.sensors)) {
+    options.keep_ordinates.resize(static_cast<std::size_t>(ordinates));
+    std::iota(options.keep_ordinates.begin(), options.keep_ordinates.end(), 0);
+  }
   options.meters = std::move(meters);
   return options;
 }
@@ -295,9 +300,9 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   const RunDirections all_directions = run_directions(input, lights);
   const DirectionSet& directions = all_directions.sets.front();
   const CellLocator locator(mesh);
-  check_sensors(input.sensors, mesh, locator);
+  check_sensors(input, lights, locator);
   const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
-  SolveOptions options = solve_options(input, place_probes(input.probes, mesh, locator));
+  SolveOptions options = solve_options(input, directions.count(), place_probes(input.probes, mesh, locator));
   if (exact) options.angular_input = &exact->input;
   SavedState initial;
   if (input.initial) {
@@ -323,25 +328,29 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   std::optional<RayRadiance> scene;
   if (!input.sensors.empty() || !input.cameras.empty())
     scene.emplace(lights, directions, options, solution.state, options.threads);
-  RunResult result{.input = input,
-                   .problem = problem,
-                   .solution = solution,
-                   .probes = read_probes(input.probes, lights, solution, locator),
-                   .sensors = read_sensors(input.sensors, lights, scene, locator, options.threads),
-                   .balances = balances(problem, solution),
-                   .walls = wall_powers(problem, solution),
-                   .regions = region_powers(problem, solution),
-                   .seconds = seconds,
-                   .threads = options.threads};
+  RunResult result{
+      .input = input,
+      .problem = problem,
+      .solution = solution,
+      .probes = read_probes(input.probes, lights, solution, locator),
+      .sensors = read_sensors(input.sensors, {lights, directions, options, solution, scene, locator}),
+      .balances = balances(problem, solution),
+      .walls = wall_powers(problem, solution),
+      .regions = region_powers(problem, solution),
+      .seconds = seconds,
+      .threads = options.threads};
   if (exact) add_exact(*exact, directions, result);
   result.seconds.total = watch.total();
   const WrittenResults written = write_results(result);
   out << convergence_text(result) << uncollided_text(result) << balance_text(result) << powers_text(result)
       << probes_text(result) << sensors_text(result) << exact_text(result) << cautions_text(result)
       << closing_text(result, written);
-  if (!input.cameras.empty() && !interruption.noted())
-    write_pictures(input, input.cameras, *scene, options.threads, input.output.directory,
+  if (!input.cameras.empty() && !interruption.noted()) {
+    const ErrorScenes errors(input.cameras, lights, directions, options, solution.state,
+                             solution.direction_error);
+    write_pictures(input, input.cameras, *scene, errors, options.threads, input.output.directory,
                    resolved_style(request.progress, out), out, [&] { return interruption.noted(); });
+  }
   if (reader) reader(result);
   return conclude(result, interruption.noted(), err);
 }

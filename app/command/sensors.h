@@ -11,13 +11,24 @@
 
 namespace etendue {
 
-/// Throws InputError with each sensor of which nothing lies in the mesh.
-void check_sensors(const std::vector<SensorCase>& sensors, const TetrahedralMesh& mesh,
-                   const CellLocator& locator);
+/// Throws InputError with each sensor of which nothing lies in the mesh, that names what the mesh does not
+/// have, or whose numbers this run cannot have.
+void check_sensors(const Case& input, const LightSetup& lights, const CellLocator& locator);
 
-/// What the sensors show; they must have been checked. `scene` may be empty where there are none.
-std::vector<SensorRow> read_sensors(const std::vector<SensorCase>& sensors, const LightSetup& lights,
-                                    const std::optional<RayRadiance>& scene, const CellLocator& locator,
-                                    int threads);
+/// Whether a sensor reads the radiance of every ordinate, which the solution must then keep.
+bool need_all_ordinates(const std::vector<SensorCase>& sensors);
+
+/// What sensors look at; `rays` may be empty where there are none.
+struct SensorScene {
+  const LightSetup& lights;
+  const DirectionSet& directions;
+  const SolveOptions& options;
+  const Solution& solution;
+  const std::optional<RayRadiance>& rays;
+  const CellLocator& locator;
+};
+
+/// What the sensors show; they must have been checked.
+std::vector<SensorRow> read_sensors(const std::vector<SensorCase>& sensors, const SensorScene& scene);
 
 }  // namespace etendue

@@ -18,7 +18,17 @@ std::vector<LinearColor> colors_of(const Picture& picture, const BandColor& rule
   return colors;
 }
 
-std::string exr_of(const Case& input, const Picture& picture, const BandColor& rule,
+/// A channel of each band: PREFIX.BAND.
+void add_bands(const std::string& prefix, const std::vector<std::string>& bands, const Picture& picture,
+               std::vector<ImageChannel>& channels) {
+  for (std::size_t b = 0; b < picture.bands; ++b) {
+    ImageChannel& channel = channels.emplace_back(ImageChannel{prefix + "." + bands[b], {}});
+    for (std::size_t at = b; at < picture.radiance.size(); at += picture.bands)
+      channel.values.push_back(static_cast<float>(picture.radiance[at]));
+  }
+}
+
+std::string exr_of(const Case& input, const NamedPicture& named, const BandColor& rule,
                    const std::vector<LinearColor>& colors) {
   std::vector<ImageChannel> channels;
   const std::array<std::string, 3> primaries = {"R", "G", "B"};
@@ -26,12 +36,10 @@ std::string exr_of(const Case& input, const Picture& picture, const BandColor& r
     ImageChannel& channel = channels.emplace_back(ImageChannel{primaries[i], {}});
     for (const LinearColor& color : colors) channel.values.push_back(static_cast<float>(color[i]));
   }
-  for (std::size_t b = 0; b < picture.bands; ++b) {
-    ImageChannel& channel = channels.emplace_back(ImageChannel{"radiance." + input.bands.names[b], {}});
-    for (std::size_t at = b; at < picture.radiance.size(); at += picture.bands)
-      channel.values.push_back(static_cast<float>(picture.radiance[at]));
-  }
-  return exr_bytes(picture.pixels, channels,
+  add_bands("radiance", input.bands.names, named.picture, channels);
+  for (const PictureError& error : named.errors)
+    add_bands("error." + error.of, input.bands.names, error.picture, channels);
+  return exr_bytes(named.picture.pixels, channels,
                    fmt::format("radiance [{}/({}^2 sr)]; R, G, B: {}", input.units.power, input.units.length,
                                rule.rule()));
 }
@@ -52,9 +60,11 @@ std::vector<std::string> add_pictures(const std::filesystem::path& directory, co
                                       const std::vector<NamedPicture>& pictures) {
   const BandColor rule(input.bands);
   OutputFolder folder(directory);
-  for (const auto& [camera, picture] : pictures) {
+  for (const NamedPicture& named : pictures) {
+    const CameraCase& camera = named.camera;
+    const Picture& picture = named.picture;
     const std::vector<LinearColor> colors = colors_of(picture, rule);
-    folder.add_text(camera.name + ".exr", exr_of(input, picture, rule, colors));
+    folder.add_text(camera.name + ".exr", exr_of(input, named, rule, colors));
     folder.add_text(camera.name + ".png", png_of(camera, picture, colors));
   }
   const std::vector<std::string> names = folder.names();

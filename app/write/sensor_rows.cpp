@@ -13,7 +13,7 @@ namespace {
 using Quantity = RadiometricQuantity;
 
 /// Which unit a quantity has.
-enum class Kind { per_area, per_area_and_angle, power, per_angle };
+enum class Kind { per_area, per_area_and_angle, power, per_angle, path, angle, number };
 
 struct QuantityWords {
   std::string radiometric;
@@ -32,7 +32,16 @@ const std::map<Quantity, QuantityWords> words = {
     {Quantity::flux_forward, {"flux_forward", "luminous_flux_forward", Kind::power}},
     {Quantity::flux_backward, {"flux_backward", "luminous_flux_backward", Kind::power}},
     {Quantity::flux_net, {"flux_net", "luminous_flux_net", Kind::power}},
-    {Quantity::intensity_most, {"intensity_most", "", Kind::per_angle}}};
+    {Quantity::intensity_most, {"intensity_most", "", Kind::per_angle}},
+    {Quantity::path, {"radiance_integral", "", Kind::path}},
+    {Quantity::flowing_in, {"flowing_in", "", Kind::power}},
+    {Quantity::flowing_out, {"flowing_out", "", Kind::power}},
+    {Quantity::emitted, {"emitted", "", Kind::power}},
+    {Quantity::absorbed, {"absorbed", "", Kind::power}},
+    {Quantity::scattered_in, {"scattered_in", "", Kind::power}},
+    {Quantity::scattered_out, {"scattered_out", "", Kind::power}},
+    {Quantity::solid_angle, {"solid_angle", "", Kind::angle}},
+    {Quantity::account_residual, {"account_residual", "", Kind::number}}};
 
 std::string unit_of(Kind kind, const UnitLabels& units) {
   switch (kind) {
@@ -44,6 +53,12 @@ std::string unit_of(Kind kind, const UnitLabels& units) {
       return units.power;
     case Kind::per_angle:
       return units.intensity;
+    case Kind::path:
+      return units.power + " " + units.length;
+    case Kind::angle:
+      return "sr";
+    case Kind::number:
+      return "1";
   }
   return {};
 }
@@ -64,6 +79,7 @@ class RowMaker {
                       found.error[b], unit_of(words_of.kind, labels_)});
     if (!scale_) return;
     if (found.quantity == Quantity::fluence) add_densities(sensor, found, rows);
+    if (found.quantity == Quantity::path) add_photons_there(sensor, found, rows);
     if (words_of.kind == Kind::power) add_photons(sensor, words_of.radiometric, found, rows);
     if (photometry_.known() && !words_of.photometric.empty()) add_photopic(sensor, words_of, found, rows);
   }
@@ -85,6 +101,16 @@ class RowMaker {
     for (std::size_t b = 0; b < photometry_.photons_per_joule().size(); ++b)
       add_scaled(sensor, b, "photon_density", found, joules * photometry_.photons_per_joule()[b], "1/m^3",
                  rows);
+  }
+
+  // N = integral of u/c over the region and directions, as energy and as photons.
+  void add_photons_there(const std::string& sensor, const Measurement& found,
+                         std::vector<SensorTableRow>& rows) const {
+    const double joules = scale_->power * scale_->length / speed_of_light;
+    for (std::size_t b = 0; b < found.collided.size(); ++b)
+      add_scaled(sensor, b, "energy", found, joules, "J", rows);
+    for (std::size_t b = 0; b < photometry_.photons_per_joule().size(); ++b)
+      add_scaled(sensor, b, "photons", found, joules * photometry_.photons_per_joule()[b], "1", rows);
   }
 
   void add_photons(const std::string& sensor, const std::string& quantity, const Measurement& found,

@@ -59,7 +59,10 @@ class FieldsOfCells {
     if (asked("fluence")) add_fluence();
     if (asked("net_flux")) add_net_flux("net_flux", result_.solution.net_flux);
     if (result_.errors) add_errors(*result_.errors);
-    for (const OrdinateRadiance& kept : result_.solution.radiance) add_radiance(kept);
+    // Sensors may have others kept.
+    const std::vector<int>& ordinates = result_.input.output.radiance_ordinates;
+    for (const OrdinateRadiance& kept : result_.solution.radiance)
+      if (std::ranges::count(ordinates, kept.ordinate) > 0) add_radiance(kept);
     if (asked("media")) add_media();
     if (const auto& error = result_.solution.direction_error; !error.empty())
       grid_->GetCellData()->AddArray(

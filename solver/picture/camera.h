@@ -25,6 +25,7 @@ struct Camera {
   /// Rays, a square number, that look from each vertex of a wall for the light that directions brought there
   /// (final gathering); 0: it is taken as the solution has it.
   int gather = 0;
+  bool errors = false;  ///< whether the error of each pixel is estimated, at the cost of more pictures
 };
 
 struct CameraRay {

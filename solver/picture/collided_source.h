@@ -39,6 +39,8 @@ class CollidedSource {
   };
   View view(const Vec3& travel) const;
 
+  /// [cell] the place of its moments in the state, from 1; 0 where only the fluence is known.
+  std::span<const std::int32_t> rows() const { return row_; }
   /// Whether all directions are alike in a cell.
   bool is_isotropic(CellIndex cell) const { return row_[cell.at()] == 0 && dense_row_[cell.at()] < 0; }
   /// As light sees it that goes on where it is scattered straight ahead [1/length].
@@ -64,7 +66,7 @@ class CollidedSource {
   std::vector<ScatteringTreatment> plan_;  ///< [region][band]
   ContinuousHarmonics harmonics_;
   PhaseList phases_;
-  std::vector<std::int32_t> row_;        ///< [cell] from 1; 0 where only the fluence is known
+  std::vector<std::int32_t> row_;        ///< see rows()
   std::vector<std::int32_t> dense_row_;  ///< [cell], -1 without
   std::vector<double> factors_;          ///< [region][k][band] chi_k/(4 pi)
   std::vector<double> extinction_;       ///< [cell][band]

@@ -14,10 +14,19 @@ enum class RadiometricQuantity {
   irradiance_mean,  ///< over a grid
   irradiance_least,
   irradiance_most,
-  flux_forward,   ///< power through a polygon, in the direction of its normal [power]
-  flux_backward,  ///< against it [power]
-  flux_net,       ///< forward less backward [power]
-  intensity_most  ///< of all directions [power/sr]
+  flux_forward,    ///< power through a polygon, in the direction of its normal [power]
+  flux_backward,   ///< against it [power]
+  flux_net,        ///< forward less backward [power]
+  intensity_most,  ///< of all directions [power/sr]
+  path,            ///< radiance integrated over a region and directions [power length]
+  flowing_in,      ///< terms of the account of a region [power]
+  flowing_out,
+  emitted,
+  absorbed,
+  scattered_in,
+  scattered_out,
+  solid_angle,      ///< of the directions that count [sr]
+  account_residual  ///< what the account misses, relative
 };
 
 /// A quantity in every band, in two parts: light of lights that has not scattered or been reflected diffusely

@@ -16,7 +16,8 @@ enum class SensorKind {
   cone,        ///< at a point, from all directions within an angle of the one in which it looks
   grid,        ///< irradiance at the middles of equal parts of a parallelogram
   flux,        ///< power through a flat convex polygon, to both sides
-  intensity    ///< what leaves the domain by a wall, over directions
+  intensity,   ///< what leaves the domain by a wall, over directions
+  region       ///< the account of a region, of all light or of that from within a cone
 };
 
 /// An instrument, anywhere in the domain or on a wall.
@@ -24,7 +25,8 @@ struct Sensor {
   SensorKind kind = SensorKind::irradiance;
   Vec3 position = Vec3::Zero();    ///< of a grid its first corner
   Vec3 direction = Vec3::UnitZ();  ///< unit: the normal, or where it looks; never that of the light
-  /// [rad] of a cone, and of a flux that counts what comes from within a cone alone; 0: from everywhere
+  /// [rad] of a cone, and of a flux or region that counts what comes from within a cone alone; 0: from
+  /// everywhere
   double half_angle = 0;
   std::array<Vec3, 2> sides = {};  ///< of a grid, from its first corner [length]
   /// Of a grid, parts of its sides; of a polygon the first, see SensorReader; of intensities, azimuths and

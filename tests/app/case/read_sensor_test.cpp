@@ -42,6 +42,10 @@ TEST(ReadSensor, TakesEachKind) {
   const SensorCase intensity = read("kind = \"intensity\"\nwall = \"xmin\"\n");
   EXPECT_EQ(intensity.wall, "xmin");
   EXPECT_EQ(intensity.sensor.count, (std::array<int, 2>{24, 19}));
+  const SensorCase region = read("kind = \"region\"\nregion = \"air\"\ndirection = [0, 0, 2]\nangle = 60\n");
+  EXPECT_EQ(region.region, "air");
+  EXPECT_EQ(region.sensor.direction, Vec3(0, 0, 1));
+  EXPECT_NEAR(region.sensor.half_angle, std::numbers::pi / 3, 1e-15);
 }
 
 // The resolved case is read again by render and by runs that go on.

@@ -144,6 +144,20 @@ order = 8
       << outcome.err;
 }
 
+// Channels of errors stand beside the others, whatever the picture; those of directions in a run with
+// rotations.
+TEST(Run, EstimatesWhatPixelsAreOffBy) {
+  const CaseFolder folder(small_case() + camera + "errors = true\n");
+  ASSERT_EQ(etendue_says({"run", folder.file(), "--set", "directions.rotations=4"}).code, ExitCode::done);
+  const std::filesystem::path picture = std::filesystem::path(folder.results()) / "front.exr";
+  for (const std::string channel : {"error.cells.red", "error.directions.blue", "radiance.green"})
+    EXPECT_TRUE(has(text_of(picture), channel)) << channel;
+  ASSERT_EQ(etendue_says({"render", folder.results()}).code, ExitCode::done);
+  EXPECT_TRUE(has(text_of(picture), "error.cells.red"));
+  EXPECT_FALSE(has(text_of(picture), "error.directions.red"))
+      << "the saved result has no spread of directions";
+}
+
 TEST(Run, RefusesACameraBesideFormulasOfTheDirection) {
   const CaseFolder folder(small_case() + camera);
   for (const char* change : {"media.smoke.absorption='1+wz'", "media.smoke.emission='1+wz'"}) {

@@ -113,6 +113,46 @@ TEST(Sensors, GridsAndIntensitiesHaveTheirFiles) {
               1, 1e-9);
 }
 
+/// The small case with the account of its region.
+std::string account_case(const std::string& more) {
+  return test::small_case() +
+         "[solve]\ntolerance = 1e-10\n[[sensor]]\nname = \"all\"\nkind = \"region\"\nregion = "
+         "\"smoke\"\n" +
+         more;
+}
+
+// What walls take from a region is what it emits less what it absorbs; the account closes, and N is its
+// energy.
+TEST(Sensors, AccountsOfRegionsClose) {
+  const CaseFolder folder(
+      account_case("[[sensor]]\nname = \"up\"\nkind = \"region\"\nregion = \"smoke\"\ndirection = "
+                   "[0, 0, -1]\nangle = 90\n"));
+  const Outcome run = etendue_says({"run", folder.file()});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
+  for (const std::string band : {"red", "green", "blue"}) {
+    const auto value = [&](const std::string& quantity, const std::string& unit,
+                           const std::string& sensor = "all") {
+      return rows[sensor + " " + band + " " + quantity + " " + unit].at(2);
+    };
+    EXPECT_NEAR(value("account_residual", "1"), 0, 1e-8);
+    EXPECT_NEAR(value("account_residual", "1", "up"), 0, 1e-8);
+    EXPECT_NEAR((value("flowing_in", "W") - value("flowing_out", "W")) / value("absorbed", "W"), 1, 1e-8);
+    EXPECT_NEAR(value("solid_angle", "sr", "up"), 2 * pi, 1e-12);
+    EXPECT_LT(value("radiance_integral", "W m", "up"), value("radiance_integral", "W m"));
+    EXPECT_NEAR(value("energy", "J") * 299792458 / value("radiance_integral", "W m"), 1, 1e-12);
+  }
+  EXPECT_EQ(text_of(folder.path() / "results" / "fields.vtu").find("radiance_0"), std::string::npos);
+}
+
+TEST(Sensors, AccountsOfRegionsNeedOrdinatesForAllLight) {
+  const CaseFolder folder(
+      account_case("[[light]]\nname = \"bulb\"\nkind = \"point\"\nposition = [0.5, 0.5, 0.5]\npower = 1\n"));
+  const Outcome lamp = etendue_says({"run", folder.file()});
+  EXPECT_EQ(lamp.code, ExitCode::input_error);
+  EXPECT_NE(lamp.err.find("the account of a region beside lights"), std::string::npos) << lamp.err;
+}
+
 TEST(Sensors, OutsideOfTheMeshAreRefused) {
   const CaseFolder folder(
       sky_case("[[sensor]]\nname = \"far\"\nkind = \"fluence\"\nposition = [2, 0, 0]\n[[sensor]]\n"

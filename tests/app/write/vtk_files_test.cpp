@@ -211,12 +211,14 @@ TEST(FieldsFile, HoldsOnlyTheFieldsAskedFor) {
 
 TEST(FieldsFile, HoldsKeptOrdinates) {
   SampleRun run({"grey"});
-  run.solution.radiance = {{5, run.solution.fluence}};
+  run.solution.radiance = {{5, run.solution.fluence}, {6, run.solution.fluence}};
+  run.input.output.radiance_ordinates = {5};
   const auto grid = fields_of(run);
   vtkDataArray* radiance = grid->GetPointData()->GetArray("radiance_5");
   ASSERT_NE(radiance, nullptr);
   EXPECT_EQ(values_of(*radiance), run.solution.fluence);
   EXPECT_EQ(unit_of(*radiance), "W/(m^2 sr)");
+  EXPECT_EQ(grid->GetPointData()->GetArray("radiance_6"), nullptr) << "kept for a sensor";
 }
 
 TEST(FieldsFile, HasTheSameBytesEachTime) {

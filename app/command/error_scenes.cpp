@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/error_scenes.h"
+
+#include <algorithm>
+
+#include "solver/picture/recovered_state.h"
+
+namespace etendue {
+
+ErrorScenes::ErrorScenes(const std::vector<CameraCase>& cameras, const LightSetup& lights,
+                         const DirectionSet& directions, const SolveOptions& options, const SavedState& state,
+                         std::span<const double> direction_error) {
+  if (std::ranges::none_of(cameras, [](const CameraCase& camera) { return camera.camera.errors; })) return;
+  if (options.order == SpaceOrder::linear && state.radiance.empty()) {
+    const CollidedSource source(lights, directions, options, state);
+    joined_ = recovered_state(lights.problem(), state, source.rows());
+    cells_.emplace(lights, directions, options, joined_, options.threads);
+  }
+  if (direction_error.empty()) return;
+  brighter_ = state;
+  const std::size_t bands = lights.paths().bands();
+  const std::size_t cell = brighter_.fluence.size() / (direction_error.size() / bands);  // values of each
+  for (std::size_t i = 0; i < brighter_.fluence.size(); ++i)
+    brighter_.fluence[i] += direction_error[i / cell * bands + i % bands];
+  directions_.emplace(lights, directions, options, brighter_, options.threads);
+}
+
+}  // namespace etendue

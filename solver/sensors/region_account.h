@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/lights/light_setup.h"
+#include "solver/ordinates/solve.h"
+#include "solver/sensors/cone_cubature.h"
+
+namespace etendue {
+
+/// What becomes of light in a region, of the directions of travel in a cone: integrals of the transport
+/// equation over both, per band,
+///
+///     flowing_out - flowing_in + absorbed + scattered_out = emitted + scattered_in.
+///
+/// Light that scatters from one direction of the cone into another is scattered out and in.
+struct RegionAccount {
+  double solid_angle = 0;          ///< of the ordinates that count [sr]; in the plane [rad]
+  std::vector<double> path;        ///< [band] integral of u over the region and them [power length]
+  std::vector<double> flowing_in;  ///< [band] through its surface [power], and so the others
+  std::vector<double> flowing_out;
+  std::vector<double> emitted;
+  std::vector<double> absorbed;
+  std::vector<double> scattered_in;
+  std::vector<double> scattered_out;
+
+  /// What the account misses, relative to all that comes in.
+  double residual(std::size_t band) const;
+};
+
+/// From the radiance of all ordinates, which the solution must have kept (SolveOptions::keep_ordinates), and
+/// its state. Through the faces of the mesh flows what its upwind cell has there, as in the sweep, so that
+/// the account closes as far as the iteration has converged. `cone` holds directions of travel; without it
+/// all count. Not for problems with lights: their light is no ordinate's.
+RegionAccount region_account(const LightSetup& lights, const DirectionSet& directions,
+                             const SolveOptions& options, const Solution& solution, int region,
+                             const std::optional<Cone>& cone);
+
+}  // namespace etendue
