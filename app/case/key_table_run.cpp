@@ -135,8 +135,15 @@ std::vector<KeyDeclaration> run_keys() {
        text,
        {.default_value = "\"auto\"",
         .choices = {"auto", "diffusion", "none"},
-        .help = "Of the iteration. auto: diffusion with gmres and space.order = 1 where it pays; the reason "
-                "is printed."}},
+        .help = "Of the iteration. auto: diffusion with gmres where it pays; the reason is printed."}},
+      {"solve",
+       "diffusion_coefficient",
+       text,
+       {.default_value = "\"auto\"",
+        .choices = {"auto", "local", "non-local"},
+        .help =
+            "Of the acceleration: 1/(3 extinction), or the mean flight length, which costs a sweep. auto: "
+            "non-local where a void is present or extinctions differ by more than 100 times."}},
       {"solve",
        "tolerance",
        number,

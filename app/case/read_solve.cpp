@@ -141,8 +141,10 @@ void read_solve(Section solve, const std::filesystem::path& case_folder, Case& r
   options.acceleration = acceleration == "diffusion" ? Acceleration::diffusion
                          : acceleration == "none"    ? Acceleration::none
                                                      : Acceleration::automatic;
-  if (options.acceleration == Acceleration::diffusion && options.order != SpaceOrder::linear)
-    solve.fault("acceleration", "takes linear elements; use space.order = 1, or \"auto\" or \"none\"");
+  const std::string coefficient = solve.text("diffusion_coefficient");
+  options.diffusion_length = coefficient == "local"       ? DiffusionLength::local
+                             : coefficient == "non-local" ? DiffusionLength::nonlocal
+                                                          : DiffusionLength::automatic;
   options.tolerance = solve.number("tolerance");
   options.max_sweeps = solve.integer("max_sweeps");
   options.threads = solve.integer("threads");

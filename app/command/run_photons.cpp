@@ -93,11 +93,6 @@ RunErrors errors_of(const PhotonRunInput& run, const PhotonSolution& found) {
 
 PhotonSums sums_to_start_from(const PhotonRunInput& run, std::ostream& out) {
   const SavedState state = read_initial(*run.input.initial, run.input, run.problem.mesh());
-  if (state.photons.empty())
-    throw InputError(
-        fault_at(run.input.initial->origin, run.input.initial->path.string(),
-                 "is not a solution by photons (histories are added to those of an earlier run); "
-                 "start from one, or without"));
   out << "adds to " << run.input.initial->path.string() << std::endl;
   return PhotonSums::unpacked(state.photons);
 }

@@ -142,8 +142,22 @@ std::string bracketed(const std::vector<std::string>& names) {
 
 std::string quoted(const InputFile& file) { return "\"" + file.path.string() + "\""; }
 
+/// Of the method of the case: photons add histories to histories, sweeps go on from moments.
+void check_method(const InputFile& file, const Case& input, const SavedSolution& saved) {
+  if (input.photons && saved.state.photons.empty())
+    throw InputError(
+        fault_at(file.origin, quoted(file),
+                 "is not a solution by photons (histories are added to those of an earlier run); "
+                 "start from one, or without"));
+  if (!input.photons && !saved.state.photons.empty())
+    throw InputError(fault_at(file.origin, quoted(file),
+                              "is a solution by photons, and sweeps cannot go on from it; start from one by "
+                              "ordinates, or without"));
+}
+
 SavedSolution read_of_case(const InputFile& file, const Case& input) {
   SavedSolution saved = read_solution(file.path);
+  check_method(file, input, saved);
   const std::vector<std::string> different = different_parts(saved.case_parts, case_parts(input));
   if (different.empty()) return saved;
   throw InputError(fault_at(file.origin, quoted(file),

@@ -17,8 +17,8 @@ namespace etendue {
 /// of I - T, and |P r| is an estimate of the error. It acts on the fluence and on light at reflecting walls.
 class DiffusionAcceleration {
  public:
-  /// The arguments must outlive it. `extinction` is [cell][band] [1/length]. May do one sweep. Throws
-  /// std::invalid_argument unless the elements are linear.
+  /// The arguments must outlive it. `extinction` is [cell][band] [1/length]. May do one sweep. With constant
+  /// elements D includes what these diffuse by themselves.
   DiffusionAcceleration(const Problem& problem, TransportSweep& sweep, std::span<const double> extinction,
                         DiffusionLength length = DiffusionLength::automatic);
 
@@ -54,8 +54,15 @@ class DiffusionAcceleration {
   void correct_walls(std::size_t band, const NodalVector& correction, const TransportState& residual,
                      TransportState& corrected) const;
 
+  /// Where a state has the fluence at a corner; constants have one value for all corners.
+  std::size_t at_corner(std::size_t cell, std::size_t corner, std::size_t band) const {
+    return (cell * nodes_ + corner % nodes_) * static_cast<std::size_t>(sweep_.cells().stride()) + band;
+  }
+  double share_of_corner() const { return static_cast<double>(nodes_) / 4; }
+
   const Problem& problem_;
   TransportSweep& sweep_;
+  std::size_t nodes_;  ///< of a cell: 4, or 1
   VertexSpace vertices_;
   std::vector<DiffusiveMedium> media_;  ///< [region * bands + band]
   std::vector<double> extinction_;      ///< [cell][band] that the mean ordinate sees [1/length]

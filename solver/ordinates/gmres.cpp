@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/ordinates/gmres.h"
 
+#include <fmt/format.h>
 #include <Eigen/Dense>
 #include <algorithm>
 #include <chrono>
@@ -67,7 +68,8 @@ class Run {
         vectors_(sweep.mesh(), sweep),
         bands_(static_cast<std::size_t>(sweep.cells().bands())),
         work_(state.layout()),
-        corrected_(options.acceleration != nullptr ? state.layout() : StateLayout{}),
+        corrected_(options.acceleration != nullptr || options.judge != nullptr ? state.layout()
+                                                                               : StateLayout{}),
         length_(std::clamp(memory / (state.layout().total() * sizeof(double)), shortest_krylov_basis,
                            longest_krylov_basis)),
         done_(bands_, 0),
@@ -90,10 +92,18 @@ class Run {
         result_.bands[b].converged =
             (measured_ || accelerated(b) || errors[b] <= rounding) && errors[b] <= options_.tolerance;
       }
-      const bool proceeds = report(taking_part) && !all_converged() && sweeps_ < options_.max_sweeps;
-      if (!proceeds && record != nullptr) take_image();
-      if (!proceeds) break;
-      cycle();
+      const bool proceeds =
+          report(taking_part) && !all_converged() && sweeps_ < options_.max_sweeps && !stagnates(errors);
+      if (!proceeds) {
+        take_image();
+        result_.recorded = record != nullptr;
+        break;
+      }
+      // With no sweep left for a cycle the image is what is better than the state.
+      if (cycle_ends())
+        take_image();
+      else
+        cycle();
       measured_ = true;
     }
     result_.sweeps = sweeps_;
@@ -104,6 +114,10 @@ class Run {
   bool accelerated() const { return options_.acceleration != nullptr; }
   /// Whether |P r| is an estimate of the error in this band.
   bool accelerated(std::size_t band) const { return accelerated() && options_.acceleration->acts_on(band); }
+  /// Whether |P r| judges this band, which nothing accelerates.
+  bool judged(std::size_t band) const {
+    return !accelerated() && options_.judge != nullptr && options_.judge->acts_on(band);
+  }
   /// Whether a cycle has to end. A recorded sweep is to follow.
   bool cycle_ends() const {
     return sweeps_ + (options_.record != nullptr ? 1 : 0) >= options_.max_sweeps || result_.interrupted;
@@ -118,19 +132,37 @@ class Run {
     ++sweeps_;
     vectors_.add(work_, BandScalars(bands_, -1), state_);
     if (accelerated()) precondition(active());
-    std::vector<double> errors = relative_change(sweep_.mesh(), sweep_, state_, work_);
+    std::vector<double> errors = relative_change(sweep_.mesh(), sweep_, state_, judged_residual());
     for (std::size_t b = 0; b < bands_; ++b)
       errors[b] = accelerated(b)       ? errors[b] * options_.acceleration->caution(b)
+                  : judged(b)          ? errors[b] * options_.judge->caution(b)
                   : sweep_.is_direct() ? 0
                                        : errors[b] / smallest_[b];
     return errors;
   }
 
-  /// state = F(state), from what true_errors() has left behind.
-  void take_image() {
-    vectors_.add(state_, BandScalars(bands_, 1), accelerated() ? corrected_ : work_);
-    result_.recorded = true;
+  /// P r of what work_ holds, where P is not in it already but only judges.
+  const TransportState& judged_residual() {
+    if (accelerated() || options_.judge == nullptr) return work_;
+    options_.judge->apply(work_, corrected_, active());
+    return corrected_;
   }
+
+  /// Whether the last cycle, which should have ended the iteration, has hardly changed the true error, for
+  /// the second time: what is left is rounding.
+  bool stagnates(const std::vector<double>& errors) {
+    const double error = *std::max_element(errors.begin(), errors.end());
+    const bool as_before = measured_ && found_done_ && error > 0.5 * last_error_;
+    last_error_ = error;
+    vain_cycles_ = as_before ? vain_cycles_ + 1 : 0;
+    if (vain_cycles_ < 2) return false;
+    result_.notes.push_back(
+        fmt::format("rounding leaves an error of about {:.1e}; a tolerance below that is not met", error));
+    return true;
+  }
+
+  /// state = F(state), from what true_errors() has left behind.
+  void take_image() { vectors_.add(state_, BandScalars(bands_, 1), accelerated() ? corrected_ : work_); }
 
   /// work_ = P work_
   void precondition(const std::vector<char>& active) {
@@ -143,7 +175,10 @@ class Run {
     problems_.clear();
     const BandScalars start = vectors_.norm(work_);
     size_ = vectors_.norm(state_);
-    if (accelerated()) field_ = field_norms(sweep_.mesh(), sweep_, state_, work_);
+    if (accelerated())
+      field_ = field_norms(sweep_.mesh(), sweep_, state_, work_);
+    else if (options_.judge != nullptr)
+      field_ = field_norms(sweep_.mesh(), sweep_, state_, corrected_);
     for (std::size_t b = 0; b < bands_; ++b) {
       // From nothing the first residual is the size of the answer.
       size_[b] = std::max(size_[b], start[b]);
@@ -163,6 +198,7 @@ class Run {
       estimate();
       if (!report(taking_part) || std::count(done_.begin(), done_.end(), 0) == 0) break;
     }
+    found_done_ = std::count(done_.begin(), done_.end(), 0) == 0;
     add_correction(state_);
     basis_.clear();
   }
@@ -217,14 +253,14 @@ class Run {
     for (std::size_t b = 0; b < bands_; ++b) {
       if (done_[b]) continue;
       problems_[b].add_column(columns[b]);
-      smallest_[b] = problems_[b].smallest_singular_value();
+      smallest_[b] = std::min(smallest_[b], problems_[b].smallest_singular_value());
     }
   }
 
   /// Estimated relative errors of the bands that are not done yet: |P r| / |phi|, or |r| / (s |x|).
   void estimate() {
     std::vector<double> errors(bands_, 0);
-    if (accelerated()) {
+    if (accelerated() || options_.judge != nullptr) {
       std::fill(corrected_.values().begin(), corrected_.values().end(), 0.0);
       for (std::size_t j = 0; j < basis_.size(); ++j) {
         BandScalars factor;
@@ -232,11 +268,17 @@ class Run {
           factor.push_back(done_[b] ? 0 : problems_[b].residual_coefficient(j));
         vectors_.add(corrected_, factor, basis_[j]);
       }
+      if (!accelerated()) {
+        // The place to work in is free until the next sweep.
+        options_.judge->apply(corrected_, work_, active());
+        std::swap(corrected_, work_);
+      }
       errors = relative_size(sweep_.mesh(), sweep_, corrected_, field_);
     }
     for (std::size_t b = 0; b < bands_; ++b) {
       if (done_[b]) continue;
       errors[b] = accelerated(b) ? errors[b] * options_.acceleration->caution(b)
+                  : judged(b)    ? errors[b] * options_.judge->caution(b)
                                  : problems_[b].residual() / (smallest_[b] * size_[b]);
       result_.bands[b].residual = errors[b];
       done_[b] = errors[b] <= safety * options_.tolerance;
@@ -291,6 +333,9 @@ class Run {
   IterationResult result_;
   int sweeps_ = 0;
   bool measured_ = false;
+  bool found_done_ = false;  ///< whether the last cycle ended because all bands seemed done
+  double last_error_ = 0;    ///< the largest true one when it began
+  int vain_cycles_ = 0;      ///< that left it as it was, one after the other
   double first_error_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

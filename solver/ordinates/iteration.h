@@ -16,6 +16,9 @@ struct IterationOptions {
   double tolerance = 1e-6;  ///< estimated relative error, per band
   int max_sweeps = 500;
   DiffusionAcceleration* acceleration = nullptr;  ///< null: none
+  /// What estimates the error where nothing is accelerated; null: what the iteration itself can tell, which
+  /// in thick media is too little.
+  DiffusionAcceleration* judge = nullptr;
   /// Filled, where it is not null, by a sweep that is expected to be the last (IterationResult::recorded).
   SweepRecord* record = nullptr;
 };

@@ -101,9 +101,9 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double radiance = s.dense_cells * s.ordinates * s.cell_length;
   const double state =
       fields + moments + radiance + s.faces * s.trace_length + s.mirrors * s.ordinates / 2 * s.trace_length;
-  // Two changes for each step of the past, the image, its residual and their last ones.
+  // Two changes for each step of the past, the image, its residual and their last ones, the best state.
   const double positive =
-      options.positivity == Positivity::none ? 0 : 2.0 * static_cast<double>(anderson_memory(state)) + 6;
+      options.positivity == Positivity::none ? 0 : 2.0 * static_cast<double>(anderson_memory(state)) + 7;
   // Source iteration: what is corrected, those bands that are left, and F(0).
   const double basis = options.method == Method::source_iteration
                            ? 3
@@ -128,8 +128,8 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double results = moments + radiance + 3 * fields + 16 * s.cells * s.stride + state;
   const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
   // Five blocks of 16 and an inverse for each cell and band, the levels on vertices and a few vectors.
-  const double low_order =
-      options.acceleration == Acceleration::none ? 0 : s.cells * problem.band_count() * 150;
+  // They judge even where they do not accelerate.
+  const double low_order = s.cells * problem.band_count() * 150;
   // A sweep of fewer bands, once others are done: half the lanes at most, and two states.
   const double narrower =
       problem.band_count() > 1 ? (workspaces + records + moments + radiance) / 2 + state : 0;

@@ -69,6 +69,7 @@ class Run {
       const bool done = std::all_of(result_.bands.begin(), result_.bands.end(),
                                     [](const BandConvergence& band) { return band.converged; });
       residual_ = std::move(residual);
+      keep_if_best();
       if (done) {
         state_ = image_;
         clip(state_);
@@ -79,12 +80,26 @@ class Run {
         result_.interrupted = !done;
         break;
       }
-      if (done) break;
+      if (done) return std::move(result_);
     }
+    // Steps may lead away: what is left is the best that was seen.
+    state_ = best_;
+    for (std::size_t b = 0; b < bands_; ++b) result_.bands[b].residual = best_errors_[b];
     return std::move(result_);
   }
 
  private:
+  /// Of the states whose errors are known.
+  void keep_if_best() {
+    std::vector<double> errors;
+    for (const BandConvergence& band : result_.bands) errors.push_back(band.residual);
+    if (!best_errors_.empty() && *std::max_element(errors.begin(), errors.end()) >=
+                                     *std::max_element(best_errors_.begin(), best_errors_.end()))
+      return;
+    best_ = state_;
+    best_errors_ = std::move(errors);
+  }
+
   bool accelerated(std::size_t band) const {
     return options_.acceleration != nullptr && options_.acceleration->acts_on(band);
   }
@@ -184,6 +199,8 @@ class Run {
   std::size_t memory_;                ///< steps
   TransportState image_;              ///< the state and its residual
   TransportState residual_ = image_;  ///< P (F(x) - x) of the state x
+  TransportState best_ = image_;      ///< of smallest error so far
+  std::vector<double> best_errors_;   ///< [band] of that; empty: there is none yet
   std::deque<Change> changes_;        ///< the oldest first
   std::vector<double> smallest_;      ///< [band] |change of residual| / |change of state| seen so far
   std::vector<double> largest_;       ///< [band] the same

@@ -207,22 +207,29 @@ std::string reason_to_do_without(const Problem& problem) {
 std::string reason_against_acceleration(const Problem& problem, const SolveOptions& options) {
   if (options.acceleration == Acceleration::diffusion) return "";
   if (options.acceleration == Acceleration::none) return "as asked";
-  if (options.order != SpaceOrder::linear) return "diffusion takes linear elements";
   if (options.method == Method::source_iteration)
     return "source iteration is plain unless diffusion is asked for";
   return reason_to_do_without(problem);
 }
 
-/// Null where nothing accelerates.
-std::unique_ptr<DiffusionAcceleration> make_acceleration(const Problem& problem, TransportSweep& sweep,
-                                                         std::span<const double> extinction,
-                                                         const SolveOptions& options, Solution& solution) {
-  if (sweep.is_direct() || options.max_sweeps <= 2) return nullptr;
+/// What knows how large an error is, and what makes it smaller: both are diffusion.
+struct LowOrder {
+  std::unique_ptr<DiffusionAcceleration> diffusion;  ///< null where the iteration itself knows well enough
+  bool accelerates = false;
+
+  DiffusionAcceleration* acceleration() const { return accelerates ? diffusion.get() : nullptr; }
+  DiffusionAcceleration* judge() const { return accelerates ? nullptr : diffusion.get(); }
+};
+
+LowOrder make_low_order(const Problem& problem, TransportSweep& sweep, std::span<const double> extinction,
+                        const SolveOptions& options, Solution& solution) {
+  if (sweep.is_direct() || options.max_sweeps <= 2) return {};
   const std::string reason = reason_against_acceleration(problem, options);
-  if (reason.empty())
-    return std::make_unique<DiffusionAcceleration>(problem, sweep, extinction, options.diffusion_length);
-  solution.notes.push_back("not accelerated: " + reason);
-  return nullptr;
+  if (!reason.empty()) solution.notes.push_back("not accelerated: " + reason);
+  // Where it would pay, residuals say little of the error.
+  if (!reason.empty() && !reason_to_do_without(problem).empty()) return {};
+  return {std::make_unique<DiffusionAcceleration>(problem, sweep, extinction, options.diffusion_length),
+          reason.empty()};
 }
 
 /// The solution is what a sweep gave and wrote down on its way.
@@ -272,7 +279,7 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   solution.directions = directions.count();
 
   const auto start = std::chrono::steady_clock::now();
-  const auto acceleration = make_acceleration(problem, sweep, extinction, options, solution);
+  const LowOrder low_order = make_low_order(problem, sweep, extinction, options, solution);
   SweepRecord record;
   bool recorded = false;
   int used = 1;
@@ -282,12 +289,12 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     // The only sweep is the one that measures; nothing is known of its error.
     solution.convergence.assign(static_cast<std::size_t>(problem.band_count()), {1, 1, false});
   } else {
-    used = acceleration ? acceleration->sweeps() : 0;
+    used = low_order.diffusion ? low_order.diffusion->sweeps() : 0;
     // A sweep that measures is one of those that are allowed: the last of the iteration or one more.
     const bool records = iteration->records() && options.positivity == Positivity::none;
     if (!records) ++used;
-    const IterationOptions limits{options.tolerance, options.max_sweeps - used, acceleration.get(),
-                                  records ? &record : nullptr};
+    const IterationOptions limits{options.tolerance, options.max_sweeps - used, low_order.acceleration(),
+                                  low_order.judge(), records ? &record : nullptr};
     IterationResult result = starts_positive(options) ? untouched(problem.band_count())
                                                       : iteration->run(sweep, state, limits, observer);
     solution.convergence = std::move(result.bands);
@@ -297,21 +304,21 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     if (records && !recorded) ++used;
     for (BandConvergence& band : solution.convergence) band.sweeps += used;
     used += result.sweeps;
-    if (acceleration)
-      for (std::string& note : acceleration->notes()) solution.notes.push_back(std::move(note));
+    if (low_order.accelerates)
+      for (std::string& note : low_order.diffusion->notes()) solution.notes.push_back(std::move(note));
     std::move(result.notes.begin(), result.notes.end(), std::back_inserter(solution.notes));
   }
   if (options.positivity != Positivity::none && options.order == SpaceOrder::linear)
-    keep_positive(sweep, state, options, acceleration.get(), observer, used, solution);
+    keep_positive(sweep, state, options, low_order.acceleration(), observer, used, solution);
   if (!recorded) {
     TransportState last_state(sweep.layout());
     sweep.apply(state, last_state, &record);
     state = std::move(last_state);
   }
   read_out(sweep, state, record, solution);
-  if (acceleration) {
-    solution.seconds.low_order_setup = acceleration->setup_seconds();
-    solution.seconds.low_order = acceleration->seconds() + acceleration->setup_seconds();
+  if (low_order.diffusion) {
+    solution.seconds.low_order_setup = low_order.diffusion->setup_seconds();
+    solution.seconds.low_order = low_order.diffusion->seconds() + solution.seconds.low_order_setup;
   }
   solution.seconds.sweep = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() -
                            solution.seconds.low_order;

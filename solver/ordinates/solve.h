@@ -20,7 +20,8 @@ enum class SpaceOrder { constant = 0, linear = 1 };
 /// How the equations are iterated; automatic: GMRES.
 enum class Method { automatic, gmres, source_iteration };
 
-/// What speeds the iteration up; automatic: diffusion with linear elements and GMRES.
+/// What speeds the iteration up; automatic: diffusion with GMRES where it pays. With none diffusion still
+/// judges the error where residuals could not.
 enum class Acceleration { automatic, diffusion, none };
 
 /// Which diffusion coefficient the acceleration takes; automatic: non-local where a void is present or

@@ -12,6 +12,7 @@
 #include "solver/ordinates/band_vectors.h"
 #include "solver/ordinates/diffusion_acceleration.h"
 #include "solver/ordinates/residual.h"
+#include "solver/ordinates/sweep_kernel.h"
 
 namespace etendue {
 namespace {
@@ -26,8 +27,9 @@ constexpr double rounding = 1e-15;
 /// Steps over which an iteration that converges does not fail to shorten them.
 constexpr std::size_t divergence_window = 20;
 
-/// F of those bands that are still iterated. Once one is done the others are swept by the linear part T
-/// alone, which goes on in fewer lanes, and F(0) is added.
+/// F of those bands that are still iterated. Once a band is done the others are swept by the linear part T
+/// alone, which goes on in fewer lanes, and F(0) is added: the first image where the iteration began in
+/// darkness, and else a sweep more.
 class Image {
  public:
   Image(TransportSweep& sweep, const TransportState& start)
@@ -37,21 +39,30 @@ class Image {
         is_dark_(std::all_of(start.values().begin(), start.values().end(), [](double v) { return v == 0; })) {
   }
 
-  /// next = F(state) in the bands that are `active`.
-  void form(const TransportState& state, TransportState& next, const std::vector<char>& active) {
-    if (of_darkness_ && std::count(active.begin(), active.end(), 0) > 0) {
+  /// next = F(state) in the bands that are `active`, in `most` sweeps. Gives how many it took.
+  int form(const TransportState& state, TransportState& next, const std::vector<char>& active, int most) {
+    const bool some_are_done = std::count(active.begin(), active.end(), 0) > 0;
+    const bool asks_darkness = some_are_done && !of_darkness_ && most > 1 && saves_lanes(active);
+    if (asks_darkness) sweep_.apply(TransportState(state.layout()), of_darkness_.emplace(state.layout()));
+    if (some_are_done && of_darkness_) {
       TransportState left = state;
       vectors_.scale(left, BandScalars(active.begin(), active.end()));
       sweep_.apply_linear(left, next, active);
       vectors_.add(next, BandScalars(bands_, 1), *of_darkness_);
-      return;
+      return asks_darkness ? 2 : 1;
     }
     sweep_.apply(state, next);
     if (is_dark_ && bands_ > 1) of_darkness_.emplace(next);
     is_dark_ = false;
+    return 1;
   }
 
  private:
+  bool saves_lanes(const std::vector<char>& active) const {
+    return lane_stride(static_cast<int>(std::count(active.begin(), active.end(), 1))) <
+           sweep_.cells().stride();
+  }
+
   TransportSweep& sweep_;
   BandVectors vectors_;
   std::size_t bands_;
@@ -71,6 +82,8 @@ class Run {
         vectors_(sweep.mesh(), sweep),
         image_(sweep, state),
         next_(state.layout()),
+        judge_(options.acceleration != nullptr ? options.acceleration : options.judge),
+        corrected_(judge_ != nullptr ? state.layout() : StateLayout{}),
         bands_(static_cast<std::size_t>(sweep.cells().bands())),
         rates_(bands_),
         sizes_(bands_),
@@ -94,18 +107,28 @@ class Run {
   /// state <- F(state), or state + P (F(state) - state) in bands that are accelerated. Gives the relative
   /// size of the change.
   std::vector<double> advance() {
-    image_.form(state_, next_, active_);
-    ++result_.sweeps;
+    result_.sweeps += image_.form(state_, next_, active_, options_.max_sweeps - result_.sweeps);
     vectors_.add(next_, BandScalars(bands_, -1), state_);
     vectors_.scale(next_, BandScalars(active_.begin(), active_.end()));
-    if (options_.acceleration != nullptr) {
-      TransportState corrected(state_.layout());
-      options_.acceleration->apply(next_, corrected, accelerated_);
-      std::swap(next_, corrected);
+    std::vector<double> change;
+    if (judge_ != nullptr) {
+      judge_->apply(next_, corrected_, active_);
+      change = relative_change(sweep_.mesh(), sweep_, state_, corrected_);
+      take_corrected();
+    } else {
+      change = relative_change(sweep_.mesh(), sweep_, state_, next_);
     }
-    std::vector<double> change = relative_change(sweep_.mesh(), sweep_, state_, next_);
     vectors_.add(state_, BandScalars(bands_, 1), next_);
     return change;
+  }
+
+  /// next = corrected in bands that are accelerated.
+  void take_corrected() {
+    vectors_.scale(corrected_, BandScalars(accelerated_.begin(), accelerated_.end()));
+    BandScalars plain;
+    for (const char accelerated : accelerated_) plain.push_back(accelerated ? 0 : 1);
+    vectors_.scale(next_, plain);
+    vectors_.add(next_, BandScalars(bands_, 1), corrected_);
   }
 
   void judge(const std::vector<double>& residual) {
@@ -115,9 +138,7 @@ class Run {
       if (diverges(b, size[b])) go_on_plain(b);
       // Asked in any case, for the sweeps that are left. |P r| is an estimate of the error itself.
       const double from_rate = rates_[b].error(residual[b]);
-      const double error = sweep_.is_direct() ? 0
-                           : accelerated_[b]  ? residual[b] * options_.acceleration->caution(b)
-                                              : from_rate;
+      const double error = sweep_.is_direct() ? 0 : judged(b) ? residual[b] * judge_->caution(b) : from_rate;
       const bool converged = error <= options_.tolerance;
       result_.bands[b] = {result_.sweeps, error, converged};
       result_.history.push_back({result_.sweeps, static_cast<int>(b), error});
@@ -125,6 +146,8 @@ class Run {
       accelerated_[b] = accelerated_[b] && !converged;
     }
   }
+
+  bool judged(std::size_t b) const { return judge_ != nullptr && judge_->acts_on(b); }
 
   bool diverges(std::size_t b, double size) {
     sizes_[b].push_back(size);
@@ -134,7 +157,6 @@ class Run {
 
   void go_on_plain(std::size_t b) {
     accelerated_[b] = 0;
-    rates_[b] = RateEstimate();
     result_.notes.push_back(
         fmt::format("source iteration with diffusion diverges in band {}: plain from sweep {} on",
                     sweep_.problem().bands().names[b], result_.sweeps + 1));
@@ -165,6 +187,8 @@ class Run {
   BandVectors vectors_;
   Image image_;
   TransportState next_;
+  DiffusionAcceleration* judge_;  ///< |P r| is an estimate of the error; null: there is none
+  TransportState corrected_;      ///< P r
   std::size_t bands_;
   std::vector<RateEstimate> rates_;
   std::vector<std::vector<double>> sizes_;  ///< [band][step] norm of the step

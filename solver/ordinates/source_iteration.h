@@ -7,8 +7,9 @@
 
 namespace etendue {
 
-/// x <- F(x): every sweep scatters and reflects once more. The error is estimated as |r| / ((1 - rho) |phi|)
-/// with the true residual r of the iterate and the measured rate of convergence rho.
+/// x <- F(x): every sweep scatters and reflects once more; or x <- x + P (F(x) - x). With the true residual r
+/// of the iterate the error is estimated as |P r| / |phi|, or, where there is no P, as |r| / ((1 - rho)
+/// |phi|) with the measured rate of convergence rho.
 class SourceIteration : public Iteration {
  public:
   const char* name() const override { return "source-iteration"; }

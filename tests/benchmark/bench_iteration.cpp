@@ -8,6 +8,7 @@
 //     bench_iteration [CELLS [FILTER [brief]]]
 //
 // CELLS: 600 (default), 5000 or 40000; FILTER: part of a name; brief: without radius and source iteration.
+// Exit code 1 where a target is missed.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -198,7 +199,8 @@ std::string source_iteration_sweeps(const Run& run) {
   return fmt::format("~{:.2g}", longest_source_iteration + more);
 }
 
-void measure(const Setting& setting, int cells, const DirectionSet& directions, bool brief) {
+/// Whether the target is met.
+bool measure(const Setting& setting, int cells, const DirectionSet& directions, bool brief) {
   const TetrahedralMesh mesh = make_mesh(setting.scene, cells);
   const Problem problem = make_problem(setting, mesh);
   const Run run{problem, directions, setting.lumping};
@@ -215,6 +217,7 @@ void measure(const Setting& setting, int cells, const DirectionSet& directions, 
              100 * solving / (solving + seconds.sweep), seconds.low_order_setup / (seconds.sweep / sweeps),
              brief ? "" : source_iteration_sweeps(run));
   std::fflush(stdout);
+  return solution.converged() && sweeps <= setting.target;
 }
 
 void measure_diffusion_limit(const DirectionSet& directions) {
@@ -244,7 +247,10 @@ int main(int count, char** arguments) {
       "| case | cells | sweeps | target | met | radius | low-order | set-up in sweeps | source iteration "
       "|\n");
   fmt::print("|---|---|---|---|---|---|---|---|---|\n");
+  bool all_met = true;
   for (const Setting& setting : settings())
-    if (setting.name.find(filter) != std::string::npos) measure(setting, cells, directions, brief);
+    if (setting.name.find(filter) != std::string::npos)
+      all_met = measure(setting, cells, directions, brief) && all_met;
   if (std::string("diffusion limit").find(filter) != std::string::npos) measure_diffusion_limit(directions);
+  return all_met ? 0 : 1;
 }

@@ -50,10 +50,6 @@ const Check keys[] = {
 };
 
 const Check later[] = {
-    {"Acceleration", "[space]\norder = 0\n[solve]\nacceleration = \"diffusion\"\n",
-     "slab.toml:10: solve.acceleration = \"diffusion\": takes linear elements; use space.order = 1, or "
-     "\"auto\" "
-     "or \"none\""},
     {"UncollidedLight", "[[light]]\nname = \"sky\"\nkind = \"sky\"\nradiance = 1\nuncollided = false\n",
      "slab.toml:11: light[0].uncollided = false: not in this version (directions alone do not see a lamp); "
      "use "

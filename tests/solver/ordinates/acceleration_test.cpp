@@ -295,12 +295,20 @@ TEST(DiffusionAcceleration, SourceIterationForecastsWhatIsLeft) {
   EXPECT_GT(forecasts, 2);
 }
 
-TEST(DiffusionAcceleration, TakesNoConstantElements) {
-  const TetrahedralMesh mesh = cube_mesh(4e-2);
-  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.1, 5, 1), uniform_wall(1, 0.2, 0.5, 0));
-  SolveOptions options = options_of(Method::gmres, Acceleration::diffusion);
-  options.order = SpaceOrder::constant;
-  EXPECT_THROW(solve(problem, directions_triangular(4), options), std::invalid_argument);
+TEST(DiffusionAcceleration, ServesConstantElementsToo) {
+  const TetrahedralMesh mesh = cube_mesh(4e-3);
+  for (const double scattering : {1.0, 100.0, 1e4}) {
+    const Problem problem =
+        uniform_problem(mesh, uniform_medium(1, 0, scattering, 1), uniform_wall(1, 0.2, 0.5, 0));
+    SolveOptions options = options_of(Method::gmres, Acceleration::diffusion);
+    options.order = SpaceOrder::constant;
+    const Solution fast = solve(problem, directions_triangular(4), options);
+    EXPECT_LE(fast.convergence[0].sweeps, 20) << scattering;
+    options.acceleration = Acceleration::none;
+    const Solution slow = solve(problem, directions_triangular(4), options);
+    EXPECT_TRUE(fast.converged() && slow.converged());
+    EXPECT_LT(difference(slow, fast, 1, 0), 1e-8) << scattering;
+  }
 }
 
 TEST(DiffusionAcceleration, NothingHappensToABandThatIsDone) {
