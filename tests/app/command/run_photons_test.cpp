@@ -91,9 +91,8 @@ TEST(RunPhotons, StartsFromPhotonsOnly) {
 TEST(RunPhotons, GivesNothingForSweepsToStartFrom) {
   const CaseFolder folder;
   ASSERT_EQ(etendue_says(by_photons(folder, folder.results())).code, ExitCode::done);
-  const Outcome outcome =
-      etendue_says({"run", folder.file(), "--output", (folder.path() / "more").string(), "--set",
-                    "solve.initial=\"" + folder.results() + "/solution.vtu\""});
+  const Outcome outcome = etendue_says({"run", folder.file(), "--output", (folder.path() / "more").string(),
+                                        "--set", "solve.initial=\"" + folder.results() + "/solution.vtu\""});
   EXPECT_EQ(outcome.code, ExitCode::input_error);
   EXPECT_TRUE(has(outcome.err, "is a solution by photons, and sweeps cannot go on from it")) << outcome.err;
 }
