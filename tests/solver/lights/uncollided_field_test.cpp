@@ -192,9 +192,8 @@ TEST(UncollidedField, HasTheMeansOfCellsInAnAbsorbingCube) {
   EXPECT_GT(seen, 1000);
 }
 
-// What arrives at mirrors and what cells in the volume hold comes from the vertices.
-TEST(UncollidedField, OfAVolumeBesideMirrorsBalances) {
-  const TetrahedralMesh mesh = two_region_mesh(0.0005);
+/// The part of the light of a volume in a cube that is found again, with two sides of this reflectance.
+double part_found(const TetrahedralMesh& mesh, double specular) {
   std::vector<Medium> media(2, uniform_medium(1, 0.8, 0, 0));
   for (std::size_t i = 0; i < media.size(); ++i)
     if (mesh.region_names()[i] == "inner") media[i].emission = {Coefficient(1.0)};
@@ -203,23 +202,27 @@ TEST(UncollidedField, OfAVolumeBesideMirrorsBalances) {
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const Vec3 normal = mesh.area_normal(FaceIndex(f)).normalized();
     if (normal.x() > 0.9 || normal.y() > 0.9)
-      walls[static_cast<std::size_t>(mesh.wall(FaceIndex(f)))].specular = {0.6};
+      walls[static_cast<std::size_t>(mesh.wall(FaceIndex(f)))].specular = {specular};
   }
   const Problem problem(mesh, {}, media, walls);
   const LightSetup lights(problem);
   const UncollidedField field = uncollided_field(lights.paths(), lights.sources(), 1);
-  double kept = 0, arrived = 0;
+  double kept = 0, sent = 0;
   for (std::size_t i = 0; i < field.irradiance.size(); ++i) {
     const FaceIndex face(static_cast<std::int64_t>(i / 3));
-    const double power = field.irradiance[i] * mesh.area(face) / 3;
-    kept += (1 - problem.wall(mesh.wall(face)).specular[0]) * power;
-    if (problem.wall(mesh.wall(face)).specular[0] > 0) arrived += power;
+    kept += (1 - problem.wall(mesh.wall(face)).specular[0]) * field.irradiance[i] * mesh.area(face) / 3;
   }
-  double sent = 0;
   for (const auto& source : lights.sources()) sent += source->power()[0];
-  EXPECT_GT(arrived, 0.1 * sent);
-  // Cells of a ninth of the cube, 0.1 free paths.
-  EXPECT_NEAR((0.8 * integral_over_cells(mesh, field.fluence) + kept) / sent, 1, 1e-3);
+  return (0.8 * integral_over_cells(mesh, field.fluence) + kept) / sent;
+}
+
+// What arrives at mirrors and what cells in the volume hold comes from the vertices. Cells of a fifth of the
+// cube miss half a percent; mirrors, which keep 0.4 of what arrives, add nothing to that.
+TEST(UncollidedField, OfAVolumeBesideMirrorsBalances) {
+  const TetrahedralMesh mesh = two_region_mesh(0.002);
+  const double open = part_found(mesh, 0);
+  EXPECT_NEAR(open, 1, 5e-3);
+  EXPECT_NEAR(part_found(mesh, 0.6), open, 2e-4);
 }
 
 TEST(UncollidedField, OfTheSunFallsExponentially) {
