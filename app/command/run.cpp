@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <chrono>
 #include <memory>
 #include <numeric>
-#include <thread>
 
 #include "app/case/build.h"
-#include "app/command/commands.h"
-#include "app/command/interruption.h"
+#include "app/command/begun_run.h"
 #include "app/command/memory.h"
 #include "app/command/phase_text.h"
-#include "app/command/photon_text.h"
 #include "app/command/pictures.h"
 #include "app/command/probes.h"
 #include "app/command/progress.h"
-#include "app/command/radiosity_text.h"
-#include "app/command/run_photons.h"
-#include "app/command/run_radiosity.h"
 #include "app/command/run_report.h"
 #include "app/command/sensors.h"
 #include "app/command/verbose_log.h"
@@ -30,29 +23,6 @@
 
 namespace etendue {
 namespace {
-
-class Stopwatch {
- public:
-  /// Since the last call, or since it was made.
-  double lap() {
-    const auto now = Clock::now();
-    return seconds_between(std::exchange(lap_, now), now);
-  }
-  double total() const { return seconds_between(start_, Clock::now()); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  static double seconds_between(Clock::time_point a, Clock::time_point b) {
-    return std::chrono::duration<double>(b - a).count();
-  }
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point lap_ = start_;
-};
-
-int thread_count(const Case& input) {
-  return input.solve.threads > 0 ? input.solve.threads
-                                 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
 
 /// The solver's options as the case has them, with all that this run adds.
 SolveOptions solve_options(const Case& input, int ordinates, std::vector<IrradianceMeter> meters) {
@@ -158,119 +128,6 @@ Solution solve_visibly(UncollidedLight uncollided, const RunDirections& directio
       solve_rotated(std::move(uncollided), directions.sets, options, observe, directions.first_collided);
   display.finish();
   return solution;
-}
-
-std::string how_to_go_on(const RunResult& result) {
-  const std::filesystem::path file =
-      std::filesystem::absolute(result.input.output.directory) / "solution.vtu";
-  return fmt::format("to go on from there: --set 'solve.initial=\"{}\"'\n", file.string());
-}
-
-/// The line on standard error that goes with an exit code other than 0.
-ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) {
-  if (interrupted) {
-    err << "interrupted: the results are whole and are those of "
-        << (result.solution.converged() ? "the converged solution\n"
-                                        : "the last sweep; " + how_to_go_on(result));
-    return ExitCode::interrupted;
-  }
-  if (result.solution.converged()) return ExitCode::done;
-  if (result.errors)
-    err << fmt::format(
-        "the error is above solve.until = {} after solve.photons = {} histories in each band; the results "
-        "are "
-        "marked; {}",
-        result.input.photons->until, result.input.photons->photons, how_to_go_on(result));
-  else
-    err << fmt::format(
-        "not converged to solve.tolerance = {} within solve.max_sweeps = {}; the results are marked; {}",
-        result.input.solve.tolerance, result.input.solve.max_sweeps, how_to_go_on(result));
-  return ExitCode::not_converged;
-}
-
-/// A run up to where the methods part.
-struct BegunRun {
-  const RunRequest& request;
-  const Case& input;
-  const Problem& problem;
-  RunSeconds seconds;
-  const Stopwatch& watch;
-  Interruption& interruption;
-};
-
-ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& err,
-                        const ResultReader& reader) {
-  check_for_photons(run.input, run.problem);
-  const CellLocator locator(run.problem.mesh());
-  place_probes(run.input.probes, run.problem.mesh(), locator);
-  const int threads = thread_count(run.input);
-  out << fmt::format("photons; bands: {}; threads: {}\n", run.problem.band_count(), threads)
-      << check_memory(estimate_photon_memory(run.problem, threads), run.problem.mesh(),
-                      run.problem.band_count())
-      << std::flush;
-  if (!run.input.sensors.empty())
-    out << "  photons read no sensors in this version: those of the case do nothing here\n";
-  if (!run.input.cameras.empty())
-    out << "  photons take no pictures in this version: the cameras of the case do nothing here\n";
-  run.interruption.note_the_first();
-  const ProgressStyle style = resolved_style(run.request.progress, out);
-  PhotonRun found = run_photons({run.input, run.problem, locator, threads, style}, out,
-                                [&] { return run.interruption.noted(); });
-  run.interruption.note_all();
-  RunResult result{.input = run.input,
-                   .problem = run.problem,
-                   .solution = found.solution,
-                   .probes = std::move(found.probes),
-                   .balances = balances(run.problem, found.solution),
-                   .walls = wall_powers(run.problem, found.solution),
-                   .regions = region_powers(run.problem, found.solution),
-                   .errors = std::move(found.errors),
-                   .seconds = run.seconds,
-                   .threads = threads};
-  result.seconds.total = run.watch.total();
-  const WrittenResults written = write_results(result);
-  out << photons_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
-      << errors_text(result) << closing_text(result, written);
-  if (reader) reader(result);
-  return conclude(result, run.interruption.noted(), err);
-}
-
-ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& err,
-                          const ResultReader& reader) {
-  check_for_radiosity(run.input, run.problem);
-  const CellLocator locator(run.problem.mesh());
-  place_probes(run.input.probes, run.problem.mesh(), locator);
-  const int threads = thread_count(run.input);
-  const RadiosityMemory memory =
-      estimate_radiosity_memory(run.problem, radiosity_options(run.input, threads));
-  out << fmt::format("radiosity; bands: {}; threads: {}\n", run.problem.band_count(), threads)
-      << radiosity_memory_text(memory)
-      << check_memory(memory.bytes, run.problem.mesh(), run.problem.band_count()) << std::flush;
-  if (!run.input.sensors.empty())
-    out << "  radiosity reads no sensors in this version: those of the case do nothing here\n";
-  if (!run.input.cameras.empty())
-    out << "  radiosity takes no pictures in this version: the cameras of the case do nothing here\n";
-  run.interruption.note_the_first();
-  RadiosityRun found =
-      run_radiosity(run.input, run.problem, locator, threads, out, [&] { return run.interruption.noted(); });
-  run.interruption.note_all();
-  RunResult result{.input = run.input,
-                   .problem = run.problem,
-                   .solution = found.solution,
-                   .probes = std::move(found.probes),
-                   .balances = balances(run.problem, found.solution),
-                   .walls = wall_powers(run.problem, found.solution),
-                   .regions = region_powers(run.problem, found.solution),
-                   .radiosity = std::move(found.report),
-                   .passes = std::move(found.passes),
-                   .seconds = run.seconds,
-                   .threads = threads};
-  result.seconds.total = run.watch.total();
-  const WrittenResults written = write_results(result);
-  out << radiosity_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
-      << closing_text(result, written);
-  if (reader) reader(result);
-  return conclude(result, run.interruption.noted(), err);
 }
 
 }  // namespace

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/begun_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace etendue {
+namespace {
+
+std::string how_to_go_on(const RunResult& result) {
+  const std::filesystem::path file =
+      std::filesystem::absolute(result.input.output.directory) / "solution.vtu";
+  return fmt::format("to go on from there: --set 'solve.initial=\"{}\"'\n", file.string());
+}
+
+}  // namespace
+
+int thread_count(const Case& input) {
+  return input.solve.threads > 0 ? input.solve.threads
+                                 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) {
+  if (interrupted) {
+    err << "interrupted: the results are whole and are those of "
+        << (result.solution.converged() ? "the converged solution\n"
+                                        : "the last sweep; " + how_to_go_on(result));
+    return ExitCode::interrupted;
+  }
+  if (result.solution.converged()) return ExitCode::done;
+  if (result.errors)
+    err << fmt::format(
+        "the error is above solve.until = {} after solve.photons = {} histories in each band; the results "
+        "are "
+        "marked; {}",
+        result.input.photons->until, result.input.photons->photons, how_to_go_on(result));
+  else
+    err << fmt::format(
+        "not converged to solve.tolerance = {} within solve.max_sweeps = {}; the results are marked; {}",
+        result.input.solve.tolerance, result.input.solve.max_sweeps, how_to_go_on(result));
+  return ExitCode::not_converged;
+}
+
+}  // namespace etendue

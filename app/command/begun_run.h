@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <ostream>
+#include <utility>
+
+#include "app/command/commands.h"
+#include "app/command/interruption.h"
+#include "app/write/results.h"
+
+namespace etendue {
+
+class Stopwatch {
+ public:
+  /// Since the last call, or since it was made.
+  double lap() {
+    const auto now = Clock::now();
+    return seconds_between(std::exchange(lap_, now), now);
+  }
+  double total() const { return seconds_between(start_, Clock::now()); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double seconds_between(Clock::time_point a, Clock::time_point b) {
+    return std::chrono::duration<double>(b - a).count();
+  }
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point lap_ = start_;
+};
+
+/// A run up to where the methods part: case, mesh and problem are there.
+struct BegunRun {
+  const RunRequest& request;
+  const Case& input;
+  const Problem& problem;
+  RunSeconds seconds;
+  const Stopwatch& watch;
+  Interruption& interruption;
+};
+
+/// The threads of a run, those that are wanted or all cores.
+int thread_count(const Case& input);
+
+/// The exit code of a run that has written its results, with the line on standard error that goes with one
+/// other than 0.
+ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err);
+
+// The runs that do without directions. Results are written and described; `reader` is given them.
+ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& err,
+                        const ResultReader& reader);
+ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& err,
+                          const ResultReader& reader);
+
+}  // namespace etendue
