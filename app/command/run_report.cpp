@@ -239,7 +239,7 @@ std::string closing_text(const RunResult& result, const WrittenResults& written)
                      stage("low order", solve.low_order) + stage("lights", solve.lights) +
                      stage("write", written.seconds) +
                      fmt::format("  total {:.3g}", result.seconds.total + written.seconds);
-  if (result.errors)
+  if (result.solution.sweep_cost == 0)  // by photons or radiosity
     text += fmt::format(" (threads: {})\n", result.threads);
   else
     text +=
