@@ -68,8 +68,8 @@ class Run {
         vectors_(sweep.mesh(), sweep),
         bands_(static_cast<std::size_t>(sweep.cells().bands())),
         work_(state.layout()),
-        corrected_(options.acceleration != nullptr || options.judge != nullptr ? state.layout()
-                                                                               : StateLayout{}),
+        judge_(options.acceleration != nullptr ? options.acceleration : options.judge),
+        corrected_(judge_ != nullptr ? state.layout() : StateLayout{}),
         length_(std::clamp(memory / (state.layout().total() * sizeof(double)), shortest_krylov_basis,
                            longest_krylov_basis)),
         done_(bands_, 0),
@@ -112,12 +112,9 @@ class Run {
 
  private:
   bool accelerated() const { return options_.acceleration != nullptr; }
-  /// Whether |P r| is an estimate of the error in this band.
   bool accelerated(std::size_t band) const { return accelerated() && options_.acceleration->acts_on(band); }
-  /// Whether |P r| judges this band, which nothing accelerates.
-  bool judged(std::size_t band) const {
-    return !accelerated() && options_.judge != nullptr && options_.judge->acts_on(band);
-  }
+  /// Whether |P r| is an estimate of the error in this band, accelerated or not.
+  bool judged(std::size_t band) const { return judge_ != nullptr && judge_->acts_on(band); }
   /// Whether a cycle has to end. A recorded sweep is to follow.
   bool cycle_ends() const {
     return sweeps_ + (options_.record != nullptr ? 1 : 0) >= options_.max_sweeps || result_.interrupted;
@@ -134,8 +131,7 @@ class Run {
     if (accelerated()) precondition(active());
     std::vector<double> errors = relative_change(sweep_.mesh(), sweep_, state_, judged_residual());
     for (std::size_t b = 0; b < bands_; ++b)
-      errors[b] = accelerated(b)       ? errors[b] * options_.acceleration->caution(b)
-                  : judged(b)          ? errors[b] * options_.judge->caution(b)
+      errors[b] = judged(b)            ? errors[b] * judge_->caution(b)
                   : sweep_.is_direct() ? 0
                                        : errors[b] / smallest_[b];
     return errors;
@@ -143,8 +139,8 @@ class Run {
 
   /// P r of what work_ holds, where P is not in it already but only judges.
   const TransportState& judged_residual() {
-    if (accelerated() || options_.judge == nullptr) return work_;
-    options_.judge->apply(work_, corrected_, active());
+    if (accelerated() || judge_ == nullptr) return work_;
+    judge_->apply(work_, corrected_, active());
     return corrected_;
   }
 
@@ -175,10 +171,8 @@ class Run {
     problems_.clear();
     const BandScalars start = vectors_.norm(work_);
     size_ = vectors_.norm(state_);
-    if (accelerated())
-      field_ = field_norms(sweep_.mesh(), sweep_, state_, work_);
-    else if (options_.judge != nullptr)
-      field_ = field_norms(sweep_.mesh(), sweep_, state_, corrected_);
+    if (judge_ != nullptr)
+      field_ = field_norms(sweep_.mesh(), sweep_, state_, accelerated() ? work_ : corrected_);
     for (std::size_t b = 0; b < bands_; ++b) {
       // From nothing the first residual is the size of the answer.
       size_[b] = std::max(size_[b], start[b]);
@@ -260,7 +254,7 @@ class Run {
   /// Estimated relative errors of the bands that are not done yet: |P r| / |phi|, or |r| / (s |x|).
   void estimate() {
     std::vector<double> errors(bands_, 0);
-    if (accelerated() || options_.judge != nullptr) {
+    if (judge_ != nullptr) {
       std::fill(corrected_.values().begin(), corrected_.values().end(), 0.0);
       for (std::size_t j = 0; j < basis_.size(); ++j) {
         BandScalars factor;
@@ -270,16 +264,15 @@ class Run {
       }
       if (!accelerated()) {
         // The place to work in is free until the next sweep.
-        options_.judge->apply(corrected_, work_, active());
+        judge_->apply(corrected_, work_, active());
         std::swap(corrected_, work_);
       }
       errors = relative_size(sweep_.mesh(), sweep_, corrected_, field_);
     }
     for (std::size_t b = 0; b < bands_; ++b) {
       if (done_[b]) continue;
-      errors[b] = accelerated(b) ? errors[b] * options_.acceleration->caution(b)
-                  : judged(b)    ? errors[b] * options_.judge->caution(b)
-                                 : problems_[b].residual() / (smallest_[b] * size_[b]);
+      errors[b] =
+          judged(b) ? errors[b] * judge_->caution(b) : problems_[b].residual() / (smallest_[b] * size_[b]);
       result_.bands[b].residual = errors[b];
       done_[b] = errors[b] <= safety * options_.tolerance;
     }
@@ -322,7 +315,8 @@ class Run {
   BandVectors vectors_;
   std::size_t bands_;
   TransportState work_;
-  TransportState corrected_;  ///< where P writes; empty without acceleration
+  DiffusionAcceleration* judge_;  ///< its |P r| is an estimate of the error; null: there is none
+  TransportState corrected_;      ///< where P writes; empty without one
   std::size_t length_;
   std::vector<TransportState> basis_;  ///< of the cycle under way; empty between cycles
   std::vector<BandHessenberg> problems_;
