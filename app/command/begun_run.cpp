@@ -22,6 +22,21 @@ int thread_count(const Case& input) {
                                  : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+RunResult result_of(const BegunRun& run, const Solution& solution, std::vector<ProbeRow> probes,
+                    int threads) {
+  RunResult result{.input = run.input,
+                   .problem = run.problem,
+                   .solution = solution,
+                   .probes = std::move(probes),
+                   .balances = balances(run.problem, solution),
+                   .walls = wall_powers(run.problem, solution),
+                   .regions = region_powers(run.problem, solution),
+                   .seconds = run.seconds,
+                   .threads = threads};
+  result.seconds.total = run.watch.total();
+  return result;
+}
+
 ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) {
   if (interrupted) {
     err << "interrupted: the results are whole and are those of "

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <ostream>
 #include <utility>
+#include <vector>
 
 #include "app/command/commands.h"
 #include "app/command/interruption.h"
@@ -41,6 +42,10 @@ struct BegunRun {
 
 /// The threads of a run, those that are wanted or all cores.
 int thread_count(const Case& input);
+
+/// What a run by another method than directions came to, so far as all methods have it. `solution` must
+/// outlive the result.
+RunResult result_of(const BegunRun& run, const Solution& solution, std::vector<ProbeRow> probes, int threads);
 
 /// The exit code of a run that has written its results, with the line on standard error that goes with one
 /// other than 0.

@@ -30,17 +30,8 @@ ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& er
   PhotonRun found = run_photons({run.input, run.problem, locator, threads, style}, out,
                                 [&] { return run.interruption.noted(); });
   run.interruption.note_all();
-  RunResult result{.input = run.input,
-                   .problem = run.problem,
-                   .solution = found.solution,
-                   .probes = std::move(found.probes),
-                   .balances = balances(run.problem, found.solution),
-                   .walls = wall_powers(run.problem, found.solution),
-                   .regions = region_powers(run.problem, found.solution),
-                   .errors = std::move(found.errors),
-                   .seconds = run.seconds,
-                   .threads = threads};
-  result.seconds.total = run.watch.total();
+  RunResult result = result_of(run, found.solution, std::move(found.probes), threads);
+  result.errors = std::move(found.errors);
   const WrittenResults written = write_results(result);
   out << photons_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
       << errors_text(result) << closing_text(result, written);

@@ -29,18 +29,9 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   RadiosityRun found =
       run_radiosity(run.input, run.problem, locator, threads, out, [&] { return run.interruption.noted(); });
   run.interruption.note_all();
-  RunResult result{.input = run.input,
-                   .problem = run.problem,
-                   .solution = found.solution,
-                   .probes = std::move(found.probes),
-                   .balances = balances(run.problem, found.solution),
-                   .walls = wall_powers(run.problem, found.solution),
-                   .regions = region_powers(run.problem, found.solution),
-                   .radiosity = std::move(found.report),
-                   .passes = std::move(found.passes),
-                   .seconds = run.seconds,
-                   .threads = threads};
-  result.seconds.total = run.watch.total();
+  RunResult result = result_of(run, found.solution, std::move(found.probes), threads);
+  result.radiosity = std::move(found.report);
+  result.passes = std::move(found.passes);
   const WrittenResults written = write_results(result);
   out << radiosity_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
       << closing_text(result, written);
