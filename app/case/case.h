@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/case/exact_family.h"
+#include "app/case/light_table.h"
 #include "mesh/base/errors.h"
 #include "mesh/base/vec3.h"
 #include "mesh/geometry/geometry.h"
@@ -94,7 +95,9 @@ struct LightCase {
   double radius = 0;                ///< [length]
   std::array<double, 2> size{};     ///< [length]
   std::vector<double> angle;        ///< [degree]
-  std::vector<double> intensity;
+  std::vector<double> intensity;    ///< [plane][angle]
+  std::vector<double> plane;        ///< [degree]; empty: the same all about the axis
+  Photometry type = Photometry::c;  ///< of angle and plane
   std::vector<double> strength;  ///< [band] power, irradiance or radiance
   std::vector<std::string> walls;
   Origin origin;

@@ -53,7 +53,8 @@ std::vector<KeyDeclaration> light_keys() {
        {.choices = {"point", "spot", "sun", "disc", "rectangle", "wall", "sky"},
         .need = required,
         .help =
-            "What it is: point (position, power; distribution and direction), spot (position, direction, "
+            "What it is: point (position, power; distribution, direction and along), spot (position, "
+            "direction, "
             "angle, power; falloff), sun (direction, irradiance; walls), disc (position, direction, radius, "
             "radiance), rectangle (position, direction, along, size, radiance), wall (walls, radiance), sky "
             "(radiance; walls)."}},
@@ -84,11 +85,16 @@ std::vector<KeyDeclaration> light_keys() {
       {"light",
        "distribution",
        text,
-       {.help =
-            "Of a point: an IES file, or a CSV with an angle from the axis [degree] and an intensity on each "
-            "line, found beside the case; only the shape counts."}},
+       {.help = "Of a point: an IES file (LM-63, type A, B or C), or a CSV with an angle from the axis "
+                "[degree] and "
+                "an intensity on each line, found beside the case; only the shape counts."}},
       {"light", "radius", number, {.unit = "length", .range = positive, .help = "Of a disc."}},
-      {"light", "along", point, {.help = "Direction of a rectangle's first side; of any length."}},
+      {"light",
+       "along",
+       point,
+       {.help =
+            "Direction of a rectangle's first side, or of a distribution's horizontal angle 0 (without it x, "
+            "or y where the lamp shines along x); of any length."}},
       {"light",
        "size",
        numbers,

@@ -22,7 +22,7 @@ struct KindKeys {
 
 const std::array<KindKeys, 7>& kind_keys() {
   static const std::array<KindKeys, 7> kinds = {{
-      {"point", {"position", "power"}, {"distribution", "direction"}},
+      {"point", {"position", "power"}, {"distribution", "direction", "along"}},
       {"spot", {"position", "power", "direction", "angle"}, {"falloff"}},
       {"sun", {"direction", "irradiance"}, {"walls"}},
       {"disc", {"position", "direction", "radius", "radiance"}, {}},
@@ -64,6 +64,8 @@ void read_shape(Section& section, LightCase& light, const std::filesystem::path&
     LightTable table = read_light_table(resolve_path(*file, folder), file->origin);
     light.angle = std::move(table.angle);
     light.intensity = std::move(table.intensity);
+    light.plane = std::move(table.plane);
+    light.type = table.type;
   }
   const auto angle = section.number_if("angle");
   if (!angle) return;
@@ -101,7 +103,10 @@ LightCase read_light(Section& section, const Bands& bands, const std::filesystem
   light.position = section.point_if("position").value_or(Vec3::Zero());
   light.direction = unit_if(section, "direction").value_or(-Vec3::UnitZ());
   light.along = unit_if(section, "along").value_or(Vec3::UnitX());
-  if (light.kind == "rectangle" && light.along.cross(light.direction).norm() < 1e-6)
+  if (light.kind == "point" && section.has("along") && !section.has("distribution"))
+    section.unused("along", "only a distribution has a side that is turned there");
+  if (!section.has("along") && std::abs(light.direction.x()) > 0.9) light.along = Vec3::UnitY();
+  if (section.has("along") && light.along.cross(light.direction).norm() < 1e-6)
     section.fault("along", "has the direction in which the light shines; use one across it");
   light.radius = section.number_if("radius").value_or(0);
   read_size(section, light);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "solver/photons/photon_turns.h"
+#include "solver/problem/lamp_shape.h"
 
 namespace etendue {
 namespace {
@@ -48,6 +49,17 @@ Vec3 point_in(const TetrahedralMesh& mesh, CellIndex cell, double s, double t, d
 Triangle triangle_of(const SurfaceLight& light, std::int32_t part) {
   const auto first = 3 * static_cast<std::size_t>(part);
   return {{light.triangles[first], light.triangles[first + 1], light.triangles[first + 2]}};
+}
+
+/// An azimuth of a lamp at an angle from its axis, by rejection: as likely as the lamp is bright there.
+template <class Draw>
+double draw_azimuth(const PointLight& light, double angle, Draw&& number) {
+  double brightest = 0;
+  for (const double plane : light.plane) brightest = std::max(brightest, lamp_shape(light, angle, plane));
+  while (true) {
+    const double azimuth = light.plane.front() + number() * (light.plane.back() - light.plane.front());
+    if (number() * brightest <= lamp_shape(light, angle, azimuth)) return azimuth;
+  }
 }
 
 Vec3 vector_of(const double (&values)[3]) { return {values[0], values[1], values[2]}; }
@@ -112,7 +124,7 @@ void PhotonSources::add_lights() {
     const auto& kind = problem_.lights()[i].kind;
     const auto index = static_cast<std::int32_t>(i);
     if (const auto* point = std::get_if<PointLight>(&kind)) {
-      angles_[i] = AngleTable(point->angle, point->intensity);
+      angles_[i] = AngleTable(point->angle, lamp_shape_about_axis(*point));
       add({Kind::point, index, 0}, point->power[band_]);
     } else if (const auto* beam = std::get_if<BeamLight>(&kind)) {
       for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
@@ -191,10 +203,17 @@ PhotonStart PhotonSources::from_point(const PointLight& light, const AngleTable&
   if (angles.empty()) {
     direction = isotropic(random);
   } else {
-    double c, s, turned[3] = {light.axis.x(), light.axis.y(), light.axis.z()};
-    unit_circle(random.word(), c, s);
-    turn(turned, std::cos(angles.draw(random.number())), c, s);
-    direction = vector_of(turned);
+    const double angle = angles.draw(random.number());
+    if (light.plane.empty()) {
+      double c, s, turned[3] = {light.axis.x(), light.axis.y(), light.axis.z()};
+      unit_circle(random.word(), c, s);
+      turn(turned, std::cos(angle), c, s);
+      direction = vector_of(turned);
+    } else {
+      const double azimuth = draw_azimuth(light, angle, [&] { return random.number(); });
+      direction = std::cos(angle) * light.axis + std::sin(angle) * (std::cos(azimuth) * light.zero_plane +
+                                                                    std::sin(azimuth) * light.quarter_plane);
+    }
   }
   PhotonStart start = started(light.position, direction);
   start_inside(light.position, direction, start);

@@ -13,15 +13,20 @@ namespace etendue {
 /// How an emission of the problem is treated: its uncollided light by exact rays, or by the directions.
 enum class Uncollided { automatic, yes, no };
 
-/// Light from a point, the same all about an axis.
+/// Light from a point.
 struct PointLight {
   Vec3 position = Vec3::Zero();
   std::vector<double> power;  ///< [band] into all directions [power]
   Vec3 axis = Vec3::UnitZ();  ///< unit
-  /// Intensity over rising angles from the axis [rad], linear between them and zero beyond; only its shape
-  /// counts. Empty: the same in all directions.
+  /// Intensity [plane][angle] over rising angles from the axis [rad], linear between them and zero beyond;
+  /// only its shape counts. Empty: the same in all directions.
   std::vector<double> angle;
   std::vector<double> intensity;
+  /// Rising azimuths about the axis [rad] of the half planes in which the intensity is given, linear between
+  /// them and zero beyond, of one turn at most. Empty: one for all, the same all about the axis.
+  std::vector<double> plane = {};
+  Vec3 zero_plane = Vec3::UnitX();     ///< unit, across the axis: azimuth 0
+  Vec3 quarter_plane = Vec3::UnitY();  ///< unit, across both: azimuth pi/2
 };
 
 /// Collimated light that enters through walls which do not mirror.

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "mesh/files/mesh_file.h"
+#include "solver/problem/lamp_shape.h"
 #include "tests/app/case/case_text.h"
 
 namespace etendue {
@@ -235,6 +237,45 @@ radiance = "x"
       EXPECT_FALSE(formula[0].has_value());
     }
   }
+}
+
+/// A lamp with one bright place at these vertical and horizontal angles, as it is built.
+PointLight lamp_of_type(int type, const std::string& vertical, const std::string& horizontal, int bright) {
+  const TestFolder folder;
+  std::string text = "IESNA91\nTILT=NONE\n1 1 1 3 3 " + std::to_string(type) + " 2 0 0 0\n1 1 1\n" +
+                     vertical + "\n" + horizontal + "\n";
+  for (int i = 0; i < 9; ++i) text += i == bright ? "1 " : "0 ";
+  const Case input =
+      case_of(cube + "[[light]]\nname = \"lamp\"\nkind = \"point\"\nposition = [0.5, 0.5, 0.5]\n" +
+              "power = 1\ndistribution = \"" + folder.write("lamp.ies", text).string() + "\"\n");
+  const TetrahedralMesh mesh = build_mesh(input);
+  return std::get<PointLight>(build_problem(input, mesh).lights()[0].kind);
+}
+
+// Photometric zero is -z and photometric horizontal x: type C turns counterclockwise from above, A and B turn
+// clockwise, and the planes of B meet in the horizontal.
+TEST(BuildProblem, TurnsIesLampsByTheirType) {
+  const auto brightness = [](const PointLight& lamp, const Vec3& direction) {
+    return lamp_shape(lamp, direction);
+  };
+  const PointLight c = lamp_of_type(1, "0 90 180", "0 90 180", 4);
+  EXPECT_NEAR(brightness(c, Vec3::UnitY()), 1, 1e-12);
+  EXPECT_NEAR(brightness(c, Vec3(0.6, 0.8, 0)), std::atan2(0.8, 0.6) / (std::numbers::pi / 2), 1e-12);
+  EXPECT_NEAR(brightness(c, -Vec3::UnitY()), 1, 1e-12);
+  EXPECT_NEAR(brightness(c, Vec3::UnitX()), 0, 1e-12);
+  const PointLight a = lamp_of_type(3, "-90 0 90", "-90 0 90", 7);
+  EXPECT_NEAR(brightness(a, -Vec3::UnitY()), 1, 1e-12);
+  EXPECT_NEAR(brightness(a, Vec3::UnitY()), 0, 1e-12);
+  EXPECT_NEAR(brightness(a, Vec3(0, -0.8, -0.6)), std::atan2(0.8, 0.6) / (std::numbers::pi / 2), 1e-12);
+  const PointLight horizontal = lamp_of_type(3, "-90 0 90", "-90 0 90", 4);
+  EXPECT_NEAR(brightness(horizontal, Vec3::UnitX()), 1, 1e-12);
+  const PointLight b = lamp_of_type(2, "-90 0 90", "-90 0 90", 7);
+  EXPECT_NEAR(brightness(b, -Vec3::UnitY()), 1, 1e-12);
+  EXPECT_NEAR(brightness(b, Vec3(0, -0.8, -0.6)), std::atan2(0.8, 0.6) / (std::numbers::pi / 2), 1e-12);
+  const PointLight down = lamp_of_type(2, "-90 0 90", "-90 0 90", 4);
+  EXPECT_NEAR(brightness(down, -Vec3::UnitZ()), 1, 1e-12);
+  const PointLight ahead = lamp_of_type(2, "-90 0 90", "-90 0 90", 5);
+  EXPECT_NEAR(brightness(ahead, Vec3::UnitX()), 1, 1e-12);
 }
 
 }  // namespace

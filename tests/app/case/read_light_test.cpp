@@ -61,12 +61,63 @@ TEST(LightTable, ReadsIesFiles) {
   EXPECT_EQ(table.intensity, (std::vector<double>{100, 80, 0}));
 }
 
+/// A lamp of this photometric type with three vertical and these horizontal angles, candelas 1, 2, 3 …
+std::string ies(int type, const std::string& vertical, const std::vector<int>& horizontal) {
+  std::string text = "IESNA:LM-63-1995\r\nTILT=NONE\r\n1, 1000, 1, 3, " + std::to_string(horizontal.size()) +
+                     ", " + std::to_string(type) + ", 2, 0, 0, 0\r\n1 1 50\r\n" + vertical + "\r\n";
+  for (const int angle : horizontal) text += std::to_string(angle) + " ";
+  for (std::size_t i = 0; i < 3 * horizontal.size(); ++i) text += "\n" + std::to_string(i + 1);
+  return text;
+}
+
+TEST(LightTable, AddsThePlanesOfSymmetricLamps) {
+  const TestFolder folder;
+  const auto read = [&](int type, const std::string& vertical, const std::vector<int>& horizontal) {
+    return read_light_table(folder.write("lamp.ies", ies(type, vertical, horizontal)), {});
+  };
+  using Numbers = std::vector<double>;
+  const LightTable quadrant = read(1, "0 45 90", {0, 30, 90});
+  EXPECT_EQ(quadrant.plane, (Numbers{0, 30, 90, 150, 180, 210, 270, 330, 360}));
+  EXPECT_EQ(quadrant.intensity,
+            (Numbers{1, 2, 3, 4, 5, 6, 7, 8, 9, 4, 5, 6, 1, 2, 3, 4, 5, 6, 7, 8, 9, 4, 5, 6, 1, 2, 3}));
+  EXPECT_EQ(read(1, "0 45 90", {0, 90, 180}).plane, (Numbers{0, 90, 180, 270, 360}));
+  EXPECT_EQ(read(1, "0 45 90", {90, 180, 270}).plane, (Numbers{90, 180, 270, 360, 450}));
+  EXPECT_EQ(read(1, "0 45 90", {0, 120, 240}).plane, (Numbers{0, 120, 240, 360}));
+  EXPECT_EQ(read(1, "0 45 90", {0, 180, 360}).plane, (Numbers{0, 180, 360}));
+  const LightTable floodlight = read(2, "-90 0 90", {0, 40, 90});
+  EXPECT_EQ(floodlight.type, Photometry::b);
+  EXPECT_EQ(floodlight.plane, (Numbers{-90, -40, 0, 40, 90}));
+  EXPECT_EQ(floodlight.angle, (Numbers{0, 90, 180}));
+  EXPECT_EQ(floodlight.intensity, (Numbers{7, 8, 9, 4, 5, 6, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ(read(3, "-90 0 90", {-90, 0, 90}).type, Photometry::a);
+}
+
 TEST(LightTable, RefusesWhatItCannotUse) {
   const TestFolder folder;
-  for (const char* text : {"TILT=INCLUDE\n", "TILT=NONE\n1 1000 1 3 1 2 2 0 0 0\n1 1 50\n0 45 90\n0\n1 1 1\n",
-                           "TILT=NONE\n1 1000 1 3 1 1 2 0 0 0\n1 1 50\n0 45\n",
-                           "TILT=NONE\n1 1000 1 2 2 1 2 0 0 0\n1 1 50\n0 90\n0 90\n9 1\n1 1\n"})
-    EXPECT_THROW(read_light_table(folder.write("lamp.ies", text), {}), InputError);
+  const auto refusal = [&](const std::string& text) {
+    const auto file = folder.write("lamp.ies", text);
+    try {
+      read_light_table(file, {});
+    } catch (const InputError& error) {
+      const std::string message = error.what();
+      return message.substr(message.find("lamp.ies"));
+    }
+    return std::string();
+  };
+  EXPECT_TRUE(refusal("IESNA91\nTILT=INCLUDE\n").starts_with("lamp.ies:2: \"TILT=INCLUDE\" is not in this"));
+  EXPECT_TRUE(refusal("IESNA91\n").starts_with("lamp.ies:1: has no line TILT=NONE"));
+  EXPECT_TRUE(refusal("TILT=NONE\n1 1000 1 3 1 4 2 0 0 0\n1 1 50\n0 45 90\n0\n1 1 1\n")
+                  .starts_with("lamp.ies:2: 4 is no photometric type"));
+  EXPECT_TRUE(refusal("TILT=NONE\n1 1000 1 3 1 1 2 0 0 0\n1 1 50\n0 45\n")
+                  .starts_with("lamp.ies:4: ends before the vertical angles"));
+  EXPECT_TRUE(refusal("TILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 50\n0 9O\n0\n1 1\n")
+                  .starts_with("lamp.ies:4: \"9O\" is not a number, where the vertical angles should stand"));
+  EXPECT_TRUE(refusal("TILT=NONE\n1 1000 1 2 2 1 2 0 0 0\n1 1 50\n0 90\n0 70\n9 1\n1 1\n")
+                  .starts_with("lamp.ies:7: horizontal angles of type C from 0 to 70"));
+  EXPECT_TRUE(refusal("TILT=NONE\n1 1000 1 2 2 1 2 0 0 0\n1 1 50\n0 90\n0 90\n9 1\n1 -1\n")
+                  .starts_with("lamp.ies:7: the intensity -1 is negative"));
+  EXPECT_TRUE(refusal("TILT=NONE\n1 1000 1 2 2 2 2 0 0 0\n1 1 50\n0 90\n0 90\n9 1\n1 1\n")
+                  .starts_with("lamp.ies:5: vertical angles of type A or B from 0 to 90"));
   EXPECT_THROW(read_light_table(folder.write("lamp.csv", "0, 1\n0, 2\n"), {}), InputError);
 }
 

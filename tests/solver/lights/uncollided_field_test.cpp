@@ -192,6 +192,39 @@ TEST(UncollidedField, HasTheMeansOfCellsInAnAbsorbingCube) {
   EXPECT_GT(seen, 1000);
 }
 
+// A lamp whose brightness changes by angle and azimuth, in front of a mirror.
+TEST(UncollidedField, OfALampWithPlanesBalances) {
+  const TetrahedralMesh mesh = cube_mesh(1e-3);
+  std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
+  walls[static_cast<std::size_t>(wall_of(mesh, "xmax"))].specular = {0.5};
+  const Problem problem(mesh, {}, {uniform_medium(1, 0.7, 0, 0)}, walls);
+  const LightPaths paths(problem);
+  PointLight light;
+  light.position = {0.41, 0.47, 0.62};
+  light.power = {1};
+  light.axis = -Vec3::UnitZ();
+  light.angle = {0, 0.5 * pi, pi};
+  light.plane = {0, pi / 2, pi, 1.5 * pi, 2 * pi};
+  light.intensity = {3, 5, 1, 3, 2, 1, 3, 1, 1, 3, 2, 1, 3, 5, 1};
+  LightSources sources;
+  sources.push_back(std::make_unique<PointSource>("lamp", light, paths));
+  const UncollidedField field = uncollided_field(paths, sources, 1);
+  double kept = 0;
+  std::vector<double> arrived(walls.size(), 0);
+  for (std::size_t i = 0; i < field.irradiance.size(); ++i) {
+    const FaceIndex face(static_cast<std::int64_t>(i / 3));
+    const double power = field.irradiance[i] * mesh.area(face) / 3;
+    kept += (1 - problem.wall(mesh.wall(face)).specular[0]) * power;
+    arrived[static_cast<std::size_t>(mesh.wall(face))] += power;
+  }
+  EXPECT_NEAR(0.7 * integral_over_cells(mesh, field.fluence) + kept, 1, 1e-4);
+  EXPECT_NEAR(arrived[static_cast<std::size_t>(wall_of(mesh, "ymin"))] /
+                  arrived[static_cast<std::size_t>(wall_of(mesh, "ymax"))],
+              1, 0.2);
+  EXPECT_GT(arrived[static_cast<std::size_t>(wall_of(mesh, "xmax"))],
+            1.2 * arrived[static_cast<std::size_t>(wall_of(mesh, "ymax"))]);
+}
+
 /// The part of the light of a volume in a cube that is found again, with two sides of this reflectance.
 double part_found(const TetrahedralMesh& mesh, double specular) {
   std::vector<Medium> media(2, uniform_medium(1, 0.8, 0, 0));

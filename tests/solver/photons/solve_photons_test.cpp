@@ -9,6 +9,7 @@
 
 #include "solver/measure/balance.h"
 #include "solver/problem/cell_rule.h"
+#include "solver/problem/lamp_shape.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
 namespace etendue {
@@ -105,6 +106,38 @@ TEST(SolvePhotons, PointLightsAllSidesOfACube) {
 
 // The same numbers whether histories are walked in one run or added to those of an earlier one, but for the
 // shares of the power that batches of other sizes begin in.
+// A lamp in the middle of an empty cube that shines by the azimuth about -z.
+TEST(SolvePhotons, LampWithPlanesLightsEachSideByItsShape) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  PointLight lamp;
+  lamp.position = {0.5, 0.5, 0.5};
+  lamp.power = {1};
+  lamp.axis = -Vec3::UnitZ();
+  lamp.angle = {0, pi / 2, pi};
+  lamp.plane = {0, pi / 2, pi, 1.5 * pi, 2 * pi};
+  lamp.intensity = {1, 6, 1, 1, 3, 1, 1, 0, 1, 1, 1, 1, 1, 6, 1};
+  const auto& names = mesh.wall_names();
+  const Problem problem(mesh, {}, {uniform_medium(1, 0, 0, 0)},
+                        std::vector<Wall>(names.size(), uniform_wall(1, 0, 0, 0)), AngularSpace::sphere,
+                        {{"lamp", lamp, {}}});
+  const auto powers = wall_powers(problem, solved(problem, 40000).solution);
+  const int steps = 400;
+  for (std::size_t w = 0; w < names.size(); ++w) {
+    Vec3 out = Vec3::Zero();
+    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+      if (mesh.wall(FaceIndex(f)) == static_cast<int>(w)) out = mesh.area_normal(FaceIndex(f)).normalized();
+    const Vec3 u = out.unitOrthogonal(), v = out.cross(u);
+    double share = 0;
+    for (int i = 0; i < steps; ++i)
+      for (int k = 0; k < steps; ++k) {
+        const Vec3 place = out + ((2 * i + 1.0) / steps - 1) * u + ((2 * k + 1.0) / steps - 1) * v;
+        share += 4.0 / (steps * steps) * lamp_shape(lamp, place.normalized()) / std::pow(place.norm(), 3);
+      }
+    share /= integral_of_lamp_shape(lamp);
+    EXPECT_NEAR(powers[w][0].incoming, share, 4 * std::sqrt(share / 40000)) << names[w];
+  }
+}
+
 TEST(SolvePhotons, HistoriesAddToThoseOfAnEarlierRun) {
   const TetrahedralMesh mesh = cube_mesh(0.05);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.5, 2, 1), uniform_wall(1, 0, 0.2, 0));
