@@ -41,9 +41,9 @@ PointLight point_light(const LightCase& light) {
   for (const double degrees : light.plane) point.plane.push_back(degrees * pi / 180);
   const Vec3 up = -light.direction, ahead = (light.along - light.along.dot(up) * up).normalized();
   const Vec3 right = ahead.cross(up);
-  point.zero_plane = light.type == Photometry::b ? light.direction : ahead;
-  point.quarter_plane = light.type == Photometry::c ? Vec3(-right) : right;
-  if (light.type == Photometry::b) point.axis = -ahead;
+  point.zero_plane = light.type == PhotometricType::b ? light.direction : ahead;
+  point.quarter_plane = light.type == PhotometricType::c ? Vec3(-right) : right;
+  if (light.type == PhotometricType::b) point.axis = -ahead;
   return point;
 }
 

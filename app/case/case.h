@@ -90,15 +90,15 @@ struct LightCase {
   std::string name;
   std::string kind;
   Vec3 position = Vec3::Zero();
-  Vec3 direction = -Vec3::UnitZ();  ///< unit
-  Vec3 along = Vec3::UnitX();       ///< unit
-  double radius = 0;                ///< [length]
-  std::array<double, 2> size{};     ///< [length]
-  std::vector<double> angle;        ///< [degree]
-  std::vector<double> intensity;    ///< [plane][angle]
-  std::vector<double> plane;        ///< [degree]; empty: the same all about the axis
-  Photometry type = Photometry::c;  ///< of angle and plane
-  std::vector<double> strength;  ///< [band] power, irradiance or radiance
+  Vec3 direction = -Vec3::UnitZ();            ///< unit
+  Vec3 along = Vec3::UnitX();                 ///< unit
+  double radius = 0;                          ///< [length]
+  std::array<double, 2> size{};               ///< [length]
+  std::vector<double> angle;                  ///< [degree]
+  std::vector<double> intensity;              ///< [plane][angle]
+  std::vector<double> plane;                  ///< [degree]; empty: the same all about the axis
+  PhotometricType type = PhotometricType::c;  ///< of angle and plane
+  std::vector<double> strength;               ///< [band] power, irradiance or radiance
   std::vector<std::string> walls;
   Origin origin;
 };

@@ -167,7 +167,7 @@ LightTable read_ies(std::istream& stream, const std::filesystem::path& path) {
     numbers.refuse(fmt::format("{} is no photometric type; give 1 (C), 2 (B) or 3 (A)", type));
   numbers.next(7, "the angles");
   LightTable table;
-  table.type = type == 1 ? Photometry::c : type == 2 ? Photometry::b : Photometry::a;
+  table.type = type == 1 ? PhotometricType::c : type == 2 ? PhotometricType::b : PhotometricType::a;
   table.angle = numbers.next(vertical, "the vertical angles");
   require_rising(numbers, table.angle, "vertical");
   table.plane = numbers.next(horizontal, "the horizontal angles");
@@ -178,7 +178,7 @@ LightTable read_ies(std::istream& stream, const std::filesystem::path& path) {
     for (const double candela : planes.back())
       if (candela < 0) numbers.refuse(fmt::format("the intensity {} is negative", candela));
   }
-  if (table.type != Photometry::c) {
+  if (table.type != PhotometricType::c) {
     if (table.angle.front() != -90 || table.angle.back() != 90)
       numbers.refuse(fmt::format("vertical angles of type A or B from {} to {}; give -90 to 90 degrees",
                                  table.angle.front(), table.angle.back()));

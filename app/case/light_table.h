@@ -11,7 +11,7 @@ namespace etendue {
 /// About which axis a lamp's planes stand and what its angles count from (LM-63): in type C and A down, in B
 /// the horizontal against that of the lamp; azimuths of type C are counterclockwise seen from above, others
 /// clockwise.
-enum class Photometry { c, b, a };
+enum class PhotometricType { c, b, a };
 
 /// Luminous intensity over the angle from an axis of the lamp and the azimuth about it, of any unit: only its
 /// shape counts.
@@ -19,7 +19,7 @@ struct LightTable {
   std::vector<double> angle;      ///< [degree] rising, from 0 to 180 at most
   std::vector<double> intensity;  ///< [plane][angle] not negative
   std::vector<double> plane;      ///< [degree] rising, one turn at most; empty: one plane for all
-  Photometry type = Photometry::c;
+  PhotometricType type = PhotometricType::c;
 };
 
 /// Reads an IES file or a CSV with an angle and an intensity on each line. Throws FileError or InputError;

@@ -85,11 +85,11 @@ TEST(LightTable, AddsThePlanesOfSymmetricLamps) {
   EXPECT_EQ(read(1, "0 45 90", {0, 120, 240}).plane, (Numbers{0, 120, 240, 360}));
   EXPECT_EQ(read(1, "0 45 90", {0, 180, 360}).plane, (Numbers{0, 180, 360}));
   const LightTable floodlight = read(2, "-90 0 90", {0, 40, 90});
-  EXPECT_EQ(floodlight.type, Photometry::b);
+  EXPECT_EQ(floodlight.type, PhotometricType::b);
   EXPECT_EQ(floodlight.plane, (Numbers{-90, -40, 0, 40, 90}));
   EXPECT_EQ(floodlight.angle, (Numbers{0, 90, 180}));
   EXPECT_EQ(floodlight.intensity, (Numbers{7, 8, 9, 4, 5, 6, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
-  EXPECT_EQ(read(3, "-90 0 90", {-90, 0, 90}).type, Photometry::a);
+  EXPECT_EQ(read(3, "-90 0 90", {-90, 0, 90}).type, PhotometricType::a);
 }
 
 TEST(LightTable, RefusesWhatItCannotUse) {
