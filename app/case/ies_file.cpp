@@ -170,6 +170,9 @@ LightTable read_ies(std::istream& stream, const std::filesystem::path& path) {
   table.type = type == 1 ? PhotometricType::c : type == 2 ? PhotometricType::b : PhotometricType::a;
   table.angle = numbers.next(vertical, "the vertical angles");
   require_rising(numbers, table.angle, "vertical");
+  if (table.type != PhotometricType::c && (table.angle.front() != -90 || table.angle.back() != 90))
+    numbers.refuse(fmt::format("vertical angles of type A or B from {} to {}; give -90 to 90 degrees",
+                               table.angle.front(), table.angle.back()));
   table.plane = numbers.next(horizontal, "the horizontal angles");
   require_rising(numbers, table.plane, "horizontal");
   Planes planes;
@@ -179,9 +182,6 @@ LightTable read_ies(std::istream& stream, const std::filesystem::path& path) {
       if (candela < 0) numbers.refuse(fmt::format("the intensity {} is negative", candela));
   }
   if (table.type != PhotometricType::c) {
-    if (table.angle.front() != -90 || table.angle.back() != 90)
-      numbers.refuse(fmt::format("vertical angles of type A or B from {} to {}; give -90 to 90 degrees",
-                                 table.angle.front(), table.angle.back()));
     complete_half_turn(numbers, table.plane, planes);
     for (double& angle : table.angle) angle += 90;
   } else if (horizontal == 1 || all_alike(planes)) {

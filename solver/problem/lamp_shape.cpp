@@ -52,8 +52,10 @@ double lamp_shape(const PointLight& light, const Vec3& direction) {
   if (light.angle.empty()) return 1;
   const double angle = std::atan2(light.axis.cross(direction).norm(), light.axis.dot(direction));
   if (light.plane.empty()) return lamp_shape(light, angle, 0);
-  return lamp_shape(light, angle,
-                    std::atan2(direction.dot(light.quarter_plane), direction.dot(light.zero_plane)));
+  // On the axis 0, where a sum of negative zeros would make it pi.
+  const double across = direction.dot(light.quarter_plane) + 0.0,
+               ahead = direction.dot(light.zero_plane) + 0.0;
+  return lamp_shape(light, angle, std::atan2(across, ahead));
 }
 
 std::vector<double> lamp_shape_about_axis(const PointLight& light) {

@@ -117,7 +117,7 @@ TEST(LightTable, RefusesWhatItCannotUse) {
   EXPECT_TRUE(refusal("TILT=NONE\n1 1000 1 2 2 1 2 0 0 0\n1 1 50\n0 90\n0 90\n9 1\n1 -1\n")
                   .starts_with("lamp.ies:7: the intensity -1 is negative"));
   EXPECT_TRUE(refusal("TILT=NONE\n1 1000 1 2 2 2 2 0 0 0\n1 1 50\n0 90\n0 90\n9 1\n1 1\n")
-                  .starts_with("lamp.ies:5: vertical angles of type A or B from 0 to 90"));
+                  .starts_with("lamp.ies:4: vertical angles of type A or B from 0 to 90"));
   EXPECT_THROW(read_light_table(folder.write("lamp.csv", "0, 1\n0, 2\n"), {}), InputError);
 }
 
