@@ -48,15 +48,12 @@ class PointsOfCell {
     NodalMoments sum(4, 4, beams_.bands());
     std::size_t fewest = SIZE_MAX, most = 0;
     for (const CellPointWeight& point : four_point_rule()) {
-      std::array<double, 4> barycentric{};
-      for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t k = 0; k < 4; ++k) barycentric[k] += point.barycentric[i] * part[i][k];
-      const std::size_t count = add_point(barycentric, point.weight * measure, sum);
+      const std::size_t count = add_point(in_whole(point.barycentric, part), point.weight * measure, sum);
       fewest = std::min(fewest, count);
       most = std::max(most, count);
     }
     if (fewest == most || divisions == 0) return moments_.add(sum);
-    for (const SubTetrahedron& child : eight_parts(part)) add(child, measure / 8, divisions - 1);
+    for (const SubTetrahedron& child : equal_parts(part)) add(child, measure / 8, divisions - 1);
   }
 
   void add_fourteen() {
@@ -68,7 +65,7 @@ class PointsOfCell {
       most = std::max(most, count);
     }
     if (fewest == most) return moments_.add(sum);
-    for (const SubTetrahedron& child : eight_parts(whole_cell()))
+    for (const SubTetrahedron& child : equal_parts(whole_cell()))
       add(child, cell_.volume / 8, most_divisions - 1);
   }
 
@@ -142,8 +139,6 @@ void add_in_polar_frame(const LightPaths& paths, const PointSource& source, cons
 
 void add_by_points(const LightSource& source, const LitCell& cell, LightBeams& beams, NodalMoments& moments) {
   PointsOfCell points(source, cell, beams, moments);
-  // The light of a source with an extent has no steep places of its own.
-  if (source.is_extended()) return points.add(whole_cell(), cell.volume, 0);
   if (cell.thickness > thin || source.is_near(cell.centroid, far_in_sizes / 3 * cell.size))
     points.add_fourteen();
   else

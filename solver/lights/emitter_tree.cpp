@@ -3,9 +3,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
+#include "solver/lights/closest_point.h"
 #include "solver/lights/simplex_rules.h"
 
 namespace etendue {
@@ -13,6 +15,9 @@ namespace {
 
 /// Unit normals that agree to this lie in one plane; so do the corners of walls that a file gives.
 constexpr double one_plane = 1e-6;
+
+/// A group whose points lie farther beside it than this part of its radius is looked at in parts.
+constexpr double beside = 0.1;
 
 std::size_t corner_count(EmitterShape shape) { return shape == EmitterShape::triangles ? 3 : 4; }
 
@@ -119,7 +124,8 @@ void EmitterTree::finish(Node& node, const Moments& moments, std::span<const int
   for (const int i : members)
     for (const double extinction : parts_[static_cast<std::size_t>(i)].extinction)
       node.thickness = std::max(node.thickness, extinction * node.radius);
-  if (node.part < 0) return place_points(node, moments);
+  node.middle = closest(node.centre, members);
+  if (node.part < 0) return place_points(node, moments, members);
   const auto& corners = parts_[static_cast<std::size_t>(node.part)].corners;
   if (shape_ == EmitterShape::triangles)
     for (const FacePointWeight& point : three_point_rule())
@@ -133,9 +139,9 @@ void EmitterTree::finish(Node& node, const Moments& moments, std::span<const int
 }
 
 // One standard deviation to both sides: for a box these are the points of Gauss, two along each side. In a
-// plane along the principal axes; in space along x, y and z, where most bodies have their sides, so that the
-// points stay inside.
-void EmitterTree::place_points(Node& node, const Moments& moments) const {
+// plane along the principal axes; in space along x, y and z, where most bodies have their sides. A point
+// beside the light is moved into it: from there rays could start outside of the domain.
+void EmitterTree::place_points(Node& node, const Moments& moments, std::span<const int> members) const {
   const Eigen::Matrix3d covariance = moments.second / moments.zeroth - node.centre * node.centre.transpose();
   std::vector<Vec3> steps;
   if (shape_ == EmitterShape::tetrahedra) {
@@ -152,7 +158,21 @@ void EmitterTree::place_points(Node& node, const Moments& moments) const {
     node.points[i] = node.centre;
     for (std::size_t k = 0; k < steps.size(); ++k)
       node.points[i] += (i >> k & 1) != 0 ? steps[k] : Vec3(-steps[k]);
+    const Vec3 inside = closest(node.points[i], members);
+    node.hollow = node.hollow || (inside - node.points[i]).norm() > beside * node.radius;
+    node.points[i] = inside;
   }
+}
+
+Vec3 EmitterTree::closest(const Vec3& point, std::span<const int> members) const {
+  Vec3 best = Vec3::Constant(std::numeric_limits<double>::infinity());
+  for (const int i : members) {
+    const auto& c = parts_[static_cast<std::size_t>(i)].corners;
+    const Vec3 here = shape_ == EmitterShape::triangles ? closest_in_triangle(point, {c[0], c[1], c[2]})
+                                                        : closest_in_tetrahedron(point, c);
+    if ((here - point).squaredNorm() < (best - point).squaredNorm()) best = here;
+  }
+  return best;
 }
 
 }  // namespace etendue

@@ -10,6 +10,9 @@
 namespace etendue {
 namespace {
 
+/// Without rays more points are cheap.
+constexpr LightDetail clear_detail{0.25, 0.03, 0.3, 0.9, TriangleRule::seven_points};
+
 /// What one part brings is the integral over its solid angle of the brightness along each direction.
 void scale(std::span<double> fluence, const std::vector<double>& brightness, double factor) {
   for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] *= brightness[b] * factor;
@@ -25,13 +28,14 @@ struct ExtendedSource::View {
   MirrorSet mirrors;
   Vec3 eye;
 
-  /// A new beam from a direction in which the moved eye looks, with the transmittance of the way; empty
-  /// where the way is closed.
-  std::span<double> open_way(const LightPaths& paths, const Vec3& looking, double length,
+  /// A new beam from a direction in which the moved eye looks, with the transmittance of the way up to where
+  /// the light begins, and that goes on so far behind; empty where the way is closed.
+  std::span<double> open_way(const LightPaths& paths, const Vec3& looking, double length, double behind,
                              LightBeams& beams) const {
     const Vec3 direction = paths.mirrors().image_direction(mirrors, looking);
-    const std::span<double> fluence = beams.add(-direction);
-    std::fill(fluence.begin(), fluence.end(), 1.0);
+    const std::span<double> fluence = beams.add(-direction, length + behind / 2);
+    for (std::size_t b = 0; b < fluence.size(); ++b)
+      fluence[b] = sight == Sight::clear ? paths.mirrors().reflectance(mirrors, b) : 1.0;
     if (sight == Sight::clear || length == 0 || paths.transmit(at, direction, length, mirrors, fluence))
       return fluence;
     beams.drop();
@@ -44,7 +48,9 @@ ExtendedSource::ExtendedSource(std::string name, std::vector<double> power, Emit
     : LightSource(std::move(name), std::move(power)),
       tree_(std::move(tree)),
       paths_(paths),
-      images_(paths.mirrors().images_of_point()) {}
+      images_(paths.mirrors().images_of_point()) {
+  if (tree_.shape() == EmitterShape::triangles) shapes_ = flat_shapes(tree_.parts());
+}
 
 void ExtendedSource::add_beams(const PointInCell& at, Sight sight, LightDetail detail,
                                LightBeams& beams) const {
@@ -59,7 +65,7 @@ void ExtendedSource::add_node(const View& view, const EmitterTree::Node& node, L
   if (flat && simple && node.normal.dot(view.eye - node.centre) <= 0) return;
   // A single part is as thin as it gets.
   const bool thin = node.part >= 0 || node.thickness < view.detail.thickness;
-  if (simple && thin && node.radius < view.detail.opening * (node.centre - view.eye).norm())
+  if (simple && thin && !node.hollow && node.radius < view.detail.opening * (node.centre - view.eye).norm())
     return add_points(view, node, beams);
   if (node.part < 0) {
     for (const int child : node.children) add_node(view, tree_.node(child), beams);
@@ -74,11 +80,11 @@ void ExtendedSource::add_points(const View& view, const EmitterTree::Node& node,
   const bool one = node.radius < view.detail.single * (node.centre - view.eye).norm();
   const std::size_t count = one ? 1 : node.point_count;
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 way = (one ? node.centre : node.points[i]) - view.eye;
+    const Vec3 way = (one ? node.middle : node.points[i]) - view.eye;
     const double distance = way.norm();
     double seen = 1 / (static_cast<double>(count) * distance * distance);
     if (tree_.shape() == EmitterShape::triangles) seen *= -node.normal.dot(way) / distance;
-    const std::span<double> fluence = view.open_way(paths_, way / distance, distance, beams);
+    const std::span<double> fluence = view.open_way(paths_, way / distance, distance, 0, beams);
     if (!fluence.empty()) scale(fluence, node.total, seen);
   }
 }
@@ -90,7 +96,7 @@ void ExtendedSource::add_triangle(const View& view, const EmitterPart& part, Lig
   append_points({a, b, c}, view.detail.largest_side, view.detail.rule, points);
   for (const SolidAnglePoint& point : points) {
     const double distance = normal.dot(a) / normal.dot(point.direction);
-    const std::span<double> fluence = view.open_way(paths_, point.direction, distance, beams);
+    const std::span<double> fluence = view.open_way(paths_, point.direction, distance, 0, beams);
     if (!fluence.empty()) scale(fluence, part.brightness, point.weight);
   }
 }
@@ -104,13 +110,51 @@ void ExtendedSource::add_tetrahedron(const View& view, const EmitterPart& part, 
     append_points(wedge.directions, view.detail.largest_side, view.detail.rule, points);
     for (const SolidAnglePoint& point : points) {
       const double in = wedge.way_in(point.direction), out = wedge.way_out(point.direction);
-      const std::span<double> fluence = view.open_way(paths_, point.direction, in, beams);
+      const std::span<double> fluence = view.open_way(paths_, point.direction, in, out - in, beams);
       if (fluence.empty()) continue;
       for (std::size_t band = 0; band < fluence.size(); ++band) {
         const double extinction = view.sight == Sight::clear ? 0 : part.extinction[band];
         fluence[band] *= attenuated_way(extinction, out - in).constant;
       }
       scale(fluence, part.brightness, point.weight);
+    }
+  }
+}
+
+void ExtendedSource::look_clear(const Vec3& place, std::optional<int> without, LightBeams& beams,
+                                ClearLight& light) const {
+  light.clear();
+  const PointInCell here{CellIndex(0), place};  // clear sight asks no cell
+  for (const MirrorSet mirrors : images_) {
+    if (without && (mirrors >> *without & 1) != 0) continue;
+    const Vec3 eye = paths_.mirrors().image(mirrors, place);
+    if (!shapes_.empty()) {
+      add_shapes(mirrors, eye, light);
+      continue;
+    }
+    beams.clear();
+    add_node({here, Sight::clear, clear_detail, mirrors, eye}, tree_.root(), beams);
+    for (std::size_t i = 0; i < beams.size(); ++i)
+      for (std::size_t b = 0; b < light.fluence.size(); ++b) {
+        light.fluence[b] += beams.fluence(i)[b];
+        light.flux[b] += beams.fluence(i)[b] * beams.direction(i);
+        light.way[b] += beams.fluence(i)[b] * beams.distance(i);
+      }
+  }
+  for (std::size_t b = 0; b < light.fluence.size(); ++b)
+    if (light.fluence[b] > 0) light.way[b] /= light.fluence[b];
+}
+
+void ExtendedSource::add_shapes(MirrorSet mirrors, const Vec3& eye, ClearLight& light) const {
+  std::vector<SolidAnglePoint> points;
+  for (const auto& [shape, radiance] : shapes_) {
+    const FlatShape::View view = shape.from(eye, points);
+    const Vec3 flux = paths_.mirrors().image_direction(mirrors, view.flux);
+    for (std::size_t b = 0; b < radiance.size(); ++b) {
+      const double arrives = radiance[b] * paths_.mirrors().reflectance(mirrors, b);
+      light.fluence[b] += arrives * view.solid_angle;
+      light.flux[b] += arrives * flux;
+      light.way[b] += arrives * view.solid_angle * view.way;
     }
   }
 }

@@ -42,9 +42,6 @@ struct LitFace {
   std::array<Vec3, 3> corners;
 };
 
-using SubTriangle = std::array<std::array<double, 3>, 3>;
-
-constexpr SubTriangle whole_face = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 /// How often a face with a shadow's edge is divided in four.
 constexpr int most_divisions = 3;
 
@@ -58,22 +55,12 @@ class PointsOfFace {
     NodalMoments sum(3, 1, beams_.bands());
     std::size_t fewest = SIZE_MAX, most = 0;
     for (const FacePointWeight& point : rule) {
-      std::array<double, 3> barycentric{};
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t k = 0; k < 3; ++k) barycentric[k] += point.barycentric[i] * part[i][k];
-      const std::size_t count = add_point(barycentric, point.weight * measure, sum);
+      const std::size_t count = add_point(in_whole(point.barycentric, part), point.weight * measure, sum);
       fewest = std::min(fewest, count);
       most = std::max(most, count);
     }
     if (fewest == most || divisions == 0) return moments_.add(sum);
-    const auto middle = [&](std::size_t i, std::size_t j) {
-      std::array<double, 3> m{};
-      for (std::size_t k = 0; k < 3; ++k) m[k] = (part[i][k] + part[j][k]) / 2;
-      return m;
-    };
-    const auto m01 = middle(0, 1), m12 = middle(1, 2), m20 = middle(2, 0);
-    for (const SubTriangle& child : {SubTriangle{part[0], m01, m20}, SubTriangle{m01, part[1], m12},
-                                     SubTriangle{m20, m12, part[2]}, SubTriangle{m01, m12, m20}})
+    for (const SubTriangle& child : equal_parts(part))
       add(three_point_rule(), child, measure / 4, divisions - 1);
   }
 
@@ -131,11 +118,10 @@ void add_irradiance(const LightPaths& paths, const LightSource& source, FaceInde
     return;
   }
   PointsOfFace points(source, face, beams, moments);
-  const int divisions = source.is_extended() ? 0 : most_divisions;
   if (source.is_near(face.centroid, far_in_sizes / 3 * face.size))
-    points.add(seven_point_rule(), whole_face, face.area, divisions);
+    points.add(seven_point_rule(), whole_face, face.area, most_divisions);
   else
-    points.add(three_point_rule(), whole_face, face.area, divisions);
+    points.add(three_point_rule(), whole_face, face.area, most_divisions);
 }
 
 }  // namespace etendue

@@ -28,6 +28,7 @@ struct LightDetail {
 constexpr LightDetail coarse_light{0.7, 0.03, 0.6, 0.9, TriangleRule::three_points};
 constexpr LightDetail fine_light{0.2, 0.01, 0.15, 0.25, TriangleRule::seven_points};
 
+class ExtendedSource;
 class PointSource;
 
 /// Something whose uncollided light is integrated along rays.
@@ -40,17 +41,16 @@ class LightSource {
   const std::string& name() const { return name_; }
   const std::vector<double>& power() const { return power_; }  ///< [band] that it sends [power]
 
-  /// Adds what arrives at a point. Without attenuation the light comes as in empty space, but behind mirrors.
+  /// Adds what arrives at a point. Without attenuation the light comes as in empty space, from
+  /// behind mirrors too: of a light with an extent what they reflect of it.
   virtual void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const = 0;
   /// The light as a point, if it is one.
   virtual const PointSource* as_point() const { return nullptr; }
   /// Whether it is near enough, or wide enough, for its parts to be looked at one by one from a place of this
   /// size; beams and points are always looked at directly.
   virtual bool is_near(const Vec3& place, double size) const = 0;
-  virtual bool is_extended() const { return false; }
-  /// Whether its fluence varies little over a place of this size that is near it or in it, as that of a
-  /// larger volume does: that of a surface jumps.
-  virtual bool is_smooth_over(double) const { return false; }
+  /// The light as one with an area or a volume, if it is one.
+  virtual const ExtendedSource* as_extended() const { return nullptr; }
 
  private:
   std::string name_;

@@ -78,6 +78,13 @@ Vec3 MirrorPlanes::image_direction(MirrorSet set, Vec3 direction) const {
   return direction;
 }
 
+double MirrorPlanes::reflectance(MirrorSet set, std::size_t band) const {
+  double product = 1;
+  for (std::size_t i = 0; i < planes_.size(); ++i)
+    if ((set >> i & 1) != 0) product *= problem_.wall(planes_[i].wall).specular[band];
+  return product;
+}
+
 std::vector<MirrorSet> MirrorPlanes::images_of_point() const {
   for (std::size_t i = 0; i < planes_.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {

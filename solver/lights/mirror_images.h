@@ -26,6 +26,8 @@ class MirrorPlanes {
   /// The point behind the mirrors of a set: for planes at right angles their order does not matter.
   Vec3 image(MirrorSet mirrors, Vec3 point) const;
   Vec3 image_direction(MirrorSet mirrors, Vec3 direction) const;
+  /// What all mirrors of a set leave of light in a band; where a plane has several, one of them counts.
+  double reflectance(MirrorSet mirrors, std::size_t band) const;
 
   /// All sets of planes: a light is seen once behind each. Throws InputError, naming the walls, where two
   /// planes are not at right angles: the light would be seen too often, or not in all of the mirror.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/lights/nodal_moments.h"
 
+#include <cmath>
+
 namespace etendue {
 
 void NodalMoments::add(std::span<const double> shape, double measure, const Vec3& direction,
@@ -17,6 +19,18 @@ void NodalMoments::add(std::span<const double> shape, double measure, const Vec3
 double NodalMoments::integral(std::size_t component, std::size_t band) const {
   double sum = 0;
   for (std::size_t i = 0; i < nodes_; ++i) sum += at(i, component, band);
+  return sum;
+}
+
+double NodalMoments::size() const {
+  double sum = 0;
+  for (std::size_t b = 0; b < bands_; ++b) sum += std::abs(integral(0, b));
+  return sum;
+}
+
+double NodalMoments::difference(const NodalMoments& other) const {
+  double sum = 0;
+  for (std::size_t b = 0; b < bands_; ++b) sum += std::abs(integral(0, b) - other.integral(0, b));
   return sum;
 }
 

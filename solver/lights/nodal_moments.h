@@ -31,7 +31,15 @@ class NodalMoments {
   /// point's part of the volume.
   void add(std::span<const double> shape, double measure, const Vec3& direction,
            std::span<const double> fluence);
+  /// Adds one component in one band.
+  void add(std::span<const double> shape, double measure, std::size_t band, double value,
+           std::size_t component = 0) {
+    for (std::size_t i = 0; i < nodes_; ++i) at(i, component, band) += measure * shape[i] * value;
+  }
 
+  /// The first components' integrals, summed over the bands, and how much those of another differ.
+  double size() const;
+  double difference(const NodalMoments& other) const;
   /// The nodal value of the projection: the mass matrix of a simplex with n corners is
   /// |K| / (n (n + 1)) (1 + delta_ij), so u_i = n / |K| ((n + 1) b_i - sum of b).
   double nodal(std::size_t node, std::size_t component, std::size_t band, double measure) const;

@@ -6,9 +6,11 @@
 namespace etendue {
 namespace {
 
-std::array<double, 4> middle(const std::array<double, 4>& a, const std::array<double, 4>& b) {
-  std::array<double, 4> m{};
-  for (std::size_t i = 0; i < 4; ++i) m[i] = (a[i] + b[i]) / 2;
+template <std::size_t corners>
+std::array<double, corners> middle(const std::array<double, corners>& a,
+                                   const std::array<double, corners>& b) {
+  std::array<double, corners> m{};
+  for (std::size_t i = 0; i < corners; ++i) m[i] = (a[i] + b[i]) / 2;
   return m;
 }
 
@@ -20,13 +22,19 @@ SubTetrahedron whole_cell() {
   return whole;
 }
 
-std::array<SubTetrahedron, 8> eight_parts(const SubTetrahedron& w) {
+std::array<SubTetrahedron, 8> equal_parts(const SubTetrahedron& w) {
   const auto m01 = middle(w[0], w[1]), m02 = middle(w[0], w[2]), m03 = middle(w[0], w[3]),
              m12 = middle(w[1], w[2]), m13 = middle(w[1], w[3]), m23 = middle(w[2], w[3]);
   return {SubTetrahedron{w[0], m01, m02, m03}, SubTetrahedron{m01, w[1], m12, m13},
           SubTetrahedron{m02, m12, w[2], m23}, SubTetrahedron{m03, m13, m23, w[3]},
           SubTetrahedron{m02, m13, m01, m03},  SubTetrahedron{m02, m13, m03, m23},
           SubTetrahedron{m02, m13, m23, m12},  SubTetrahedron{m02, m13, m12, m01}};
+}
+
+std::array<SubTriangle, 4> equal_parts(const SubTriangle& w) {
+  const auto m01 = middle(w[0], w[1]), m12 = middle(w[1], w[2]), m20 = middle(w[2], w[0]);
+  return {SubTriangle{w[0], m01, m20}, SubTriangle{m01, w[1], m12}, SubTriangle{m20, m12, w[2]},
+          SubTriangle{m01, m12, m20}};
 }
 
 const std::array<CellPointWeight, 4>& four_point_rule() {

@@ -13,7 +13,24 @@ using SubTetrahedron = std::array<std::array<double, 4>, 4>;
 /// The whole cell.
 SubTetrahedron whole_cell();
 /// Eight parts of equal volume: four at the corners, four around a diagonal of the octahedron between them.
-std::array<SubTetrahedron, 8> eight_parts(const SubTetrahedron& whole);
+std::array<SubTetrahedron, 8> equal_parts(const SubTetrahedron& whole);
+
+/// A triangle inside of a face: the face's barycentric coordinates of its three corners.
+using SubTriangle = std::array<std::array<double, 3>, 3>;
+
+constexpr SubTriangle whole_face = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+/// Four parts of equal area.
+std::array<SubTriangle, 4> equal_parts(const SubTriangle& whole);
+
+/// Coordinates in the whole of a point of a part.
+template <std::size_t corners>
+std::array<double, corners> in_whole(const std::array<double, corners>& barycentric,
+                                     const std::array<std::array<double, corners>, corners>& part) {
+  std::array<double, corners> whole{};
+  for (std::size_t i = 0; i < corners; ++i)
+    for (std::size_t k = 0; k < corners; ++k) whole[k] += barycentric[i] * part[i][k];
+  return whole;
+}
 
 struct CellPointWeight {
   std::array<double, 4> barycentric;

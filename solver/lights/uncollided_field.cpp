@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "solver/lights/cell_light.h"
+#include "solver/lights/extended_light.h"
 #include "solver/lights/face_light.h"
-#include "solver/lights/vertex_light.h"
 
 namespace etendue {
 namespace {
@@ -14,16 +14,19 @@ namespace {
 /// ray that is exact.
 constexpr double thick = 1.5;
 
-void add_cell(const LightPaths& paths, const LightSource& source, const std::optional<VertexLight>& vertices,
-              const LitCell& cell, LightBeams& beams, NodalMoments& moments) {
+void add_cell(const LightPaths& paths, const LightSource& source,
+              const std::optional<ExtendedLight>& extended, const LitCell& cell, LightBeams& beams,
+              NodalMoments& moments) {
   const PointSource* point = source.as_point();
   if (point != nullptr && (cell.thickness > thick || source.is_near(cell.centroid, cell.size)))
     return add_in_polar_frame(paths, *point, cell, moments);
-  if (!vertices || !vertices->add(cell, beams, moments)) add_by_points(source, cell, beams, moments);
+  if (extended) return extended->add(cell, beams, moments);
+  add_by_points(source, cell, beams, moments);
 }
 
-void add_cells(const LightPaths& paths, const LightSource& source, const std::optional<VertexLight>& vertices,
-               int threads, std::vector<double>& fluence, std::vector<double>& net_flux) {
+void add_cells(const LightPaths& paths, const LightSource& source,
+               const std::optional<ExtendedLight>& extended, int threads, std::vector<double>& fluence,
+               std::vector<double>& net_flux) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::size_t bands = paths.bands();
 #pragma omp parallel num_threads(threads)
@@ -34,7 +37,7 @@ void add_cells(const LightPaths& paths, const LightSource& source, const std::op
     for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
       const LitCell cell(paths, CellIndex(c));
       moments.clear();
-      add_cell(paths, source, vertices, cell, beams, moments);
+      add_cell(paths, source, extended, cell, beams, moments);
       for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t b = 0; b < bands; ++b) {
           const std::size_t node = cell.index.at() * 4 + i;
@@ -46,8 +49,8 @@ void add_cells(const LightPaths& paths, const LightSource& source, const std::op
   }
 }
 
-void add_walls(const LightPaths& paths, const LightSource& source, const std::optional<VertexLight>& vertices,
-               int threads, std::vector<double>& irradiance) {
+void add_walls(const LightPaths& paths, const LightSource& source,
+               const std::optional<ExtendedLight>& extended, int threads, std::vector<double>& irradiance) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::size_t bands = paths.bands();
 #pragma omp parallel num_threads(threads)
@@ -58,7 +61,9 @@ void add_walls(const LightPaths& paths, const LightSource& source, const std::op
     for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
       const FaceIndex face(f);
       moments.clear();
-      if (!vertices || !vertices->add(face, beams, moments))
+      if (extended)
+        extended->add(face, beams, moments);
+      else
         add_irradiance(paths, source, face, beams, moments);
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t b = 0; b < bands; ++b)
@@ -77,10 +82,10 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
   field.irradiance.assign(static_cast<std::size_t>(mesh.boundary_face_count()) * 3 * paths.bands(), 0);
   for (const auto& source : sources) {
     std::vector<double>& own = field.by_source.emplace_back(field.fluence.size(), 0);
-    std::optional<VertexLight> vertices;
-    if (source->is_extended()) vertices.emplace(paths, *source, threads);
-    add_cells(paths, *source, vertices, threads, own, field.net_flux);
-    add_walls(paths, *source, vertices, threads, field.irradiance);
+    std::optional<ExtendedLight> extended;
+    if (source->as_extended() != nullptr) extended.emplace(paths, *source->as_extended(), threads);
+    add_cells(paths, *source, extended, threads, own, field.net_flux);
+    add_walls(paths, *source, extended, threads, field.irradiance);
     for (std::size_t i = 0; i < own.size(); ++i) field.fluence[i] += own[i];
   }
   return field;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "mesh/tetrahedra/cell_locator.h"
@@ -85,6 +86,35 @@ TEST(ExtendedSource, BallShinesAsFromItsMiddle) {
   double fluence = 0;
   for (std::size_t i = 0; i < beams.size(); ++i) fluence += beams.fluence(i)[0];
   EXPECT_NEAR(fluence / (4 * pi * std::cbrt(3 * volume / (4 * pi))), 1, 0.01);
+}
+
+// The means of a frame and of its halves lie in its opening.
+TEST(EmitterTree, HasItsPointsInTheLight) {
+  std::vector<EmitterPart> parts;
+  const auto add_square = [&](double x, double y) {
+    const Vec3 a(x, y, 1), b(x + 1, y, 1), c(x + 1, y + 1, 1), d(x, y + 1, 1);
+    parts.push_back({{a, c, b}, {1.0}, {}});
+    parts.push_back({{a, d, c}, {1.0}, {}});
+  };
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 8; ++j)
+      if (i == 0 || j == 0 || i == 7 || j == 7) add_square(i, j);
+  const EmitterTree tree(EmitterShape::triangles, parts);
+  int hollow = 0, whole = 0;
+  const auto in_light = [](const Vec3& p) {
+    return p.minCoeff() > -1e-9 && std::max(p.x(), p.y()) < 8 + 1e-9 &&
+           (std::min(p.x(), p.y()) < 1 + 1e-9 || std::max(p.x(), p.y()) > 7 - 1e-9);
+  };
+  const std::function<void(const EmitterTree::Node&)> look = [&](const EmitterTree::Node& node) {
+    EXPECT_TRUE(in_light(node.middle));
+    for (std::size_t i = 0; i < node.point_count; ++i) EXPECT_TRUE(in_light(node.points[i]));
+    if (node.part >= 0) return;
+    ++(node.hollow ? hollow : whole);
+    for (const int child : node.children) look(tree.node(child));
+  };
+  look(tree.root());
+  EXPECT_GT(hollow, 0);
+  EXPECT_GT(whole, 10);
 }
 
 }  // namespace

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/lights/extended_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/lights/adaptive_points.h"
+#include "solver/lights/simplex_rules.h"
+
+namespace etendue {
+namespace {
+
+std::vector<CellIndex> cells_of_vertices(const TetrahedralMesh& mesh) {
+  std::vector<CellIndex> cells(static_cast<std::size_t>(mesh.vertex_count()), CellIndex(0));
+  for (std::int32_t c = mesh.cell_count() - 1; c >= 0; --c)
+    for (const std::int32_t v : mesh.vertices(CellIndex(c)))
+      cells[static_cast<std::size_t>(v)] = CellIndex(c);
+  return cells;
+}
+
+/// The sum of beams in one band.
+struct BeamSum {
+  double fluence = 0;
+  Vec3 flux = Vec3::Zero();
+  double way = 0;  ///< fluence times length
+
+  BeamSum() = default;
+  BeamSum(const LightBeams& beams, std::size_t band) {
+    for (std::size_t i = 0; i < beams.size(); ++i) add(beams, i, band);
+  }
+  void add(const LightBeams& beams, std::size_t i, std::size_t band) {
+    const double value = beams.fluence(i)[band];
+    fluence += value;
+    flux += value * beams.direction(i);
+    way += value * beams.distance(i);
+  }
+};
+
+/// What arrives of clear light.
+struct Arrived {
+  double fluence;
+  Vec3 flux;
+
+  Arrived(const ClearLight& clear, std::size_t band, const WayLoss& loss)
+      : fluence(clear.fluence[band] * loss.visible *
+                std::exp(-std::max(0.0, loss.extinction) * clear.way[band])),
+        flux(fluence > 0 ? Vec3(fluence * (clear.flux[band] / clear.fluence[band] + loss.turn))
+                         : Vec3::Zero()) {}
+};
+
+/// Cells that are nearer to a surface that shines than this many of their sizes are divided where its light
+/// varies steeply, and up to so many sizes they have a rule of degree 5, as all faces have.
+constexpr double near_in_sizes = 1.5, middling_in_sizes = 4;
+constexpr double tolerance_of_cells = 1e-3, tolerance_of_faces = 1e-4;
+constexpr int divisions_of_cells = 2, divisions_of_faces = 5;
+/// Cells in and near a volume that shines are looked at point by point where they are thicker than this.
+constexpr double thick = 1;
+/// How often a cell or face with a part in the shadow is divided.
+constexpr int divisions_in_shadow = 2;
+
+/// Less than that is nothing, but its logarithm is a number.
+constexpr double least_transmittance = 1e-300;
+/// Specular reflectance above which a mirror counts as one that sends all light back.
+constexpr double nearly_all = 0.95;
+
+const auto& rule_of_degree_two(const SubTetrahedron&) { return four_point_rule(); }
+const auto& rule_of_degree_two(const SubTriangle&) { return three_point_rule(); }
+
+}  // namespace
+
+/// A cell or a face as its light is integrated.
+template <std::size_t corners>
+struct ExtendedLight::Site {
+  using Barycentric = std::array<double, corners>;
+  using Part = std::array<Barycentric, corners>;
+  using Losses = std::array<std::vector<WayLoss>, corners>;
+
+  CellIndex cell;
+  std::array<Vec3, corners> corner;
+  Vec3 centroid;
+  double measure, size;
+  Part whole;
+
+  Vec3 position(const Barycentric& barycentric) const {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < corners; ++i) sum += barycentric[i] * corner[i];
+    return sum;
+  }
+  static WayLoss loss_at(const Losses& losses, const Barycentric& barycentric, std::size_t band) {
+    WayLoss loss;
+    for (std::size_t i = 0; i < corners; ++i) {
+      loss.extinction += barycentric[i] * losses[i][band].extinction;
+      loss.turn += barycentric[i] * losses[i][band].turn;
+    }
+    return loss;
+  }
+};
+
+ExtendedLight::ExtendedLight(const LightPaths& paths, const ExtendedSource& source, int threads)
+    : paths_(paths), source_(source), bands_(paths.bands()) {
+  const TetrahedralMesh& mesh = paths.problem().mesh();
+  const std::vector<CellIndex> cells = cells_of_vertices(mesh);
+  losses_.resize(cells.size() * bands_);
+  seen_.resize(cells.size());
+#pragma omp parallel num_threads(threads)
+  {
+    LightBeams beams(bands_);
+#pragma omp for schedule(dynamic, 64)
+    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+      const auto i = static_cast<std::size_t>(v);
+      seen_[i] =
+          look({cells[i], mesh.point(VertexIndex(v))}, beams, std::span(losses_).subspan(i * bands_, bands_));
+    }
+  }
+}
+
+ExtendedLight::Seen ExtendedLight::look(const PointInCell& here, LightBeams& beams,
+                                        std::span<WayLoss> loss) const {
+  LightBeams clear(bands_);
+  source_.add_beams(here, Sight::clear, coarse_light, clear);
+  beams.clear();
+  source_.add_beams(here, Sight::attenuated, coarse_light, beams);
+  // The same beams in the same order, without those that something stands before.
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < clear.size() && open.size() < beams.size(); ++i)
+    if (clear.direction(i) == beams.direction(open.size())) open.push_back(i);
+  bool any_light = false;
+  for (std::size_t b = 0; b < bands_; ++b) {
+    loss[b] = {};
+    const BeamSum all(clear, b), arrived(beams, b);
+    BeamSum visible;
+    for (const std::size_t i : open) visible.add(clear, i, b);
+    any_light = any_light || all.fluence > 0;
+    if (all.fluence > 0) loss[b].visible = visible.fluence / all.fluence;
+    if (!(visible.fluence > 0)) continue;
+    const double transmittance = std::max(arrived.fluence / visible.fluence, least_transmittance);
+    loss[b].extinction = -std::log(transmittance) / (visible.way / visible.fluence);
+    if (arrived.fluence > 0) loss[b].turn = arrived.flux / arrived.fluence - all.flux / all.fluence;
+  }
+  if (!any_light) return Seen::behind;
+  return open.empty() ? Seen::nothing : open.size() < clear.size() ? Seen::part : Seen::all;
+}
+
+template <std::size_t corners>
+bool ExtendedLight::take_from_vertices(std::span<const std::int32_t> vertices,
+                                       std::array<std::vector<WayLoss>, corners>& losses) const {
+  for (std::size_t i = 0; i < corners; ++i) {
+    const auto v = static_cast<std::size_t>(vertices[i]);
+    if (seen_[v] != Seen::all) return false;
+    const auto first = losses_.begin() + static_cast<std::ptrdiff_t>(v * bands_);
+    losses[i].assign(first, first + static_cast<std::ptrdiff_t>(bands_));
+  }
+  return true;
+}
+
+// The points of the rule have one barycentric coordinate 1 - (n - 1) a and the others a. Those behind the
+// light take the mean of the others.
+template <std::size_t corners>
+bool ExtendedLight::look_inside(const Site<corners>& site, LightBeams& beams,
+                                std::array<std::vector<WayLoss>, corners>& losses) const {
+  const auto& rule = rule_of_degree_two(site.whole);
+  std::array<Seen, corners> seen{};
+  double lit = 0;
+  for (std::size_t i = 0; i < corners; ++i) {
+    losses[i].resize(bands_);
+    seen[i] = look({site.cell, site.position(rule[i].barycentric)}, beams, losses[i]);
+    if (seen[i] == Seen::nothing || seen[i] == Seen::part) return false;
+    lit += seen[i] == Seen::all ? 1 : 0;
+  }
+  constexpr auto count = static_cast<double>(corners);
+  const double a = rule[0].barycentric[1];
+  for (std::size_t b = 0; b < bands_; ++b) {
+    WayLoss mean;
+    for (std::size_t i = 0; i < corners; ++i)
+      if (seen[i] == Seen::all) {
+        mean.extinction += losses[i][b].extinction / lit;
+        mean.turn += losses[i][b].turn / lit;
+      }
+    for (std::size_t i = 0; i < corners; ++i) {
+      WayLoss& own = losses[i][b];
+      if (seen[i] != Seen::all) own = mean;
+      own = {1, mean.extinction + (own.extinction - mean.extinction) / (1 - count * a),
+             mean.turn + (own.turn - mean.turn) / (1 - count * a)};
+    }
+  }
+  return true;
+}
+
+template <std::size_t corners, class Deposit>
+void ExtendedLight::add_lit(const Site<corners>& site,
+                            const std::array<std::vector<WayLoss>, corners>& losses, int divisions,
+                            const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const {
+  ClearLight clear(bands_);
+  const auto add_point = [&](const std::array<double, corners>& barycentric, double measure,
+                             NodalMoments& sum) {
+    const Vec3 place = site.position(barycentric);
+    source_.look_clear(place, std::nullopt, beams, clear);
+    for (std::size_t b = 0; b < bands_; ++b)
+      deposit(place, barycentric, measure, b, Arrived(clear, b, site.loss_at(losses, barycentric, b)), sum);
+  };
+  const bool middling = corners == 3 || source_.is_near(site.centroid, middling_in_sizes * site.size);
+  if (source_.is_volume() || !middling) {
+    for (const auto& point : rule_of_degree_two(site.whole))
+      add_point(point.barycentric, point.weight * site.measure, moments);
+    return;
+  }
+  const bool near = source_.is_near(site.centroid, near_in_sizes * site.size);
+  add_adaptively(site.whole, site.measure, corners == 3 ? tolerance_of_faces : tolerance_of_cells,
+                 near ? divisions : 0, add_point, moments);
+}
+
+template <std::size_t corners, class Deposit>
+void ExtendedLight::add_point_by_point(const Site<corners>& site,
+                                       const std::array<std::array<double, corners>, corners>& part,
+                                       double measure, int divisions, const Deposit& deposit,
+                                       LightBeams& beams, NodalMoments& moments) const {
+  NodalMoments sum = moments;
+  sum.clear();
+  ClearLight clear(bands_);
+  std::vector<WayLoss> loss(bands_);
+  bool any_lit = false, any_shadow = false;
+  for (const auto& point : rule_of_degree_two(part)) {
+    const auto barycentric = in_whole(point.barycentric, part);
+    const Vec3 place = site.position(barycentric);
+    const Seen seen = look({site.cell, place}, beams, loss);
+    any_lit = any_lit || seen == Seen::all || seen == Seen::part;
+    any_shadow = any_shadow || seen == Seen::nothing || seen == Seen::part;
+    source_.look_clear(place, std::nullopt, beams, clear);
+    for (std::size_t b = 0; b < bands_; ++b)
+      deposit(place, barycentric, point.weight * measure, b, Arrived(clear, b, loss[b]), sum);
+  }
+  if (!any_lit || !any_shadow || divisions == 0) return moments.add(sum);
+  const auto parts = equal_parts(part);
+  for (const auto& child : parts)
+    add_point_by_point(site, child, measure / static_cast<double>(parts.size()), divisions - 1, deposit,
+                       beams, moments);
+}
+
+template <std::size_t corners, class Deposit>
+void ExtendedLight::add(const Site<corners>& site, std::span<const std::int32_t> vertices, int divisions,
+                        const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const {
+  std::array<std::vector<WayLoss>, corners> losses;
+  if (take_from_vertices(vertices, losses) || look_inside(site, beams, losses))
+    add_lit(site, losses, divisions, deposit, beams, moments);
+  else
+    add_point_by_point(site, site.whole, site.measure, divisions_in_shadow, deposit, beams, moments);
+}
+
+void ExtendedLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const {
+  const Site<4> site{cell.index, cell.corners, cell.centroid, cell.volume, cell.size, whole_cell()};
+  const auto deposit = [](const Vec3&, const std::array<double, 4>& shape, double measure, std::size_t band,
+                          const Arrived& light, NodalMoments& sum) {
+    sum.add(shape, measure, band, light.fluence);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      sum.add(shape, measure, band, light.flux[static_cast<Eigen::Index>(axis)], 1 + axis);
+  };
+  if (source_.is_volume() && cell.thickness > thick &&
+      source_.is_near(cell.centroid, near_in_sizes * cell.size))
+    return add_point_by_point(site, site.whole, site.measure, 0, deposit, beams, moments);
+  add(site, paths_.problem().mesh().vertices(cell.index), divisions_of_cells, deposit, beams, moments);
+}
+
+// What is not sent back by a mirror travels out of the domain: (1 - r) E = F.n. Where nearly all is sent back
+// that says little, and E = phi / (1 + r) times the mean cosine of clear light before the mirror.
+void ExtendedLight::add(FaceIndex face, LightBeams& beams, NodalMoments& moments) const {
+  const TetrahedralMesh& mesh = paths_.problem().mesh();
+  const double area = mesh.area(face);
+  const Vec3 normal = mesh.area_normal(face) / area;
+  const auto& vertices = mesh.vertices(face);
+  const int plane = paths_.mirrors().of(face);
+  Site<3> site{mesh.owner(face), {}, mesh.centroid(face), area, std::sqrt(2 * area), whole_face};
+  for (std::size_t i = 0; i < 3; ++i) site.corner[i] = mesh.point(VertexIndex(vertices[i]));
+  const std::vector<double>& reflected = paths_.problem().wall(mesh.wall(face)).specular;
+  LightBeams before(bands_);
+  ClearLight clear(bands_);
+  const auto deposit = [&](const Vec3& place, const std::array<double, 3>& shape, double measure,
+                           std::size_t band, const Arrived& light, NodalMoments& sum) {
+    double irradiance = light.flux.dot(normal) / (1 - reflected[band]);
+    if (reflected[band] > nearly_all) {
+      source_.look_clear(place, plane, before, clear);
+      irradiance = clear.fluence[band] > 0 ? light.fluence / (1 + reflected[band]) *
+                                                 clear.flux[band].dot(normal) / clear.fluence[band]
+                                           : 0;
+    }
+    sum.add(shape, measure, band, std::max(0.0, irradiance));
+  };
+  add(site, vertices, divisions_of_faces, deposit, beams, moments);
+}
+
+}  // namespace etendue

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solver/lights/cell_light.h"
+#include "solver/lights/extended_source.h"
+
+namespace etendue {
+
+/// What light with an extent meets on its way to a place. Extinction and turn vary slowly, where fluence does
+/// not.
+struct WayLoss {
+  double visible = 1;        ///< part of the clear fluence that nothing opaque stands before
+  double extinction = 0;     ///< of the visible part, -ln(phi / phi_clear) over its mean length [1/length]
+  Vec3 turn = Vec3::Zero();  ///< by how much the mean direction, net flux over fluence, differs from clear
+};
+
+/// Light of a source with an extent in cells and on walls. What would arrive in empty space needs no rays: it
+/// is integrated as finely as it varies. What media and obstacles leave of it is looked at from the vertices
+/// of the mesh, shared by the cells around them, and taken linear in a cell; near a surface that shines, from
+/// points of the cell itself; and in shadows from each point that is asked.
+class ExtendedLight {
+ public:
+  ExtendedLight(const LightPaths& paths, const ExtendedSource& source, int threads);
+
+  void add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const;
+  void add(FaceIndex face, LightBeams& beams, NodalMoments& moments) const;
+
+ private:
+  /// What a place sees of the light: all, a part, nothing; or it lies behind.
+  enum class Seen : char { all, part, nothing, behind };
+  template <std::size_t corners>
+  struct Site;
+
+  Seen look(const PointInCell& here, LightBeams& beams, std::span<WayLoss> loss) const;
+  /// Losses are [corner][band]. False where a corner does not see all.
+  template <std::size_t corners>
+  bool take_from_vertices(std::span<const std::int32_t> vertices,
+                          std::array<std::vector<WayLoss>, corners>& losses) const;
+  /// False where a point is in the shadow.
+  template <std::size_t corners>
+  bool look_inside(const Site<corners>& site, LightBeams& beams,
+                   std::array<std::vector<WayLoss>, corners>& losses) const;
+  template <std::size_t corners, class Deposit>
+  void add_lit(const Site<corners>& site, const std::array<std::vector<WayLoss>, corners>& losses,
+               int divisions, const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const;
+  template <std::size_t corners, class Deposit>
+  void add_point_by_point(const Site<corners>& site,
+                          const std::array<std::array<double, corners>, corners>& part, double measure,
+                          int divisions, const Deposit& deposit, LightBeams& beams,
+                          NodalMoments& moments) const;
+  template <std::size_t corners, class Deposit>
+  void add(const Site<corners>& site, std::span<const std::int32_t> vertices, int divisions,
+           const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const;
+
+  const LightPaths& paths_;
+  const ExtendedSource& source_;
+  std::size_t bands_;
+  std::vector<WayLoss> losses_;  ///< [vertex][band]
+  std::vector<Seen> seen_;       ///< [vertex]
+};
+
+}  // namespace etendue

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "mesh/base/vec3.h"
+#include "solver/lights/emitter_tree.h"
+#include "solver/lights/solid_angle.h"
+
+namespace etendue {
+
+/// Solid angle of a triangle seen from the origin [sr], positive where its corners stand counterclockwise
+/// (van Oosterom and Strackee 1983, eq. 8).
+double signed_solid_angle(const std::array<Vec3, 3>& corners);
+
+/// A flat piece of any outline that shines evenly from one side. What it brings to a point in empty space
+/// depends on its outline alone.
+class FlatShape {
+ public:
+  struct View {
+    double solid_angle = 0;    ///< [sr]; fluence over radiance
+    Vec3 flux = Vec3::Zero();  ///< net flux over radiance [sr] (Lambert 1760; Arvo 1994, eq. 4)
+    double way = 0;            ///< mean distance over the solid angle [length], by a rule
+  };
+
+  /// Triangles in one plane; those that share a side have it turned round.
+  explicit FlatShape(std::span<const std::array<Vec3, 3>> triangles);
+
+  /// Nothing from behind and from its plane. `points` is room to work in.
+  View from(const Vec3& eye, std::vector<SolidAnglePoint>& points) const;
+  std::size_t side_count() const { return sides_.size(); }
+
+ private:
+  Vec3 normal_;
+  std::vector<std::pair<Vec3, Vec3>> sides_;  ///< counterclockwise about the normal
+};
+
+/// The even shapes that triangles make up, with their radiance [band]; empty where they are more than a few,
+/// or have many sides.
+std::vector<std::pair<FlatShape, std::vector<double>>> flat_shapes(std::span<const EmitterPart> triangles);
+
+}  // namespace etendue

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "mesh/geometry/arrangement.h"
+#include "mesh/tetrahedra/tetrahedralize.h"
+#include "solver/lights/flat_shape.h"
+#include "solver/lights/light_setup.h"
+#include "tests/solver/ordinates/sample_problems.h"
+
+namespace etendue {
+namespace {
+
+using Triangle = std::array<Vec3, 3>;
+
+/// A square with a hole, of radiance 1, that shines along +z.
+std::vector<Triangle> frame() {
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < 4; ++i) {
+    const auto corner = [&](int k, double size) {
+      const double angle = (k + 0.5) * std::numbers::pi / 2;
+      return Vec3(size * std::numbers::sqrt2 * Vec3(std::cos(angle), std::sin(angle), 0));
+    };
+    const Vec3 a = corner(i % 4, 1), b = corner((i + 1) % 4, 1), c = corner((i + 1) % 4, 0.5),
+               d = corner(i % 4, 0.5);
+    triangles.push_back({a, b, c});
+    triangles.push_back({a, c, d});
+  }
+  return triangles;
+}
+
+TEST(FlatShape, ShinesAsItsPartsDo) {
+  const std::vector<Triangle> triangles = frame();
+  const FlatShape shape(triangles);
+  EXPECT_EQ(shape.side_count(), 8u);
+  std::vector<SolidAnglePoint> points;
+  for (const Vec3& eye : {Vec3(0.2, 0.1, 0.4), Vec3(-3, 0.7, 1.1), Vec3(0.75, 0.75, 0.05)}) {
+    double solid_angle = 0, way = 0;
+    Vec3 flux = Vec3::Zero();
+    for (const Triangle& t : triangles) {
+      points.clear();
+      append_points({t[0] - eye, t[1] - eye, t[2] - eye}, 0.05, TriangleRule::seven_points, points);
+      for (const SolidAnglePoint& point : points) {
+        solid_angle += point.weight;
+        flux -= point.weight * point.direction;
+        way += point.weight * eye.z() / -point.direction.z();
+      }
+    }
+    std::vector<SolidAnglePoint> room;
+    const FlatShape::View view = shape.from(eye, room);
+    EXPECT_NEAR(view.solid_angle / solid_angle, 1, 1e-9);
+    EXPECT_NEAR((view.flux - flux).norm(), 0, 1e-9);
+    EXPECT_NEAR(view.way / (way / solid_angle), 1, 0.02);
+  }
+  std::vector<SolidAnglePoint> room;
+  EXPECT_EQ(shape.from({0, 0, -1}, room).solid_angle, 0);
+  EXPECT_EQ(shape.from({5, 0, 0}, room).solid_angle, 0);
+}
+
+/// Part of the light of a lamp in the ceiling of a unit cube that is found again.
+double part_found(double max_volume, double extinction, const std::optional<double>& crate) {
+  Geometry geometry;
+  BoxPrimitive room;
+  room.region = "room";
+  geometry.primitives.emplace_back(room);
+  if (crate) {
+    BoxPrimitive box;
+    box.min = {0.4, 0.4, 0.5 - *crate};
+    box.max = {0.6, 0.6, 0.5};
+    box.hole = true;
+    box.name = "box";
+    geometry.primitives.emplace_back(box);
+  }
+  geometry.patches.push_back({"lamp", {0.3, 0.3, 1}, {0.6, 0.7, 1}, {}});
+  const TetrahedralMesh mesh(tetrahedralize(arrange(geometry), {{max_volume}, 1.4, {}}));
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    walls.push_back(uniform_wall(1, name == "lamp" ? 3 : 0, 0, 0));
+    if (name == "lamp") walls.back().uncollided = Uncollided::yes;
+  }
+  const Problem problem(mesh, {}, {uniform_medium(1, extinction, 0, 0)}, walls);
+  const LightSetup lights(problem);
+  const UncollidedField field = uncollided_field(lights.paths(), lights.sources(), 1);
+  double found = 0;
+  for (std::size_t i = 0; i < field.fluence.size(); ++i)
+    found += extinction * field.fluence[i] * mesh.volumes()[i / 4] / 4;
+  for (std::size_t i = 0; i < field.irradiance.size(); ++i)
+    found += field.irradiance[i] * mesh.area(FaceIndex(static_cast<std::int64_t>(i / 3))) / 3;
+  return found / (3 * std::numbers::pi * 0.3 * 0.4);
+}
+
+TEST(UncollidedField, OfALampInAWallReachesTheOtherWalls) {
+  EXPECT_NEAR(part_found(2e-3, 0, std::nullopt), 1, 1e-6);
+}
+
+TEST(UncollidedField, OfALampInAWallBalancesInAMedium) {
+  for (const double extinction : {0.3, 1.5, 6.0})
+    EXPECT_NEAR(part_found(2e-3, extinction, std::nullopt), 1, 1e-3) << extinction;
+}
+
+TEST(UncollidedField, OfALampInAWallBalancesWithShadows) {
+  for (const double extinction : {0.0, 1.0}) EXPECT_NEAR(part_found(4e-4, extinction, 0.1), 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace etendue
