@@ -8,7 +8,6 @@ namespace {
 
 std::vector<TableDeclaration> make_tables() {
   using enum TableForm;
-  constexpr auto later = Support::later;
   return {
       {.path = "", .help = "Above the first table."},
       {.path = "units", .help = "One consistent system of units; nothing is converted."},
@@ -22,7 +21,10 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "mesh.patch",
        .form = list,
        .help = "An axis-aligned rectangle on the outside that gets a wall name of its own."},
-      {.path = "mesh.sheet", .form = table_or_list, .support = later, .help = "A surface inside the domain."},
+      {.path = "mesh.sheet",
+       .form = list,
+       .help = "An opaque plane sheet inside the domain, with a wall on each side; `corners`, or `min` and "
+               "`max` of a rectangle."},
       {.path = "bands", .help = "The spectral bands, solved side by side."},
       {.path = "media", .help = "Every region has an entry; \"*\" stands for the rest."},
       {.path = "media.NAME", .help = "The matter in the region NAME; an empty entry is a void."},

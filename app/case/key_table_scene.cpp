@@ -126,6 +126,21 @@ std::vector<KeyDeclaration> scene_keys() {
        {.unit = "length", .need = required, .help = "Lowest corner; agrees with `max` in one coordinate."}},
       {"mesh.patch", "max", point, {.unit = "length", .need = required, .help = "Highest corner."}},
 
+      {"mesh.sheet",
+       "corners",
+       points,
+       {.unit = "length",
+        .help = "Corners of a plane polygon in order; its front is where they are seen counterclockwise."}},
+      {"mesh.sheet",
+       "min",
+       point,
+       {.unit = "length",
+        .help = "Instead of corners: lowest corner of a rectangle; agrees with `max` in one coordinate, and "
+                "its front looks along that."}},
+      {"mesh.sheet", "max", point, {.unit = "length", .help = "Highest corner."}},
+      {"mesh.sheet", "front", text, {.need = required, .help = "Wall name of the front."}},
+      {"mesh.sheet", "back", text, {.help = "Wall name of the back; without it that of the front."}},
+
       {"bands", "names", texts, {.default_value = "[\"grey\"]", .help = "One name for each band."}},
       {"bands",
        "edges",

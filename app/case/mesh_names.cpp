@@ -85,6 +85,10 @@ void check_geometry(const Geometry& geometry, NameCheck& regions, NameCheck& wal
       for (const auto& [side, name] : box->walls) walls.used(name, below(below(base.origin, "walls"), side));
   }
   for (const Patch& patch : geometry.patches) walls.used(patch.wall, below(patch.origin, "wall"));
+  for (const Sheet& sheet : geometry.sheets) {
+    walls.used(sheet.front, below(sheet.origin, "front"));
+    walls.used(sheet.back, below(sheet.origin, "back"));
+  }
 }
 
 void check_lights(const std::vector<LightCase>& lights, NameCheck& walls) {
@@ -97,6 +101,7 @@ MeshNames possible_names(const Geometry& geometry) {
   MeshNames names;
   names.walls.insert(sides.begin(), sides.end());
   for (const Patch& patch : geometry.patches) names.walls.insert(patch.wall);
+  for (const Sheet& sheet : geometry.sheets) names.walls.insert({sheet.front, sheet.back});
   for (const Primitive& primitive : geometry.primitives) {
     const PrimitiveBase& base = base_of(primitive);
     const auto* box = std::get_if<BoxPrimitive>(&primitive);
@@ -121,6 +126,9 @@ MeshNames names_of(const SurfaceComplex& surface) {
     names.regions.insert(surface.region_names[static_cast<std::size_t>(seed.region)]);
   for (const SurfaceFacet& facet : surface.facets)
     if (facet.wall >= 0) names.walls.insert(surface.wall_names[static_cast<std::size_t>(facet.wall)]);
+  for (const SurfaceSheet& sheet : surface.sheets)
+    for (const int wall : {sheet.front, sheet.back})
+      names.walls.insert(surface.wall_names[static_cast<std::size_t>(wall)]);
   return names;
 }
 

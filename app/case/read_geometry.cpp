@@ -5,6 +5,7 @@
 #include <array>
 
 #include "app/case/read_mesh.h"
+#include "mesh/geometry/sheet_shape.h"
 
 namespace etendue {
 namespace {
@@ -98,6 +99,36 @@ Patch read_patch(Section& section) {
   return patch;
 }
 
+void read_sheet_corners(Section& section, Sheet& sheet) {
+  if (section.has("corners")) {
+    for (const char* corner : {"min", "max"}) section.unused(corner, "corners says where the sheet is");
+    if (const TomlNode* corners = section.find("corners"))
+      for (const auto& corner : corners->array()) sheet.corners.push_back(to_vec3(*corner));
+  } else if (section.has("min") && section.has("max")) {
+    const auto both = corners(section);
+    if (!both) return;
+    const auto& [min, max] = *both;
+    if ((min.array() == max.array()).count() != 1 || (max.array() < min.array()).any())
+      return section.fault(
+          "max",
+          "not a rectangle with min; use min and max that agree in exactly one coordinate and "
+          "rise in the others");
+    sheet.corners = rectangle_corners(min, max);
+  } else {
+    return section.fault("corners", "missing; use a list of corners, or min and max of a rectangle");
+  }
+  if (const std::string fault = sheet_fault(sheet); !fault.empty()) section.fault("corners", fault);
+}
+
+Sheet read_sheet(Section& section) {
+  Sheet sheet;
+  sheet.origin = section.origin();
+  sheet.front = new_name(section, "front");
+  sheet.back = section.has("back") ? new_name(section, "back") : sheet.front;
+  read_sheet_corners(section, sheet);
+  return sheet;
+}
+
 template <class Reader>
 void read_primitives(Section& mesh, const char* list, Reader reader,
                      std::vector<PlacedPrimitive>& primitives) {
@@ -115,6 +146,7 @@ Geometry read_geometry(Section& mesh) {
   Geometry geometry;
   for (PlacedPrimitive& item : placed) geometry.primitives.push_back(std::move(item.primitive));
   for (Section& section : mesh.list("patch")) geometry.patches.push_back(read_patch(section));
+  for (Section& section : mesh.list("sheet")) geometry.sheets.push_back(read_sheet(section));
   return geometry;
 }
 

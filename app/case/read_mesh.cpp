@@ -79,7 +79,10 @@ void reject_unused(Section& mesh) {
   if (!mesh.has("surface")) mesh.unused("regions", "only a surface takes it");
   if (!mesh.has("file") && !mesh.has("surface"))
     mesh.unused("scale", "it multiplies coordinates read from a file");
-  if (!has_primitives(mesh)) mesh.unused("patch", "patches lie on boxes");
+  if (!has_primitives(mesh)) {
+    mesh.unused("patch", "patches lie on boxes");
+    mesh.unused("sheet", "sheets stand among boxes, spheres and cylinders");
+  }
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ SurfaceComplex arrange(const Geometry& geometry, const Log& log) {
   const bool only_boxes =
       std::all_of(geometry.primitives.begin(), geometry.primitives.end(),
                   [](const Primitive& primitive) { return std::holds_alternative<BoxPrimitive>(primitive); });
-  SurfaceComplex surface = only_boxes ? arrange_boxes(geometry) : arrange_bodies(geometry);
+  SurfaceComplex surface =
+      only_boxes && geometry.sheets.empty() ? arrange_boxes(geometry) : arrange_bodies(geometry);
   if (surface.seeds.empty())
     throw InputError(fault_at(base_of(geometry.primitives.back()).origin, "",
                               "the holes leave no region (there is nothing to mesh)"));

@@ -12,6 +12,7 @@
 #include "mesh/geometry/facet_triangles.h"
 #include "mesh/geometry/plane_arrangement.h"
 #include "mesh/geometry/primitive_checks.h"
+#include "mesh/geometry/sheet_shape.h"
 
 namespace etendue {
 namespace {
@@ -145,9 +146,12 @@ std::vector<int> touching_corners(const ExactFacet& facet, const SidedFacet& own
 }
 
 BodyScene scene_of(const Geometry& geometry, std::vector<std::string>& region_names) {
-  BodyScene scene{geometry, primitive_labels(geometry, region_names), {}, named_rectangles(geometry)};
+  BodyScene scene{geometry, primitive_labels(geometry, region_names), {}, named_rectangles(geometry), {}};
   const SnapPlanes snap = snap_planes(geometry);
   for (const Primitive& primitive : geometry.primitives) scene.bodies.push_back(convex_body(primitive, snap));
+  for (int i = 0; i < static_cast<int>(geometry.sheets.size()); ++i)
+    for (SheetTriangle& triangle : sheet_triangles(geometry.sheets[n(i)], i))
+      scene.sheets.push_back(std::move(triangle));
   return scene;
 }
 
@@ -168,7 +172,7 @@ void add_facet(const ExactFacet& facet, const SidedFacet& own, const Corners& co
                SurfaceComplex& surface) {
   const std::vector<int> lone = touching_corners(facet, own, corners);
   if (is_along_axes(facet.plane)) {
-    SurfaceFacet whole{{}, {}, facet.wall};
+    SurfaceFacet whole{{}, {}, facet.wall, facet.sheet};
     std::set<std::array<int, 2>> written;
     for (const auto& [from, to] : merged(own, corners).edges)
       if (written.insert(sorted(from, to)).second) whole.polygons.push_back({from, to});
@@ -183,7 +187,7 @@ void add_facet(const ExactFacet& facet, const SidedFacet& own, const Corners& co
   for (const std::array<int, 3>& triangle : facet_triangles(own.edges, lone, axis, point)) {
     const int a = corners.merged(triangle[0]), b = corners.merged(triangle[1]),
               c = corners.merged(triangle[2]);
-    if (a != b && b != c && c != a) surface.facets.push_back({{{a, b, c}}, {}, facet.wall});
+    if (a != b && b != c && c != a) surface.facets.push_back({{{a, b, c}}, {}, facet.wall, facet.sheet});
   }
 }
 
@@ -246,6 +250,17 @@ void check_gaps(const Geometry& geometry, const SurfaceComplex& surface) {
   }
 }
 
+/// Names the sides of the sheets, which keep their numbers.
+void add_sheets(const Geometry& geometry, const std::vector<ExactFacet>& facets, WallNames& walls,
+                SurfaceComplex& surface, std::vector<Fault>& faults) {
+  for (int i = 0; i < static_cast<int>(geometry.sheets.size()); ++i) {
+    const Sheet& sheet = geometry.sheets[n(i)];
+    if (std::none_of(facets.begin(), facets.end(), [&](const ExactFacet& facet) { return facet.sheet == i; }))
+      faults.push_back(sheet_is_nowhere(sheet));
+    surface.sheets.push_back({walls.number(sheet.front), walls.number(sheet.back), sheet_normal(sheet)});
+  }
+}
+
 }  // namespace
 
 SurfaceComplex arrange_bodies(const Geometry& geometry) {
@@ -261,6 +276,7 @@ SurfaceComplex arrange_bodies(const Geometry& geometry) {
   std::vector<Fault> faults;
   for (int patch = 0; patch < static_cast<int>(geometry.patches.size()); ++patch)
     if (!used_patches.contains(patch)) faults.push_back(patch_covers_nothing(geometry.patches[n(patch)]));
+  add_sheets(geometry, facets, walls, surface, faults);
   if (!faults.empty()) throw InputError(std::move(faults));
   if (facets.empty()) return surface;
 

@@ -41,6 +41,13 @@ std::vector<FacePlane> face_planes(const BodyScene& scene) {
       same->faces.push_back({b, f});
     }
   }
+  for (const SheetTriangle& triangle : scene.sheets) {
+    const auto holds = [&](const FacePlane& plane) {
+      return std::all_of(triangle.corners.begin(), triangle.corners.end(),
+                         [&](const ExactPoint& corner) { return plane.plane.has_on(corner); });
+    };
+    if (std::none_of(planes.begin(), planes.end(), holds)) planes.push_back(oriented(triangle.plane));
+  }
   return planes;
 }
 

@@ -52,10 +52,19 @@ struct Patch {
   Origin origin;
 };
 
+/// An opaque plane polygon inside the domain. Where it lies on the outside or in a hole it is nothing.
+struct Sheet {
+  std::vector<Vec3> corners;  ///< in order; the front is the side from which they turn counterclockwise
+  std::string front;          ///< wall names of the two sides
+  std::string back;
+  Origin origin;
+};
+
 /// A scene of primitives in the order of the file: where they overlap, the later one counts.
 struct Geometry {
   std::vector<Primitive> primitives;
   std::vector<Patch> patches;
+  std::vector<Sheet> sheets = {};
 };
 
 }  // namespace etendue

@@ -22,6 +22,7 @@ std::size_t n(int i) { return static_cast<std::size_t>(i); }
 struct FacetKey {
   SpaceLabel below, above;
   int wall;
+  int sheet;
   bool operator==(const FacetKey&) const = default;
 };
 
@@ -32,6 +33,7 @@ class PlaneArrangement {
       : plane_(plane), scene_(scene), walls_(walls), used_patches_(used) {
     for (int body = 0; body < static_cast<int>(scene.bodies.size()); ++body)
       contacts_.push_back(contact(body));
+    for (const SheetTriangle& sheet : scene.sheets) sheet_contacts_.push_back(contact(sheet.corners));
     const std::array<ExactNumber, 3> normal{plane.plane.a(), plane.plane.b(), plane.plane.c()};
     const std::size_t a = n(plane.axis);
     if (normal[(a + 1) % 3] != 0 || normal[(a + 2) % 3] != 0) return;
@@ -78,10 +80,15 @@ class PlaneArrangement {
   /// end.
   Contact contact(int body) const {
     if (face_of(body)) return Contact::kFace;
+    return contact(scene_.bodies[n(body)].points);
+  }
+
+  template <class Points>
+  Contact contact(const Points& points) const {
     std::array<int, 3> count{};
-    for (const ExactPoint& point : scene_.bodies[n(body)].points)
-      ++count[n(1 + plane_.plane.oriented_side(point))];
+    for (const ExactPoint& point : points) ++count[n(1 + plane_.plane.oriented_side(point))];
     if (count[0] > 0 && count[2] > 0) return Contact::kCut;
+    if (count[0] == 0 && count[2] == 0) return Contact::kFace;
     return count[1] > 1 ? Contact::kTouch : Contact::kNone;
   }
 
@@ -107,11 +114,24 @@ class PlaneArrangement {
 
   std::optional<FacetKey> key_at(const ExactPoint& point) {
     const SpaceLabel below = label_at(point, -1), above = label_at(point, 1);
-    FacetKey key{std::max(below, kOutside), std::max(above, kOutside), -1};
-    if (key.below == key.above) return std::nullopt;
+    FacetKey key{std::max(below, kOutside), std::max(above, kOutside), -1, -1};
+    if (!is_void(above) && !is_void(below)) key.sheet = sheet_at(point);
+    if (key.below == key.above && key.sheet < 0) return std::nullopt;
     if (is_void(above)) key.wall = wall_at(point, above, 1);
     if (is_void(below)) key.wall = wall_at(point, below, -1);
     return key;
+  }
+
+  /// The last sheet that covers a point of the plane off all edges; -1: none.
+  int sheet_at(const ExactPoint& point) const {
+    const Point2 p = flattened(point);
+    for (std::size_t i = scene_.sheets.size(); i-- > 0;) {
+      if (sheet_contacts_[i] != Contact::kFace) continue;
+      const auto& [a, b, c] = scene_.sheets[i].corners;
+      if (!Exact::Triangle_2(flattened(a), flattened(b), flattened(c)).has_on_unbounded_side(p))
+        return scene_.sheets[i].sheet;
+    }
+    return -1;
   }
 
   int wall_at(const ExactPoint& point, SpaceLabel beyond, int outward) {
@@ -161,12 +181,24 @@ class PlaneArrangement {
     return points;
   }
 
+  bool is_met_by_sheet(const std::vector<ExactPoint>& ring) const {
+    const CGAL::Bbox_3 around = CGAL::bbox_3(ring.begin(), ring.end());
+    for (std::size_t i = 0; i < scene_.sheets.size(); ++i) {
+      const auto& corners = scene_.sheets[i].corners;
+      if (sheet_contacts_[i] != Contact::kNone &&
+          CGAL::do_overlap(around, CGAL::bbox_3(corners.begin(), corners.end())))
+        return true;
+    }
+    return false;
+  }
+
   /// The quick way for most faces of a round body: alone in the plane, unnamed and cut by nothing.
   std::optional<std::vector<ExactFacet>> whole_face() {
     if (plane_.faces.size() != 1 || !named_.empty()) return std::nullopt;
     if (std::count(contacts_.begin(), contacts_.end(), Contact::kTouch) > 0) return std::nullopt;
     const BodyFace& own = plane_.faces.front();
     std::vector<ExactPoint> ring = corners(own);
+    if (is_met_by_sheet(ring)) return std::nullopt;
     for (int body = 0; body < static_cast<int>(scene_.bodies.size()); ++body)
       if (body != own.body && !is_uncut(ring, scene_.bodies[n(body)])) return std::nullopt;
     const ExactPoint middle = CGAL::centroid(ring[0], ring[1], ring[2]);
@@ -174,7 +206,7 @@ class PlaneArrangement {
     if (!key) return std::vector<ExactFacet>{};
     const Exact::Vector_3 turn = CGAL::cross_product(ring[1] - ring[0], ring[2] - ring[0]);
     if (turn[plane_.axis] < 0) std::reverse(ring.begin(), ring.end());
-    ExactFacet facet{plane_.plane, plane_.normal, {}, {}, middle, key->below, key->above, key->wall};
+    ExactFacet facet{plane_.plane, plane_.normal, {}, {}, middle, key->below, key->above, key->wall, -1};
     for (std::size_t i = 0; i < ring.size(); ++i)
       facet.edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
     return std::vector<ExactFacet>{facet};
@@ -198,6 +230,7 @@ class PlaneArrangement {
         touches_.insert(touches_.end(), segments.begin() + static_cast<std::ptrdiff_t>(first),
                         segments.end());
     }
+    add_sheets(segments);
     for (const NamedRectangle* rectangle : named_) {
       const int c = (plane_.axis + 2) % 3;
       Vec3 low_high = rectangle->min, high_low = rectangle->max;
@@ -209,23 +242,48 @@ class PlaneArrangement {
     CGAL::insert(arrangement_, segments.begin(), segments.end());
   }
 
+  /// Outlines of the sheets in this plane; what others have in common with it stays an edge.
+  void add_sheets(std::vector<Exact::Segment_2>& segments) {
+    for (std::size_t i = 0; i < scene_.sheets.size(); ++i) {
+      const auto& corners = scene_.sheets[i].corners;
+      const auto add = [&](const ExactPoint& a, const ExactPoint& b) {
+        segments.emplace_back(flattened(a), flattened(b));
+        if (sheet_contacts_[i] != Contact::kFace) touches_.push_back(segments.back());
+      };
+      if (sheet_contacts_[i] == Contact::kFace)
+        for (std::size_t k = 0; k < 3; ++k) add(corners[k], corners[(k + 1) % 3]);
+      if (sheet_contacts_[i] == Contact::kCut || sheet_contacts_[i] == Contact::kTouch) {
+        const std::vector<ExactPoint> ends = section(corners);
+        if (ends.size() == 2) add(ends[0], ends[1]);
+      }
+    }
+  }
+
+  /// Where the plane meets the rim of a convex polygon.
+  template <class Ring>
+  std::vector<ExactPoint> section(const Ring& ring) const {
+    std::vector<ExactPoint> ends;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const ExactPoint &p = ring[i], &q = ring[(i + 1) % ring.size()];
+      const CGAL::Oriented_side p_side = plane_.plane.oriented_side(p),
+                                q_side = plane_.plane.oriented_side(q);
+      if (p_side == CGAL::ON_ORIENTED_BOUNDARY) {
+        ends.push_back(p);
+      } else if (p_side != q_side && q_side != CGAL::ON_ORIENTED_BOUNDARY) {
+        const auto crossing = CGAL::intersection(plane_.plane, Exact::Segment_3(p, q));
+        ends.push_back(boost::get<ExactPoint>(*crossing));
+      }
+    }
+    return ends;
+  }
+
   /// Where the plane cuts each face of a body there is a segment between two points.
   template <class Add>
   void add_section(const ConvexBody& body, const Add& add) const {
     for (const std::vector<int>& face : body.faces) {
-      std::vector<ExactPoint> ends;
-      for (std::size_t i = 0; i < face.size(); ++i) {
-        const ExactPoint& p = body.points[n(face[i])];
-        const ExactPoint& q = body.points[n(face[(i + 1) % face.size()])];
-        const CGAL::Oriented_side p_side = plane_.plane.oriented_side(p),
-                                  q_side = plane_.plane.oriented_side(q);
-        if (p_side == CGAL::ON_ORIENTED_BOUNDARY) {
-          ends.push_back(p);
-        } else if (p_side != q_side && q_side != CGAL::ON_ORIENTED_BOUNDARY) {
-          const auto crossing = CGAL::intersection(plane_.plane, Exact::Segment_3(p, q));
-          ends.push_back(boost::get<ExactPoint>(*crossing));
-        }
-      }
+      std::vector<ExactPoint> ring;
+      for (const int point : face) ring.push_back(body.points[n(point)]);
+      const std::vector<ExactPoint> ends = section(ring);
       if (ends.size() == 2) add(ends[0], ends[1]);
     }
   }
@@ -285,8 +343,8 @@ class PlaneArrangement {
 
   ExactFacet facet(FaceHandle face) {
     const FacetKey& key = keys_[n(face->data())];
-    ExactFacet result{plane_.plane,         plane_.normal, {},        openings(face),
-                      lifted(inside(face)), key.below,     key.above, key.wall};
+    ExactFacet result{plane_.plane, plane_.normal, {},       openings(face), lifted(inside(face)),
+                      key.below,    key.above,     key.wall, key.sheet};
     const auto add_ring = [&](Arrangement::Ccb_halfedge_circulator start) {
       std::vector<Point2> ring;
       auto edge = start;
@@ -331,6 +389,7 @@ class PlaneArrangement {
   std::set<int>& used_patches_;
   std::vector<const NamedRectangle*> named_;  ///< in this plane
   std::vector<Contact> contacts_;             ///< [body]
+  std::vector<Contact> sheet_contacts_;       ///< [triangle of a sheet]
   std::vector<Exact::Segment_2> touches_;
   std::vector<FacetKey> keys_;
   Arrangement arrangement_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/geometry/convex_body.h"
+#include "mesh/geometry/sheet_triangles.h"
 #include "mesh/geometry/wall_naming.h"
 
 namespace etendue {
@@ -17,6 +18,7 @@ struct BodyScene {
   std::vector<SpaceLabel> labels;     ///< [primitive]
   std::vector<ConvexBody> bodies;     ///< [primitive]
   std::vector<NamedRectangle> named;  ///< those that count more later
+  std::vector<SheetTriangle> sheets;  ///< those that count more later
 };
 
 /// A face of a body.
@@ -44,7 +46,8 @@ struct ExactFacet {
   std::vector<ExactPoint> openings;
   ExactPoint inside;
   SpaceLabel below, above;  ///< region or kOutside on the two sides; above is where the normal points
-  int wall;                 ///< -1: an interface
+  int wall;                 ///< -1: an interface, or a sheet
+  int sheet;                ///< index into the geometry's; -1: none
 };
 
 /// The facets in one plane: where the labels on its two sides differ. Corners stand only where the facets

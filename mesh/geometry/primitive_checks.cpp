@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "mesh/geometry/sheet_shape.h"
+
 namespace etendue {
 namespace {
 
@@ -105,6 +107,11 @@ void check_primitives(const Geometry& geometry) {
     const std::string problem = patch_fault(patch);
     if (!problem.empty())
       faults.push_back(fault_at(patch.origin, extent_text(patch.min, patch.max), problem));
+  }
+  for (const Sheet& sheet : geometry.sheets) {
+    const std::string problem =
+        sheet.front.empty() || sheet.back.empty() ? "needs names for both sides" : sheet_fault(sheet);
+    if (!problem.empty()) faults.push_back(fault_at(sheet.origin, "", problem));
   }
   if (faults.empty() && !any_region) {
     const Origin origin =

@@ -106,6 +106,7 @@ class BoundaryCheck {
     const Vec3 middle = (a + b + c) / 3;
     for (const std::int32_t other : grid_.candidates(middle)) {
       if (other == face || !triangle(other).touches(middle, tolerance_)) continue;
+      if (faces_.vertices[at(other)] == faces_.vertices[at(face)]) continue;  // the two sides of a sheet
       faults_.add_face(raw_points(face), {raw_owner(face), raw_owner(other)},
                        "the boundary faces of two cells cover each other (the mesh does not conform)",
                        "cells must share whole faces");

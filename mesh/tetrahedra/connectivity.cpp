@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/tetrahedra/mesh_faults.h"
+#include "mesh/tetrahedra/sheet_faces.h"
 
 namespace etendue {
 namespace {
@@ -70,13 +71,14 @@ void check_sharing(std::span<const FaceSide> sharing, const SortedCells& cells,
 std::vector<std::int32_t> match_sides(const SortedCells& cells, const MeshNumbering& numbering,
                                       const RawMesh& raw) {
   const std::vector<FaceSide> sides = sorted_sides(cells);
+  const std::vector<std::array<std::int32_t, 3>> sheets = sheet_faces(numbering, raw);
   std::vector<std::int32_t> other(sides.size(), -1);
   MeshFaults faults(raw);
   for (auto first = sides.begin(); first != sides.end();) {
     const auto last =
         std::find_if(first, sides.end(), [&](const FaceSide& s) { return s.vertices != first->vertices; });
     check_sharing({first, last}, cells, numbering, faults);
-    if (last - first == 2) {
+    if (last - first == 2 && !std::binary_search(sheets.begin(), sheets.end(), first->vertices)) {
       other[at(first[0].slot)] = first[1].slot;
       other[at(first[1].slot)] = first[0].slot;
     }

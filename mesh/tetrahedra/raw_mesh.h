@@ -15,7 +15,7 @@ struct RawMesh {
   std::vector<Vec3> points;
   std::vector<std::array<int, 4>> cells;      ///< indices of points
   std::vector<int> cell_regions;              ///< [cell] index into region_names
-  std::vector<std::array<int, 3>> triangles;  ///< boundary triangles that have a name; others may be missing
+  std::vector<std::array<int, 3>> triangles;  ///< boundary triangles that have a name, and sheet_faces.h's
   std::vector<int> triangle_walls;            ///< [triangle] index into wall_names
   std::vector<std::string> region_names;
   std::vector<std::string> wall_names;

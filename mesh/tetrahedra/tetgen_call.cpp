@@ -44,15 +44,21 @@ void set_facet(tetgenio::facet& to, const SurfaceFacet& from) {
   if (!from.openings.empty()) to.holelist = copied(from.openings);
 }
 
-/// Markers: wall + 1, then one more for interfaces. TetGen keeps the edge between facets that differ in it.
+/// Markers: wall + 1, then the sheets, then one more for interfaces. TetGen keeps the edge between facets
+/// that differ in it.
+int marker_of(const SurfaceFacet& facet, const SurfaceComplex& surface) {
+  const int walls = static_cast<int>(surface.wall_names.size());
+  if (facet.sheet >= 0) return walls + facet.sheet + 1;
+  return facet.wall >= 0 ? facet.wall + 1 : walls + static_cast<int>(surface.sheets.size()) + 1;
+}
+
 void set_facets(tetgenio& in, const SurfaceComplex& surface) {
   in.numberoffacets = static_cast<int>(surface.facets.size());
   in.facetlist = new tetgenio::facet[surface.facets.size()];
   in.facetmarkerlist = new int[surface.facets.size()];
-  const int interface_marker = static_cast<int>(surface.wall_names.size()) + 1;
   for (std::size_t f = 0; f < surface.facets.size(); ++f) {
     set_facet(in.facetlist[f], surface.facets[f]);
-    in.facetmarkerlist[f] = surface.facets[f].wall < 0 ? interface_marker : surface.facets[f].wall + 1;
+    in.facetmarkerlist[f] = marker_of(surface.facets[f], surface);
   }
 }
 
@@ -81,10 +87,15 @@ void write_mesh_of(const tetgenio& out, const SurfaceComplex& surface, std::FILE
     const double attribute = out.tetrahedronattributelist[c * stride + stride - 1];
     if (attribute >= 1 && attribute <= last_region + 1) regions[c] = static_cast<std::int32_t>(attribute) - 1;
   }
-  std::vector<std::int32_t> walls(triangle_count, -1);
+  std::vector<std::int32_t> walls(triangle_count, -1), sheets(triangle_count, -1);
+  const auto wall_count = static_cast<int>(surface.wall_names.size());
+  const auto sheet_count = static_cast<int>(surface.sheets.size());
   for (std::size_t t = 0; t < triangle_count && out.trifacemarkerlist; ++t) {
     const int marker = out.trifacemarkerlist[t];
-    if (marker >= 1 && marker <= static_cast<int>(surface.wall_names.size())) walls[t] = marker - 1;
+    if (marker >= 1 && marker <= wall_count)
+      walls[t] = marker - 1;
+    else if (marker > wall_count && marker <= wall_count + sheet_count)
+      sheets[t] = marker - wall_count - 1;
   }
   write_array(file, std::vector<double>(out.pointlist, out.pointlist + 3 * out.numberofpoints));
   write_array(
@@ -92,6 +103,7 @@ void write_mesh_of(const tetgenio& out, const SurfaceComplex& surface, std::FILE
   write_array(file, regions);
   write_array(file, std::vector<std::int32_t>(out.trifacelist, out.trifacelist + 3 * out.numberoftrifaces));
   write_array(file, walls);
+  write_array(file, sheets);
 }
 
 /// Runs in the child process.
@@ -133,6 +145,7 @@ TetGenMesh mesh_from(std::string_view bytes) {
   mesh.regions = take_array<std::int32_t>(bytes);
   mesh.triangles = take_array<std::int32_t>(bytes);
   mesh.walls = take_array<std::int32_t>(bytes);
+  mesh.sheets = take_array<std::int32_t>(bytes);
   return mesh;
 }
 

@@ -17,7 +17,8 @@ struct TetGenMesh {
   std::vector<std::int32_t> cells;      ///< [cell][4] points
   std::vector<std::int32_t> regions;    ///< [cell]
   std::vector<std::int32_t> triangles;  ///< [triangle][3] points
-  std::vector<std::int32_t> walls;      ///< [triangle]
+  std::vector<std::int32_t> walls;      ///< [triangle] -1: none
+  std::vector<std::int32_t> sheets;     ///< [triangle] -1: none
 };
 
 /// The codes that TetGen gives up with (Si 2015, and tetgen.h, terminatetetgen).

@@ -150,6 +150,17 @@ void check_regions(const RawMesh& mesh, const SurfaceComplex& surface, const Ori
                                     "point inside a part of its own"));
 }
 
+/// A triangle for each side of a sheet, seen from there clockwise: out of the cell on that side.
+void add_sheet(const std::array<int, 3>& v, const SurfaceSheet& sheet, RawMesh& mesh) {
+  const Vec3& p = mesh.points[at(v[0])];
+  const Vec3 turn = (mesh.points[at(v[1])] - p).cross(mesh.points[at(v[2])] - p);
+  const bool is_front = turn.dot(sheet.normal) > 0;
+  mesh.triangles.push_back(v);
+  mesh.triangle_walls.push_back(is_front ? sheet.back : sheet.front);
+  mesh.triangles.push_back({v[0], v[2], v[1]});
+  mesh.triangle_walls.push_back(is_front ? sheet.front : sheet.back);
+}
+
 RawMesh raw_mesh_of(const TetGenMesh& from, const SurfaceComplex& surface) {
   RawMesh mesh;
   mesh.region_names = surface.region_names;
@@ -160,8 +171,11 @@ RawMesh raw_mesh_of(const TetGenMesh& from, const SurfaceComplex& surface) {
     mesh.cells.push_back({from.cells[i], from.cells[i + 1], from.cells[i + 2], from.cells[i + 3]});
   mesh.cell_regions = from.regions;
   for (std::size_t t = 0; t < from.walls.size(); ++t) {
-    if (from.walls[t] < 0) continue;  // an interface
-    mesh.triangles.push_back({from.triangles[3 * t], from.triangles[3 * t + 1], from.triangles[3 * t + 2]});
+    const std::array<int, 3> v = {from.triangles[3 * t], from.triangles[3 * t + 1],
+                                  from.triangles[3 * t + 2]};
+    if (from.sheets[t] >= 0) add_sheet(v, surface.sheets[at(from.sheets[t])], mesh);
+    if (from.walls[t] < 0) continue;  // an interface, or a sheet
+    mesh.triangles.push_back(v);
     mesh.triangle_walls.push_back(from.walls[t]);
   }
   return mesh;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mesh/tetrahedra/mesh_faults.h"
+#include "mesh/tetrahedra/sheet_faces.h"
 
 namespace etendue {
 namespace {
@@ -17,30 +18,27 @@ std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 /// Finds faces by their vertices.
 class FaceLookup {
  public:
-  explicit FaceLookup(const MeshFaces& faces) {
+  explicit FaceLookup(const MeshFaces& faces) : orientation_(faces.orientation) {
     for (std::size_t f = 0; f < faces.vertices.size(); ++f)
       faces_.emplace_back(faces.vertices[f], static_cast<std::int32_t>(f));
     std::sort(faces_.begin(), faces_.end());
   }
 
-  /// -1 where there is none.
+  /// -1 where there is none. Of the two faces of a sheet the one whose normal the triangle has.
   std::int32_t find(std::array<std::int32_t, 3> vertices) const {
+    const int turn = turn_of(vertices);
     std::sort(vertices.begin(), vertices.end());
     const auto found = std::lower_bound(faces_.begin(), faces_.end(), std::make_pair(vertices, kUnnamed));
-    return found != faces_.end() && found->first == vertices ? found->second : -1;
+    if (found == faces_.end() || found->first != vertices) return -1;
+    const auto twin = found + 1;
+    const bool is_sheet = twin != faces_.end() && twin->first == vertices;
+    return is_sheet && orientation_[at(found->second)] != turn ? twin->second : found->second;
   }
 
  private:
+  const std::vector<std::int8_t>& orientation_;
   std::vector<std::pair<std::array<std::int32_t, 3>, std::int32_t>> faces_;
 };
-
-/// [raw point] vertex, or -1 where no cell uses the point.
-std::vector<std::int32_t> vertex_of_point(const MeshNumbering& numbering, const RawMesh& raw) {
-  std::vector<std::int32_t> vertex(raw.points.size(), -1);
-  for (std::size_t v = 0; v < numbering.vertices.size(); ++v)
-    vertex[at(numbering.vertices[v])] = static_cast<std::int32_t>(v);
-  return vertex;
-}
 
 /// [boundary face] wall of its triangle, or kUnnamed.
 std::vector<std::int32_t> walls_of_triangles(const MeshFaces& faces, const MeshNumbering& numbering,

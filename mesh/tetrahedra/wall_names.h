@@ -19,9 +19,9 @@ struct NamedParts {
 NamedParts used_names(std::vector<std::int32_t> parts, const std::vector<std::string>& names);
 
 /// The wall of each boundary face from the named triangles of the raw mesh. Triangles between two cells are
-/// interfaces and count for nothing. Throws InputError where a triangle is no face of the mesh, where a
-/// face has two names, or where some boundary faces have a name and others none. Where none has, all are
-/// "boundary".
+/// interfaces and count for nothing, those of sheets name their own side. Throws InputError where a triangle
+/// is no face of the mesh, where a face has two names, or where some boundary faces have a name and others
+/// none. Where none has, all are "boundary".
 NamedParts name_walls(const MeshFaces& faces, const MeshNumbering& numbering, const RawMesh& raw);
 
 }  // namespace etendue

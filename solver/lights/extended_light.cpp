@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/lights/adaptive_points.h"
 #include "solver/lights/simplex_rules.h"
 
@@ -112,6 +113,8 @@ ExtendedLight::ExtendedLight(const LightPaths& paths, const ExtendedSource& sour
           look({cells[i], mesh.point(VertexIndex(v))}, beams, std::span(losses_).subspan(i * bands_, bands_));
     }
   }
+  // What a vertex of a sheet sees depends on the side, so the cells around it do not share it.
+  for (const std::int32_t v : vertices_of_sheets(mesh)) seen_[static_cast<std::size_t>(v)] = Seen::part;
 }
 
 ExtendedLight::Seen ExtendedLight::look(const PointInCell& here, LightBeams& beams,

@@ -7,12 +7,16 @@
 #include <limits>
 #include <stdexcept>
 
+#include <Eigen/Geometry>
+
 namespace etendue {
 namespace {
 
-// The part of the way between two points that is looked at: what single precision moves at its ends must not
-// stand in it.
+// The part of the way between two points that is not looked at, at either end: what single precision moves
+// there must not stand in it, nor the other side of the sheet that a way begins on.
 constexpr double end_of_way = 1e-4;
+// The same for rays that go on, relative to the size of the scene.
+constexpr double begin_of_ray = 1e-6;
 
 /// A hit counts where the ray comes from the front. Rays are asked for one by one.
 void keep_fronts(const RTCFilterFunctionNArguments* arguments) {
@@ -42,6 +46,7 @@ RTCRay ray_from(const Vec3& from, const Vec3& direction, double begin, double en
 struct RayScene::Embree {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  double begin = 0;  ///< of rays [length]
 
   explicit Embree(int threads) : device(rtcNewDevice(fmt::format("threads={}", threads).c_str())) {
     if (device == nullptr) throw std::runtime_error("rays: Embree does not start on this machine");
@@ -60,6 +65,10 @@ struct RayScene::Embree {
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * triangles.size()));
     auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), triangles.size()));
+    Eigen::AlignedBox3d box;
+    for (const TriangleCorners& triangle : triangles)
+      for (const Vec3& corner : triangle) box.extend(corner);
+    begin = triangles.empty() ? 0 : begin_of_ray * box.diagonal().norm();
     for (std::size_t t = 0; t < triangles.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t x = 0; x < 3; ++x)
@@ -87,7 +96,7 @@ RayScene::~RayScene() = default;
 
 std::optional<SceneHit> RayScene::first_hit(const Vec3& from, const Vec3& direction) const {
   RTCRayHit found{};
-  found.ray = ray_from(from, direction, 0, std::numeric_limits<float>::infinity());
+  found.ray = ray_from(from, direction, embree_->begin, std::numeric_limits<float>::infinity());
   found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -97,7 +106,7 @@ std::optional<SceneHit> RayScene::first_hit(const Vec3& from, const Vec3& direct
 }
 
 bool RayScene::is_blocked(const Vec3& from, const Vec3& to) const {
-  RTCRay ray = ray_from(from, to - from, 0, 1 - end_of_way);
+  RTCRay ray = ray_from(from, to - from, end_of_way, 1 - end_of_way);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded1(embree_->scene, &context, &ray);

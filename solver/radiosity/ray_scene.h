@@ -16,7 +16,8 @@ struct SceneHit {
 };
 
 /// Triangles for rays (Embree, in single precision: a point of a hit is off by about 1e-7 of the scene's
-/// size). A ray meets fronts only, so one that starts on a wall does not meet that wall again.
+/// size). A ray meets fronts only, so one that starts on a wall does not meet that wall again; nor does it
+/// meet the other side of a sheet that it starts on.
 class RayScene {
  public:
   explicit RayScene(const std::vector<TriangleCorners>& triangles, int threads = 1);

@@ -105,8 +105,17 @@ const Check checks[] = {
      "slab.toml:5: mesh.regions: unused (only a surface takes it); remove it"},
     {"RegionPointIsANumber", "[mesh]\nsurface = \"a.stl\"\nregions = { air = 3 }\n",
      "slab.toml:5: mesh.regions.air = 3: must not be an integer; use a table of points [x, y, z]"},
-    {"Sheet", "[mesh]\nfile = \"a.msh\"\n[mesh.sheet]\nwall = \"a\"\n",
-     "slab.toml:5: mesh.sheet: not in this version; remove it"},
+    {"SheetWithAFile",
+     "[mesh]\nfile = \"a.msh\"\n[[mesh.sheet]]\nfront = \"a\"\nmin = [0, 0, 0]\nmax = [1, 1, 0]\n",
+     "slab.toml:5: mesh.sheet: unused (sheets stand among boxes, spheres and cylinders); remove it"},
+    {"SheetWithoutPlace",
+     "[[mesh.box]]\nregion = \"air\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n[[mesh.sheet]]\nfront = \"a\"\n",
+     "slab.toml:7: mesh.sheet[0].corners: missing; use a list of corners, or min and max of a rectangle"},
+    {"SheetThatIsNotFlat",
+     "[[mesh.box]]\nregion = \"air\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n[[mesh.sheet]]\nfront = "
+     "\"a\"\ncorners = [[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1, 0]]\n",
+     "slab.toml:9: mesh.sheet[0].corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1, 0]]: is not flat ([1, "
+     "0, 0] lies beside the plane); use several sheets"},
     {"FileIsANumber", "[mesh]\nfile = 3\n", "slab.toml:4: mesh.file = 3: must not be an integer; use text"},
 };
 

@@ -28,6 +28,19 @@ TEST(RayScene, WhatStandsBetweenTwoPointsBlocks) {
   EXPECT_FALSE(scene.is_blocked(Vec3::Zero(), Vec3(5, 0, 2)));
 }
 
+TEST(RayScene, TheOtherSideOfASheetIsNotMetAtOnce) {
+  std::vector<TriangleCorners> both = lid;
+  const std::vector<TriangleCorners> other = turned(lid);
+  both.insert(both.end(), other.begin(), other.end());
+  const RayScene scene(both);
+  const Vec3 on(0.1, -0.1, 1);
+  EXPECT_FALSE(scene.first_hit(on, Vec3::UnitZ()).has_value());
+  EXPECT_FALSE(scene.first_hit(on, -Vec3::UnitZ()).has_value());
+  EXPECT_FALSE(scene.is_blocked(on, Vec3(0, 0, 3)));
+  EXPECT_FALSE(scene.is_blocked(Vec3(0, 0, -3), on));
+  EXPECT_TRUE(scene.is_blocked(Vec3(0, 0, -3), Vec3(0, 0, 3)));
+}
+
 // From inside of a closed surface every ray meets it.
 TEST(RayFactors, ClosedSurfacesLoseNoRays) {
   const std::vector<TriangleCorners> sphere = turned(sphere_triangles(1, 6));

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Opaque sheets inside the domain, by all three methods.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "mesh/geometry/arrangement.h"
+#include "mesh/geometry/sheet_shape.h"
+#include "mesh/tetrahedra/tetrahedralize.h"
+#include "solver/measure/balance.h"
+#include "solver/photons/solve_photons.h"
+#include "solver/radiosity/solve_radiosity.h"
+#include "solver/split/solve_split.h"
+#include "tests/solver/ordinates/sample_problems.h"
+
+namespace etendue {
+namespace {
+
+using std::numbers::pi;
+
+/// The unit cube with one horizontal sheet of walls "top" and "under".
+TetrahedralMesh room_with_sheet(const Vec3& min, const Vec3& max, double max_volume) {
+  Geometry geometry;
+  BoxPrimitive room;
+  room.region = "air";
+  room.walls = {{"zmin", "floor"}};
+  geometry.primitives.emplace_back(room);
+  geometry.sheets.push_back({rectangle_corners(min, max), "top", "under", {}});
+  return TetrahedralMesh(tetrahedralize(arrange(geometry), {{max_volume}, 1.4, {}}));
+}
+
+struct Surface {
+  double radiance = 0, diffuse = 0;
+};
+
+/// Walls by name, the others black and cold.
+Problem room(const TetrahedralMesh& mesh, const Medium& medium, const std::map<std::string, Surface>& named,
+             std::vector<Light> lights = {}) {
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    const auto found = named.find(name);
+    const Surface surface = found == named.end() ? Surface{} : found->second;
+    walls.push_back(uniform_wall(1, surface.radiance, surface.diffuse, 0));
+    walls.back().name = name;
+  }
+  return Problem(mesh, {}, std::vector<Medium>(mesh.region_names().size(), medium), walls,
+                 AngularSpace::sphere, std::move(lights));
+}
+
+Solution by_ordinates(const Problem& problem) {
+  return solve_split(LightSetup(problem), directions_ldfe_sq(1), tight_options());
+}
+
+Solution by_radiosity(const Problem& problem) {
+  RadiosityOptions options;
+  options.limits = {1e-10, 2000};
+  return RadiosityRoom(problem, options).solve();
+}
+
+WallPower power_on(const Problem& problem, const Solution& solution, const std::string& wall) {
+  const auto& names = problem.mesh().wall_names();
+  const auto place = std::find(names.begin(), names.end(), wall) - names.begin();
+  return wall_powers(problem, solution)[static_cast<std::size_t>(place)][0];
+}
+
+/// By photons; `derived` holds what arrives at each wall.
+PhotonSolution by_photons(const Problem& problem, double photons) {
+  const CellLocator locator(problem.mesh());
+  PhotonOptions options;
+  options.photons = photons;
+  options.threads = 2;
+  return solve_photons(problem, locator, options, {}, [&](const Solution& batch) {
+    std::vector<double> incoming;
+    for (const std::string& wall : problem.mesh().wall_names())
+      incoming.push_back(power_on(problem, batch, wall).incoming);
+    return incoming;
+  });
+}
+
+/// Largest fluence in cells on one side of the plane z = 0.5.
+double largest_fluence(const TetrahedralMesh& mesh, const Solution& solution, bool above) {
+  double largest = 0;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
+    for (std::size_t i = 0; i < 4; ++i)
+      if ((mesh.centroid(CellIndex(c)).z() > 0.5) == above)
+        largest = std::max(largest, std::abs(solution.fluence[4 * CellIndex(c).at() + i]));
+  return largest;
+}
+
+const Medium haze = uniform_medium(1, 0.3, 1, 0);
+const Medium nothing = uniform_medium(1, 0, 0, 0);
+const TetrahedralMesh& divided() {
+  static const TetrahedralMesh mesh = room_with_sheet({0, 0, 0.5}, {1, 1, 0.5}, 0.03);
+  return mesh;
+}
+const TetrahedralMesh& with_table() {
+  static const TetrahedralMesh mesh = room_with_sheet({0.25, 0.25, 0.5}, {0.75, 0.75, 0.5}, 0.01);
+  return mesh;
+}
+
+TEST(SheetLight, WhatIsBehindAWallToWallSheetStaysDark) {
+  const TetrahedralMesh& mesh = divided();
+  const Problem problem = room(mesh, haze, {{"floor", {1, 0.5}}, {"under", {0, 0.5}}});
+  const Problem clear = room(mesh, nothing, {{"floor", {1, 0.5}}, {"under", {0, 0.5}}});
+  for (const Solution& solution :
+       {by_ordinates(problem), by_photons(problem, 500).solution, by_radiosity(clear)}) {
+    EXPECT_EQ(largest_fluence(mesh, solution, true), 0);
+    EXPECT_GT(largest_fluence(mesh, solution, false), 1);
+  }
+}
+
+// Everything at one temperature: u = 2 everywhere, whatever the sides of the sheet reflect.
+TEST(SheetLight, FurnaceDoesNotSeeTheSheet) {
+  const double u = 2;
+  const auto wall = [&](double diffuse) { return Surface{(1 - diffuse) * u, diffuse}; };
+  std::map<std::string, Surface> walls{{"top", wall(0.8)}, {"under", wall(0.1)}, {"floor", wall(0.5)}};
+  for (const char* side : {"xmin", "xmax", "ymin", "ymax", "zmax"}) walls[side] = wall(0.3);
+  const Problem hazy = room(with_table(), uniform_medium(1, 0.7, 1.3, 0.7 * u), walls);
+  const Solution found = solve(hazy, directions_ldfe_sq(1), tight_options());
+  EXPECT_LT(largest_deviation(found.fluence, 4 * pi * u), 1e-8);
+  const Problem clear = room(with_table(), nothing, walls);
+  EXPECT_LT(largest_deviation(by_radiosity(clear).irradiance, pi * u), 1e-8);
+}
+
+TEST(SheetLight, EachSideHasItsOwnReflectance) {
+  const Problem problem =
+      room(with_table(), haze, {{"floor", {1, 0}}, {"top", {0, 0.25}}, {"under", {0, 0.75}}});
+  const Solution solution = by_ordinates(problem);
+  for (const auto& [wall, diffuse] : {std::pair{"top", 0.25}, {"under", 0.75}}) {
+    const WallPower power = power_on(problem, solution, wall);
+    EXPECT_NEAR(power.area, 0.25, 1e-12);
+    EXPECT_NEAR(power.outgoing, diffuse * power.incoming, 1e-9);
+  }
+  EXPECT_NEAR(balances(problem, solution)[0].residual, 0, 1e-8);
+}
+
+TEST(SheetLight, MethodsAgreeOnBothSides) {
+  const std::map<std::string, Surface> walls{
+      {"floor", {1, 0.3}}, {"top", {0, 0.25}}, {"under", {0, 0.75}}, {"zmax", {0, 0.5}}};
+  const Problem clear = room(with_table(), nothing, walls), hazy = room(with_table(), haze, walls);
+  const PhotonSolution clear_photons = by_photons(clear, 50000), hazy_photons = by_photons(hazy, 50000);
+  const Solution radiosity = by_radiosity(clear);
+  const Solution ordinates = solve(hazy, directions_ldfe_sq(2), tight_options());
+  EXPECT_NEAR(balances(clear, radiosity)[0].residual, 0, 1e-8);
+  for (std::size_t w = 0; w < with_table().wall_names().size(); ++w) {
+    const std::string& wall = with_table().wall_names()[w];
+    // Patches and cells are a fifth of the room wide.
+    const double lit = clear_photons.sums.derived.mean(w), dim = hazy_photons.sums.derived.mean(w);
+    EXPECT_NEAR(power_on(clear, radiosity, wall).incoming, lit,
+                3 * clear_photons.sums.derived.error(w) + 0.02 * lit)
+        << wall;
+    EXPECT_NEAR(power_on(hazy, ordinates, wall).incoming, dim,
+                3 * hazy_photons.sums.derived.error(w) + 0.02 * dim)
+        << wall;
+  }
+}
+
+/// A lamp above the table: what the table hides of the floor is known.
+TEST(SheetLight, ALampsShadowIsExact) {
+  PointLight point;
+  point.position = {0.5, 0.5, 0.75};
+  point.power = {4 * pi};
+  const Problem problem = room(with_table(), nothing, {}, {{"lamp", point, {}}});
+  const Solution solution = by_ordinates(problem);
+  EXPECT_EQ(power_on(problem, solution, "under").incoming, 0);
+  // The solid angle of a square of half side a at distance h (Khadjavi 1968).
+  const auto solid_angle = [](double a, double h) { return 4 * std::asin(a * a / (a * a + h * h)); };
+  EXPECT_NEAR(power_on(problem, solution, "top").incoming, solid_angle(0.25, 0.25), 2e-3);
+  // The shadow of the table is three times as wide, so that it hides more than the floor.
+  EXPECT_EQ(power_on(problem, solution, "floor").incoming, 0);
+  EXPECT_NEAR(solution.lights.balance[0].residual, 0, 5e-3);
+}
+
+/// The top shines, by rays since it is small: nothing of it comes below its plane.
+TEST(SheetLight, WhatOneSideSendsDoesNotReachTheOther) {
+  const Problem problem = room(with_table(), nothing, {{"top", {1, 0}}});
+  const LightSetup lights(problem);
+  ASSERT_FALSE(lights.empty());
+  const Solution solution = solve_split(lights, directions_ldfe_sq(1), tight_options());
+  EXPECT_EQ(power_on(problem, solution, "under").incoming, 0);
+  EXPECT_EQ(power_on(problem, solution, "floor").incoming, 0);
+  EXPECT_EQ(power_on(problem, solution, "top").incoming, 0);
+  EXPECT_NEAR(power_on(problem, solution, "top").outgoing, pi / 4, 1e-12);
+  EXPECT_NEAR(solution.lights.balance[0].residual, 0, 5e-3);
+}
+
+}  // namespace
+}  // namespace etendue
