@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -39,6 +40,45 @@ ETENDUE_PHOTON_INLINE Four to_numbers(const FourWords& words) {
   Four numbers;
   std::memcpy(&numbers, &bits, sizeof bits);
   return numbers - 4503599627370496.0;
+}
+
+ETENDUE_PHOTON_INLINE Four load(const double* from) {
+  Four value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+ETENDUE_PHOTON_INLINE void store(double* to, const Four& value) { std::memcpy(to, &value, sizeof value); }
+
+ETENDUE_PHOTON_INLINE Four root_of(const Four& x) {
+#ifdef __AVX2__
+  __m256d value;
+  std::memcpy(&value, &x, sizeof value);
+  value = _mm256_sqrt_pd(value);
+  Four root;
+  std::memcpy(&root, &value, sizeof root);
+  return root;
+#else
+  return Four{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
+#endif
+}
+
+/// The place of the least of four numbers, and the number.
+ETENDUE_PHOTON_INLINE int place_of_least(const Four& x, double& least) {
+#ifdef __AVX2__
+  // Without branches: which it is cannot be foreseen.
+  __m256d value;
+  std::memcpy(&value, &x, sizeof value);
+  const __m256d pairs = _mm256_min_pd(value, _mm256_permute_pd(value, 5));
+  const __m256d all = _mm256_min_pd(pairs, _mm256_permute2f128_pd(pairs, pairs, 1));
+  least = _mm256_cvtsd_f64(all);
+  return __builtin_ctz(static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(value, all, _CMP_LE_OQ))) | 8u);
+#else
+  const bool one = x[1] < x[0], three = x[3] < x[2];
+  const double low = one ? x[1] : x[0], high = three ? x[3] : x[2];
+  const bool upper = high < low;
+  least = upper ? high : low;
+  return upper ? 2 + three : 0 + one;
+#endif
 }
 
 /// philox4x32 of four counters at a time; only the last 32 bits of each word count.

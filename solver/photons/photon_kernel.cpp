@@ -20,11 +20,6 @@ constexpr std::int64_t longest_history = 50'000'000;
 constexpr double survivor = 10;
 constexpr double endless = 1e300;
 
-ETENDUE_PHOTON_INLINE Four load(const double* from) {
-  Four value;
-  std::memcpy(&value, from, sizeof value);
-  return value;
-}
 ETENDUE_PHOTON_INLINE void add(double* to, const Four& value) {
   const Four sum = load(to) + value;
   std::memcpy(to, &sum, sizeof sum);
@@ -39,10 +34,12 @@ struct Photon {
   std::int32_t cell;
   std::int32_t entered;
   std::int32_t standing = 0;
+  std::int32_t used = 0;     ///< of the events
+  std::int32_t medium = -1;  ///< whose turns are at hand
   std::int64_t steps = 0;
-  std::int32_t used = 0;  ///< of the events
   RandomStream random;
   EventBlock events;
+  TurnBlock turns;
 
   ETENDUE_PHOTON_MEMBER Photon(const PhotonStart& start, const RandomStream& numbers)
       : weight(start.weight), cell(start.cell), entered(start.entered), random(numbers) {
@@ -52,16 +49,26 @@ struct Photon {
     depth = events.depth[0];
   }
 
-  /// The next event, and the way to the one after it.
-  ETENDUE_PHOTON_MEMBER Event next_event() {
-    const Event event{events.cosine_draw[used], events.cosine[used], events.sine[used],
-                      (events.side[used] & 1) != 0};
-    if (++used == 4) {
+  /// Turns if it scatters, and has the way to the next collision then. There are no branches on that: which
+  /// steps end in a collision cannot be foreseen, and a wrong guess costs as much as the step.
+  ETENDUE_PHOTON_MEMBER void turn(const PhotonSceneView& scene, std::int32_t here, bool scatters,
+                                  double rest) {
+    if (scatters & (medium != here)) {
+      medium = here;
+      turns.find(events, scene.deflections[medium], scene.in_plane);
+    }
+    const int event = scatters ? used : events_at_a_time;
+    if (scene.in_plane)
+      turn_in_plane(w, turns.mu[event], turns.u[event]);
+    else
+      turn_by(w, turns.mu[event], turns.u[event], turns.v[event]);
+    used += scatters;
+    if (used == events_at_a_time) {
       events.draw(random);
+      turns.find(events, scene.deflections[medium], scene.in_plane);
       used = 0;
     }
-    depth = events.depth[used];
-    return event;
+    depth = scatters ? events.depth[used] : rest;
   }
 };
 
@@ -85,12 +92,8 @@ ETENDUE_PHOTON_INLINE Passage passage_of(const PhotonCell& cell, const Photon& p
   using Places = long long __attribute__((vector_size(32)));
   const Places place = {0, 1, 2, 3};
   distance = place == static_cast<long long>(photon.entered) ? never : distance;
-  const bool one = distance[1] < distance[0], three = distance[3] < distance[2];
-  const double low = one ? distance[1] : distance[0], high = three ? distance[3] : distance[2];
-  const bool upper = high < low;
-  way.exit = upper ? 2 + three : 0 + one;
-  way.length = upper ? high : low;
-  if (way.length < 0) way.length = 0;
+  way.exit = place_of_least(distance, way.length);
+  way.length = way.length > 0 ? way.length : 0;
   return way;
 }
 
@@ -125,9 +128,19 @@ ETENDUE_PHOTON_INLINE bool survives(Photon& photon, double roulette) {
   return true;
 }
 
+ETENDUE_PHOTON_INLINE void fetch(const void* from, std::size_t bytes) {
+  for (std::size_t line = 0; line < bytes; line += 64)
+    __builtin_prefetch(static_cast<const char*>(from) + line);
+}
+
 struct Forward {
   const PhotonTally& tally;
 
+  /// Fetches what the next step will need while other histories are walked.
+  ETENDUE_PHOTON_MEMBER void expect(const PhotonSceneView& scene, std::int32_t cell) {
+    fetch(scene.cells + cell, sizeof(PhotonCell));
+    fetch(tally.cells + 16 * static_cast<std::ptrdiff_t>(cell), 16 * sizeof(double));
+  }
   ETENDUE_PHOTON_MEMBER void pass(const Photon& photon, const PhotonCell&, const Four& moments, double) {
     double* sums = tally.cells + 16 * static_cast<std::ptrdiff_t>(photon.cell);
     add(sums, moments);
@@ -150,6 +163,9 @@ struct Forward {
 struct Backward {
   double score = 0;
 
+  ETENDUE_PHOTON_MEMBER void expect(const PhotonSceneView& scene, std::int32_t cell) {
+    fetch(scene.cells + cell, sizeof(PhotonCell));
+  }
   ETENDUE_PHOTON_MEMBER void pass(const Photon&, const PhotonCell& cell, const Four&, double weighted) {
     score += cell.emission * weighted;
   }
@@ -157,6 +173,22 @@ struct Backward {
     score += wall.radiance * photon.weight;
   }
 };
+
+/// Meets a wall. Whether anything is reflected.
+template <class Score>
+ETENDUE_PHOTON_INLINE bool arrive(const PhotonSceneView& scene, Photon& photon, std::int32_t face,
+                                  const Passage& way, Score& score) {
+  const PhotonFace& wall = scene.faces[face];
+  score.arrive(photon, face, wall, way.coordinate + way.rate * way.length);
+  const double kept = wall.diffuse + wall.specular;
+  if (kept <= 0) return false;
+  photon.weight *= kept;
+  std::uint32_t word[4];
+  photon.random.next(word);
+  reflect(scene, wall, uniform(word[0]) * kept < wall.diffuse, word, photon.w);
+  photon.entered = way.exit;
+  return true;
+}
 
 /// One step: to the next face or collision. Whether the photon lives on.
 template <class Score>
@@ -168,9 +200,9 @@ ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, P
     ++counts.lost;
     return false;
   }
-  const double depth = cell.scattering * way.length;
-  const bool scatters = depth >= photon.depth;
-  if (scatters) way.length = photon.depth / cell.scattering;
+  const double flight = photon.depth * cell.free_path;
+  const bool scatters = flight <= way.length;
+  way.length = flight < way.length ? flight : way.length;
   const Attenuated part = attenuated(cell.absorption * way.length);
   const double weighted = photon.weight * way.length;
   const double integral = weighted * part.mean;
@@ -179,34 +211,23 @@ ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, P
   photon.weight -= cell.absorption * integral;
   for (int axis = 0; axis < 3; ++axis) photon.x[axis] += way.length * photon.w[axis];
   ++photon.steps;
-  if (scatters) {
-    const Event event = photon.next_event();
-    deflect(scene, scene.deflections[cell.deflection], event, photon.w);
-    photon.entered = -1;
-    photon.standing = 0;
-    ++counts.collisions;
+  photon.standing = way.length > 0 ? 0 : photon.standing + 1;
+  const std::int32_t across = cell.across[way.exit];
+  if (cell.scattering > 0) {
+    const double rest = photon.depth - way.length * cell.scattering;
+    photon.turn(scene, cell.deflection, scatters, rest > 0 ? rest : 0);
+    counts.collisions += scatters;
+  }
+  if (!scatters & (across < 0)) {
+    if (!arrive(scene, photon, -1 - across, way, score)) return false;
   } else {
-    photon.depth -= depth;
-    const std::int32_t across = cell.across[way.exit];
-    photon.standing = way.length > 0 ? 0 : photon.standing + 1;
-    if (across >= 0) {
-      photon.cell = across >> 2;
-      photon.entered = across & 3;
-    } else {
-      const PhotonFace& wall = scene.faces[-1 - across];
-      score.arrive(photon, -1 - across, wall, way.coordinate + way.rate * way.length);
-      const double kept = wall.diffuse + wall.specular;
-      if (kept <= 0) return false;
-      photon.weight *= kept;
-      std::uint32_t word[4];
-      photon.random.next(word);
-      reflect(scene, wall, uniform(word[0]) * kept < wall.diffuse, word, photon.w);
-      photon.entered = way.exit;
-    }
-    if (photon.standing > longest_stand || photon.steps > longest_history) {
-      ++counts.lost;
-      return false;
-    }
+    photon.cell = scatters ? photon.cell : across >> 2;
+    photon.entered = scatters ? -1 : across & 3;
+    score.expect(scene, photon.cell);
+  }
+  if (photon.standing > longest_stand || photon.steps > longest_history) {
+    ++counts.lost;
+    return false;
   }
   return photon.weight >= roulette || survives(photon, roulette);
 }
@@ -247,7 +268,7 @@ ETENDUE_PHOTON_INLINE PhotonCounts walk(const PhotonSceneView& scene, const Hist
   return counts;
 }
 
-constexpr int walked_together = 2;
+constexpr int walked_together = 4;
 
 PhotonCounts follow_all(const PhotonSceneView& scene, const HistoryRange& range, const PhotonTally& tally) {
   Forward score{tally};

@@ -15,6 +15,9 @@ Vec3 tangent_of(const Vec3& normal) {
   return level.norm() > 1e-6 ? level.normalized() : Vec3(normal.unitOrthogonal());
 }
 
+// A free path that no domain is as wide as [length].
+constexpr double no_collision = 1e290;
+
 void copy(const Vec3& from, double (&to)[3]) { std::copy(from.begin(), from.end(), to); }
 
 }  // namespace
@@ -52,6 +55,7 @@ void PhotonMesh::add_cells(const Problem& problem, int band) {
       cell.across[i] = 4 * other.value() + static_cast<std::int32_t>(local);
     }
     cell.scattering = problem.scattering(index, band);
+    cell.free_path = cell.scattering > 0 ? 1 / cell.scattering : no_collision;
     cell.absorption = problem.absorption(index, band);
     cell.emission = problem.emission(index, band);
     cell.deflection = mesh.region(index);

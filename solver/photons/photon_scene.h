@@ -17,6 +17,7 @@ struct alignas(64) PhotonCell {
   double offset[4];
   std::int32_t across[4];  ///< behind face i: 4 × cell + its face, or -1 - boundary face
   double scattering;       ///< [1/length]
+  double free_path;        ///< its inverse [length]; huge where nothing scatters
   double absorption;       ///< [1/length]
   double emission;         ///< [power/(length^3 sr)]
   std::int32_t deflection;

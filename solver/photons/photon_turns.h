@@ -30,12 +30,9 @@ ETENDUE_PHOTON_INLINE void unit_circle(std::uint32_t word, double& cosine, doubl
   sine = sign * (swap ? c : v);
 }
 
-/// The direction at the cosine mu from w, at the given azimuth, from a frame without branches (Duff et al.
-/// 2017). The length is put right to first order, so that errors do not grow.
-ETENDUE_PHOTON_INLINE void turn(double (&w)[3], double mu, double azimuth_cosine, double azimuth_sine) {
-  const double radius = 1 - mu * mu;
-  const double sine = radius > 0 ? std::sqrt(radius) : 0.0;
-  const double u = sine * azimuth_cosine, v = sine * azimuth_sine;
+/// The direction mu w + u a + v b in a frame (a, b, w) without branches (Duff et al. 2017); (mu, u, v) is a
+/// unit vector. The length is put right to first order, so that errors do not grow.
+ETENDUE_PHOTON_INLINE void turn_by(double (&w)[3], double mu, double u, double v) {
   const double sign = std::copysign(1.0, w[2]);
   const double a = -1 / (sign + w[2]), b = w[0] * w[1] * a;
   double next[3] = {mu * w[0] + u * (1 + sign * w[0] * w[0] * a) + v * b,
@@ -46,52 +43,19 @@ ETENDUE_PHOTON_INLINE void turn(double (&w)[3], double mu, double azimuth_cosine
   for (int axis = 0; axis < 3; ++axis) w[axis] = scale * next[axis];
 }
 
-/// The same in the plane z = const, to the left or to the right.
-ETENDUE_PHOTON_INLINE void turn_in_plane(double (&w)[3], double mu, bool left) {
+/// The direction at the cosine mu from w, at the given azimuth.
+ETENDUE_PHOTON_INLINE void turn(double (&w)[3], double mu, double azimuth_cosine, double azimuth_sine) {
   const double radius = 1 - mu * mu;
-  const double sine = radius > 0 ? (left ? 1 : -1) * std::sqrt(radius) : 0.0;
+  const double sine = radius > 0 ? std::sqrt(radius) : 0.0;
+  turn_by(w, mu, sine * azimuth_cosine, sine * azimuth_sine);
+}
+
+/// The same in the plane z = const: sine is positive to the left.
+ETENDUE_PHOTON_INLINE void turn_in_plane(double (&w)[3], double mu, double sine) {
   const double x = mu * w[0] - sine * w[1], y = mu * w[1] + sine * w[0];
   const double scale = 1.5 - 0.5 * (x * x + y * y);
   w[0] = scale * x;
   w[1] = scale * y;
-}
-
-/// What a scattering needs of chance.
-struct Event {
-  double cosine_draw;   ///< uniform number for the cosine of deflection
-  double cosine, sine;  ///< of the azimuth
-  bool left;            ///< the side to turn to in the plane
-};
-
-/// Henyey and Greenstein's (1941) cosine, inverted in closed form; to first order in g where g is small.
-ETENDUE_PHOTON_INLINE double henyey_greenstein(const Deflection& how, double u) {
-  const double g = how.asymmetry;
-  if (std::abs(g) < 1e-4) return 2 * u - 1 + 1.5 * g * (1 - (2 * u - 1) * (2 * u - 1));
-  const double root = (1 - g * g) / (1 - g + 2 * g * u);
-  const double mu = (1 + g * g - root * root) * how.half_inverse;
-  return mu < -1 ? -1 : (mu > 1 ? 1 : mu);
-}
-
-/// Scatters.
-ETENDUE_PHOTON_INLINE void deflect(const PhotonSceneView& scene, const Deflection& how, const Event& event,
-                                   double (&w)[3]) {
-  if (how.kind == Deflection::Kind::isotropic) {
-    if (scene.in_plane) {
-      w[0] = event.cosine;
-      w[1] = event.sine;
-      return;
-    }
-    const double mu = 2 * event.cosine_draw - 1, sine = std::sqrt(1 - mu * mu);
-    w[0] = sine * event.cosine;
-    w[1] = sine * event.sine;
-    w[2] = mu;
-    return;
-  }
-  const double mu = how.kind == Deflection::Kind::henyey_greenstein
-                        ? henyey_greenstein(how, event.cosine_draw)
-                        : sampled_cosine(*how.sampler, event.cosine_draw);
-  if (scene.in_plane) return turn_in_plane(w, mu, event.left);
-  turn(w, mu, event.cosine, event.sine);
 }
 
 /// Leaves a wall as Lambert says, or as from a mirror. The first random word is already used.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
 #include "solver/photons/four_words.h"
+#include "solver/photons/photon_scene.h"
 #include "solver/photons/random_stream.h"
 
 namespace etendue {
@@ -54,28 +56,85 @@ ETENDUE_PHOTON_INLINE void next_four(RandomStream& random, FourWords (&word)[4])
              static_cast<std::uint32_t>(random.seed() >> 32));
 }
 
-/// What four scatterings need of chance, drawn together: the processor computes it beside the way through the
+/// Henyey and Greenstein's (1941) cosine, inverted in closed form; to first order in g where g is small.
+ETENDUE_PHOTON_INLINE Four henyey_greenstein(const Deflection& how, const Four& d) {
+  const double g = how.asymmetry;
+  const Four even = 2.0 * d - 1.0;
+  if (std::abs(g) < 1e-4) return even + 1.5 * g * (1.0 - even * even);
+  const Four root = (1 - g * g) / ((1 - g) + (2 * g) * d);
+  const Four mu = ((1 + g * g) - root * root) * how.half_inverse;
+  const Four above = mu < -1.0 ? repeat_number(-1) : mu;
+  return above > 1.0 ? repeat_number(1) : above;
+}
+
+constexpr int events_at_a_time = 8;
+
+/// What some scatterings need of chance, drawn together: the processor computes it beside the way through the
 /// next cells, which does not wait for it.
 struct EventBlock {
-  alignas(32) double depth[4];        ///< scattering optical depth to the next
-  alignas(32) double cosine_draw[4];  ///< uniform number for the cosine of deflection
-  alignas(32) double cosine[4];       ///< of the azimuth
-  alignas(32) double sine[4];
-  alignas(32) std::uint64_t side[4];  ///< odd: to the left, in the plane
+  alignas(32) double depth[events_at_a_time];        ///< scattering optical depth to the next
+  alignas(32) double cosine_draw[events_at_a_time];  ///< uniform number for the cosine of deflection
+  alignas(32) double cosine[events_at_a_time];       ///< of the azimuth
+  alignas(32) double sine[events_at_a_time];
+  alignas(32) std::uint64_t side[events_at_a_time];  ///< odd: to the left, in the plane
 
   ETENDUE_PHOTON_MEMBER void draw(RandomStream& random) {
-    FourWords word[4];
-    next_four(random, word);
-    constexpr double part = 1.0 / 4294967296.0;
-    const Four first = minus_log((to_numbers(word[0]) + 0.5) * part);
-    const Four second = (to_numbers(word[1]) + 0.5) * part;
-    Four c, s;
-    unit_circles(word[2], c, s);
-    std::memcpy(depth, &first, sizeof first);
-    std::memcpy(cosine_draw, &second, sizeof second);
-    std::memcpy(cosine, &c, sizeof c);
-    std::memcpy(sine, &s, sizeof s);
-    std::memcpy(side, &word[3], sizeof side);
+    for (int first = 0; first < events_at_a_time; first += 4) {
+      FourWords word[4];
+      next_four(random, word);
+      constexpr double part = 1.0 / 4294967296.0;
+      Four c, s;
+      unit_circles(word[2], c, s);
+      store(depth + first, minus_log((to_numbers(word[0]) + 0.5) * part));
+      store(cosine_draw + first, (to_numbers(word[1]) + 0.5) * part);
+      store(cosine + first, c);
+      store(sine + first, s);
+      std::memcpy(side + first, &word[3], sizeof word[3]);
+    }
+  }
+};
+
+/// Where the events of a block turn light to in one medium: mu along the direction before, u and v across it
+/// (in the plane u to the left). Behind them stands the event that turns nothing.
+struct TurnBlock {
+  alignas(32) double mu[events_at_a_time + 1];
+  alignas(32) double u[events_at_a_time + 1];
+  alignas(32) double v[events_at_a_time + 1];
+
+  ETENDUE_PHOTON_MEMBER TurnBlock() {
+    mu[events_at_a_time] = 1;
+    u[events_at_a_time] = v[events_at_a_time] = 0;
+  }
+
+  ETENDUE_PHOTON_MEMBER void find(const EventBlock& events, const Deflection& how, bool in_plane) {
+    for (int first = 0; first < events_at_a_time; first += 4) {
+      if (in_plane && how.kind == Deflection::Kind::isotropic) {
+        store(mu + first, load(events.cosine + first));
+        store(u + first, load(events.sine + first));
+        continue;
+      }
+      const Four cosine = cosines_of(how, events.cosine_draw + first);
+      const Four square = 1.0 - cosine * cosine;
+      const Four sine = root_of(square > 0 ? square : Four{});
+      store(mu + first, cosine);
+      if (in_plane) {
+        FourWords side;
+        std::memcpy(&side, events.side + first, sizeof side);
+        store(u + first, (side & 1) != 0 ? sine : -sine);
+      } else {
+        store(u + first, sine * load(events.cosine + first));
+        store(v + first, sine * load(events.sine + first));
+      }
+    }
+  }
+
+ private:
+  ETENDUE_PHOTON_MEMBER static Four cosines_of(const Deflection& how, const double* draw) {
+    const Four d = load(draw);
+    if (how.kind == Deflection::Kind::isotropic) return 2.0 * d - 1.0;
+    if (how.kind == Deflection::Kind::henyey_greenstein) return henyey_greenstein(how, d);
+    return Four{sampled_cosine(*how.sampler, draw[0]), sampled_cosine(*how.sampler, draw[1]),
+                sampled_cosine(*how.sampler, draw[2]), sampled_cosine(*how.sampler, draw[3])};
   }
 };
 

@@ -36,7 +36,7 @@ TEST(RandomEvents, AreThoseOfTheStream) {
   EventBlock block;
   for (int round = 0; round < 100; ++round) {
     block.draw(four);
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < events_at_a_time; ++i) {
       std::uint32_t word[4];
       one.next(word);
       double c, s;
@@ -47,6 +47,33 @@ TEST(RandomEvents, AreThoseOfTheStream) {
       EXPECT_EQ(block.sine[i], s);
       EXPECT_EQ(block.side[i], word[3]);
     }
+  }
+}
+
+// The mean cosine of deflection is g, whatever the medium's turns are found by; the last event turns nothing.
+TEST(RandomEvents, TurnAsTheMediumSays) {
+  for (const double g : {-0.7, 0.0, 5e-5, 0.85}) {
+    Deflection how;
+    how.kind = Deflection::Kind::henyey_greenstein;
+    how.asymmetry = g;
+    how.half_inverse = g != 0 ? 1 / (2 * g) : 0;
+    RandomStream random(3, 1, RandomUse::flight);
+    EventBlock block;
+    TurnBlock turns;
+    constexpr int rounds = 5000;
+    double sum = 0;
+    for (int round = 0; round < rounds; ++round) {
+      block.draw(random);
+      turns.find(block, how, false);
+      for (int i = 0; i < events_at_a_time; ++i) {
+        sum += turns.mu[i];
+        EXPECT_NEAR(turns.mu[i] * turns.mu[i] + turns.u[i] * turns.u[i] + turns.v[i] * turns.v[i], 1, 1e-14);
+      }
+    }
+    // The standard error is at most sqrt(1/3 / 40,000).
+    EXPECT_NEAR(sum / (rounds * events_at_a_time), g, 0.01);
+    EXPECT_EQ(turns.mu[events_at_a_time], 1);
+    EXPECT_EQ(turns.u[events_at_a_time], 0);
   }
 }
 
