@@ -18,10 +18,6 @@ int axis_of(const Vec3& normal) {
   return -1;
 }
 
-unsigned octant(const Vec3& direction) {
-  return (direction.x() < 0 ? 1U : 0U) | (direction.y() < 0 ? 2U : 0U) | (direction.z() < 0 ? 4U : 0U);
-}
-
 /// Batches decide the order of sums, so they must not depend on the number of threads: small enough to share
 /// a small set among a few threads, large enough that adding up batches and reading the moments of angular
 /// cells, once for each batch, cost little.

@@ -11,6 +11,11 @@
 
 namespace etendue {
 
+/// 0 ... 7, a bit for each component below zero.
+inline unsigned octant(const Vec3& direction) {
+  return (direction.x() < 0 ? 1U : 0U) | (direction.y() < 0 ? 2U : 0U) | (direction.z() < 0 ? 4U : 0U);
+}
+
 /// The most ordinates of a group.
 inline constexpr std::int32_t largest_group = 8;
 

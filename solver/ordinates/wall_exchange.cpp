@@ -66,6 +66,13 @@ WallExchange::WallExchange(const Problem& problem, const DirectionSet& direction
     for (std::size_t band = 0; band < stride_; ++band)
       feeds_back_ = feeds_back_ || (range > out_of_reach && fed_back(face, band) > 0);
   }
+  // Faces that light passes the same way stand together: whether it leaves is then easily foretold.
+  for (std::vector<std::int32_t>* list : {&all_, &reflecting_})
+    std::stable_sort(list->begin(), list->end(), [this](std::int32_t a, std::int32_t b) {
+      const Face &left = faces_[static_cast<std::size_t>(a)], &right = faces_[static_cast<std::size_t>(b)];
+      return std::pair(octant(left.area_normal), left.wall) <
+             std::pair(octant(right.area_normal), right.wall);
+    });
 }
 
 void WallExchange::find_mirrors(const OrdinateSchedule& schedule) {
@@ -183,24 +190,39 @@ void WallExchange::receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what
                            std::span<double> irradiance, std::span<double> mirrors,
                            std::span<double> passing) const {
   const std::span<const std::int32_t> faces = what == TakeUp::all ? all_ : reflecting_;
+  if (stride_ == 1 && face_length_ == 3) {
+    add_irradiance<1>(m, slots, faces, irradiance);
+  } else {
+    add_irradiance<0>(m, slots, faces, irradiance);
+  }
+  for (const std::int32_t f : mirror_faces_) {
+    if (seen_area(faces_[static_cast<std::size_t>(f)].area_normal, directions_.direction(m)) <= 0) continue;
+    const Mirror& by = *mirror(FaceIndex(f));
+    const std::span<double> to = planes_[by.plane].turn == Turn::this_sweep ? passing : mirrors;
+    double* kept = to.data() + mirror_at(by.row, m.value());
+    for (std::size_t i = 0; i < face_length_; i += stride_) {
+      const double* trace = slots.face_node(wall_slots_.inside(f), i / stride_);
+      std::copy(trace, trace + stride_, kept + i);
+    }
+  }
+}
+
+template <std::size_t LinearBands>
+void WallExchange::add_irradiance(OrdinateIndex m, const SweepSlots& slots,
+                                  std::span<const std::int32_t> faces, std::span<double> irradiance) const {
+  const std::size_t stride = LinearBands > 0 ? LinearBands : stride_;
+  const std::size_t length = LinearBands > 0 ? 3 * LinearBands : face_length_;
+  const Vec3 direction = directions_.direction(m);
   for (const std::int32_t f : faces) {
     const auto at = static_cast<std::size_t>(f);
-    const double seen = seen_area(faces_[at].area_normal, directions_.direction(m));
+    const double seen = seen_area(faces_[at].area_normal, direction);
     if (seen <= 0) continue;
     const double factor = seen * faces_[at].by_area * directions_.weight(m);
     const FaceCode inside = wall_slots_.inside(f);
-    double* sum = irradiance.data() + at * face_length_;
-    for (std::size_t i = 0; i < face_length_; i += stride_) {
-      const double* trace = slots.face_node(inside, i / stride_);
-      for (std::size_t b = 0; b < stride_; ++b) sum[i + b] += factor * trace[b];
-    }
-    const Mirror* by = mirror(FaceIndex(f));
-    if (by == nullptr) continue;
-    const std::span<double> to = planes_[by->plane].turn == Turn::this_sweep ? passing : mirrors;
-    double* kept = to.data() + mirror_at(by->row, m.value());
-    for (std::size_t i = 0; i < face_length_; i += stride_) {
-      const double* trace = slots.face_node(inside, i / stride_);
-      std::copy(trace, trace + stride_, kept + i);
+    double* sum = irradiance.data() + at * length;
+    for (std::size_t i = 0; i < length; i += stride) {
+      const double* trace = slots.face_node(inside, i / stride);
+      for (std::size_t b = 0; b < stride; ++b) sum[i + b] += factor * trace[b];
     }
   }
 }

@@ -93,6 +93,10 @@ class WallExchange {
   };
 
   void find_mirrors(const OrdinateSchedule& schedule);
+  /// Of linear elements with as many bands as `LinearBands` says, or 0 for any.
+  template <std::size_t LinearBands>
+  void add_irradiance(OrdinateIndex m, const SweepSlots& slots, std::span<const std::int32_t> faces,
+                      std::span<double> irradiance) const;
   const Mirror* mirror(FaceIndex face) const {
     const std::int32_t at = mirror_of_[face.at()];
     return at < 0 ? nullptr : &mirrors_[static_cast<std::size_t>(at)];
