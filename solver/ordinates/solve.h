@@ -56,7 +56,7 @@ struct SolveOptions {
   std::size_t order_memory = std::size_t{2} << 30;  ///< bytes that sweep orders may take; beyond, recomputed
   /// What a third-level cache may hold of a sweep [bytes]; with more, neighbouring ordinates go through the
   /// mesh together, tile by tile.
-  std::size_t cache_bytes = std::size_t{12} << 20;
+  std::size_t cache_bytes = std::size_t{16} << 20;
   std::vector<int> keep_ordinates;      ///< whose radiance the solution keeps
   std::vector<IrradianceMeter> meters;  ///< read while sweeping: the angular solution is not kept
   /// Source and inflow by direction on top of the problem's; must outlive the solution. Null: none.
