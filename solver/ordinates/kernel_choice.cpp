@@ -38,6 +38,9 @@ int lane_stride(int bands) {
   return (bands + 7) / 8 * 8;
 }
 
+// On every machine alike: the order of visits decides the order of sums. There a cell's bands fill a packet.
+bool skips_faces(int stride) { return stride >= 8; }
+
 SweepKernels choose_kernels(Basis basis, int stride) {
   const Choice choices[] = {
 #ifdef ETENDUE_X86_KERNELS

@@ -95,23 +95,14 @@ ETENDUE_KERNEL_INLINE Lanes<B> repeat(double value) {
   }
 }
 
-/// Entry f of each row, in the lanes of its cell.
-template <int C, int B>
-ETENDUE_KERNEL_INLINE Lanes<C * B> spread_entry(const Lanes<4>* row, int f) {
-  if constexpr (C == 1) {
-    return repeat<B>(row[0][f]);
-  } else {
-    return join(spread_entry<C / 2, B>(row, f), spread_entry<C / 2, B>(row + C / 2, f));
-  }
-}
-
-/// out[f], in the lanes of cell j, is row[j][f].
-template <int C, int B>
-ETENDUE_KERNEL_INLINE void spread_rows(const Lanes<4> (&row)[C], Lanes<C * B> (&out)[4]) {
-  if constexpr (transposes<C, B>) {
+/// out[f], in lane j, is row[j][f].
+template <int C>
+ETENDUE_KERNEL_INLINE void spread_rows(const Lanes<4> (&row)[C], Lanes<C> (&out)[4]) {
+  if constexpr (transposes<C, 1>) {
     Rows<C>::to_lanes(row, out);
   } else {
-    for (int f = 0; f < 4; ++f) out[f] = spread_entry<C, B>(row, f);
+    static_assert(C == 2);
+    for (int f = 0; f < 4; ++f) out[f] = join(row[0][f], row[1][f]);
   }
 }
 

@@ -85,6 +85,9 @@ struct SweepKernels {
 /// Bands rounded up to the lanes that the kernels compute side by side.
 int lane_stride(int bands);
 
+/// Whether the kernels leave out the faces of a cell through which no light enters, with so many bands.
+bool skips_faces(int stride);
+
 /// The kernels for this machine: the widest instruction set that it has, or the one that the environment
 /// variable ETENDUE_ISA names (baseline, avx2, avx512). Throws InputError where that is unknown or missing
 /// here.

@@ -2,8 +2,10 @@
 #include "solver/ordinates/sweep_order.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include "solver/ordinates/cycle_breaking.h"
@@ -35,6 +37,7 @@ struct CellPassage {
   std::uint8_t leaving = 0;   ///< light leaves there for a cell that waits for it
   std::uint8_t parallel = 0;  ///< nothing passes
   std::uint8_t passing = 0;   ///< light goes to or comes from another cell
+  std::uint8_t out = 0;       ///< light leaves, be it through a wall
 };
 
 /// Walks the cells in levels, each of which needs only those before it, and gives each cell a slot. A slot is
@@ -68,7 +71,7 @@ class OrderedWalk {
       out = (out ^ ~faces.owned) & ~none & all_faces;
       const std::uint32_t passing = ~(none | faces.boundary) & all_faces;
       passage_[c] = {static_cast<std::uint8_t>(out & passing & ~lag), static_cast<std::uint8_t>(none),
-                     static_cast<std::uint8_t>(passing)};
+                     static_cast<std::uint8_t>(passing), static_cast<std::uint8_t>(out)};
       states_[c] = {graph.walls().of_cells()[c],
                     static_cast<std::int16_t>(std::popcount(passing & ~out & ~lag)),
                     static_cast<std::int16_t>(1 + std::popcount(passing))};
@@ -83,7 +86,7 @@ class OrderedWalk {
   }
 
   /// Fewer visits than cells where cycles are left.
-  void run(const SweepTiles& tiles, const Vec3& direction, SweepOrder& order) {
+  void run(const SweepTiles& tiles, const Vec3& direction, LevelOrder levels, SweepOrder& order) {
     order.visits.clear();
     order.levels.assign(1, 0);
     order.steps.assign(1, 0);
@@ -103,6 +106,7 @@ class OrderedWalk {
         // What would not fill the last packet waits for the next level.
         const std::size_t size =
             level.size() < largest_packet ? level.size() : level.size() / largest_packet * largest_packet;
+        if (levels == LevelOrder::alike) sort_by_passage(std::span(level).first(size));
         visit_level(std::span(level).first(size), order, ready);
         level.erase(level.begin(), level.begin() + static_cast<std::ptrdiff_t>(size));
       }
@@ -121,6 +125,15 @@ class OrderedWalk {
     std::uint32_t* free_slots;
     std::uint32_t* done_waiting;
   };
+
+  /// Those alike keep their order.
+  void sort_by_passage(std::span<std::uint32_t> level) {
+    std::array<std::size_t, all_faces + 2> begin{};
+    for (const std::uint32_t cell : level) ++begin[passage_[cell].out + std::size_t{1}];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    unsorted_.assign(level.begin(), level.end());
+    for (const std::uint32_t cell : unsorted_) level[begin[passage_[cell].out]++] = cell;
+  }
 
   void visit_level(std::span<const std::uint32_t> level, SweepOrder& order, ReadyCells& ready) {
     Ends ends{free_end_, done_waiting_.data()};
@@ -179,6 +192,7 @@ class OrderedWalk {
   std::vector<std::uint32_t> free_;  ///< a stack: slots given back above those never taken
   std::uint32_t* free_end_ = nullptr;
   std::vector<std::uint32_t> done_waiting_;  ///< scratch: what becomes ready in one level
+  std::vector<std::uint32_t> unsorted_;      ///< scratch: a level
 };
 
 /// Faces to lag so that the cells that still wait can be ordered.
@@ -209,13 +223,14 @@ LaggedFace lagged_face(const TetrahedralMesh& mesh, FaceIndex face, Passage pass
 
 }  // namespace
 
-SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction, const SweepTiles& tiles) {
+SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction, const SweepTiles& tiles,
+                            LevelOrder levels) {
   const TetrahedralMesh& mesh = graph.mesh();
   SweepOrder order;
   const std::vector<Passage> passage = passages(mesh, direction);
   std::vector<char> lagged;
   OrderedWalk walk(graph, passage, lagged);
-  walk.run(tiles, direction, order);
+  walk.run(tiles, direction, levels, order);
   if (order.visits.size() == static_cast<std::size_t>(mesh.cell_count())) return order;
   const std::vector<std::int32_t> faces = faces_to_lag(mesh, direction, passage, walk);
   lagged.assign(passage.size(), 0);
@@ -223,7 +238,7 @@ SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction, cons
   OrderedWalk again(graph, passage, lagged);
   for (const std::int32_t f : faces)
     order.lagged.push_back(lagged_face(mesh, FaceIndex(f), passage[static_cast<std::size_t>(f)], again));
-  again.run(tiles, direction, order);
+  again.run(tiles, direction, levels, order);
   return order;
 }
 

@@ -40,9 +40,14 @@ inline double seen_area(const Vec3& area_normal, const Vec3& direction) {
   return a * a < parallel_cosine * parallel_cosine * area_normal.squaredNorm() ? 0 : a;
 }
 
+/// Which cells of a level stand side by side: neighbours in space, or those through whose faces light goes
+/// the same way, for kernels that leave out the faces through which none enters.
+enum class LevelOrder { neighbours, alike };
+
 /// The order for one direction. Every cell stands behind all cells that
 /// send light into it, but for lagged faces (Tarjan's components, then a greedy feedback arc set; none is
 /// expected on Delaunay meshes).
-SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction, const SweepTiles& tiles);
+SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction, const SweepTiles& tiles,
+                            LevelOrder levels);
 
 }  // namespace etendue

@@ -6,10 +6,11 @@
 namespace etendue {
 
 SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions,
-                         std::size_t cells_per_tile, std::size_t bytes, int threads)
+                         std::size_t cells_per_tile, LevelOrder levels, std::size_t bytes, int threads)
     : graph_(mesh),
       tiles_(mesh, cells_per_tile),
       directions_(directions),
+      levels_(levels),
       orders_(static_cast<std::size_t>(directions.count() / 2)) {
   const auto pairs = static_cast<std::int32_t>(orders_.size());
   // All orders of a mesh are about as large: which are kept is decided beforehand, by their number.
@@ -20,8 +21,7 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
   for (std::int32_t pair = 0; pair < pairs; ++pair) {
     const auto p = static_cast<std::size_t>(pair);
-    SweepOrder order =
-        make_sweep_order(graph_, directions.direction(OrdinateIndex(std::int64_t{2} * pair)), tiles_);
+    SweepOrder order = make(pair);
     lagged[p] = order.lagged.size();
     slots[p] = order.slot_count;
     if (pair < kept_count_) orders_[p] = std::move(order);
@@ -34,8 +34,13 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
 const SweepOrder& SweepOrders::of_pair(std::int32_t pair, SweepOrder& scratch) const {
   const auto& kept = orders_[static_cast<std::size_t>(pair)];
   if (kept) return *kept;
-  scratch = make_sweep_order(graph_, directions_.direction(OrdinateIndex(std::int64_t{2} * pair)), tiles_);
+  scratch = make(pair);
   return scratch;
+}
+
+SweepOrder SweepOrders::make(std::int32_t pair) const {
+  return make_sweep_order(graph_, directions_.direction(OrdinateIndex(std::int64_t{2} * pair)), tiles_,
+                          levels_);
 }
 
 }  // namespace etendue

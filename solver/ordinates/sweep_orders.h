@@ -17,7 +17,7 @@ class SweepOrders {
  public:
   /// The arguments must outlive it. `bytes` bounds what is kept.
   SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t cells_per_tile,
-              std::size_t bytes, int threads);
+              LevelOrder levels, std::size_t bytes, int threads);
 
   /// The order of ordinate 2 `pair`; 2 `pair` + 1 walks it backwards. `scratch` holds it if it was not kept.
   const SweepOrder& of_pair(std::int32_t pair, SweepOrder& scratch) const;
@@ -36,9 +36,12 @@ class SweepOrders {
   const WallSlots& walls() const { return graph_.walls(); }
 
  private:
+  SweepOrder make(std::int32_t pair) const;
+
   SweepGraph graph_;
   SweepTiles tiles_;
   const DirectionSet& directions_;
+  LevelOrder levels_;
   std::vector<std::optional<SweepOrder>> orders_;
   std::vector<std::size_t> lagged_start_;
   std::uint32_t largest_slot_count_ = 0;

@@ -56,7 +56,8 @@ std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, con
   const std::size_t cell_bytes = (cells.layout().length + cells.cell_length()) * sizeof(double);
   const auto cell_count = static_cast<std::size_t>(mesh.cell_count());
   auto orders = std::make_shared<const SweepOrders>(
-      mesh, directions, cells_per_tile(cell_count, cell_bytes, options.cache_bytes), options.order_memory,
+      mesh, directions, cells_per_tile(cell_count, cell_bytes, options.cache_bytes),
+      skips_faces(cells.stride()) ? LevelOrder::alike : LevelOrder::neighbours, options.order_memory,
       threads);
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return orders;

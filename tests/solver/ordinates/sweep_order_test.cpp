@@ -27,15 +27,17 @@ std::set<std::uint32_t> visited_cells(const SweepOrder& order) {
 }
 
 /// With all cells in one tile, or some in each.
-SweepOrder order_along(const TetrahedralMesh& mesh, const Vec3& direction, int cells_per_tile = 1 << 30) {
+SweepOrder order_along(const TetrahedralMesh& mesh, const Vec3& direction, int cells_per_tile = 1 << 30,
+                       LevelOrder levels = LevelOrder::neighbours) {
   return make_sweep_order(SweepGraph(mesh), direction,
-                          SweepTiles(mesh, static_cast<std::size_t>(cells_per_tile)));
+                          SweepTiles(mesh, static_cast<std::size_t>(cells_per_tile)), levels);
 }
 
-void expect_cells_after_upwind_cells(const TetrahedralMesh& mesh, int cells_per_tile) {
+void expect_cells_after_upwind_cells(const TetrahedralMesh& mesh, int cells_per_tile,
+                                     LevelOrder levels = LevelOrder::neighbours) {
   const DirectionSet directions = directions_triangular(4);
   for (const Vec3& direction : directions.directions()) {
-    const SweepOrder order = order_along(mesh, direction, cells_per_tile);
+    const SweepOrder order = order_along(mesh, direction, cells_per_tile, levels);
     ASSERT_EQ(visited_cells(order).size(), static_cast<std::size_t>(mesh.cell_count()));
     EXPECT_TRUE(order.lagged.empty());
     const std::vector<std::int32_t> position = positions(order);
@@ -54,6 +56,36 @@ TEST(SweepOrder, VisitsEveryCellOnceAfterItsUpwindCells) {
   const TetrahedralMesh mesh = cube_with_ball(2e-3);
   expect_cells_after_upwind_cells(mesh, 1 << 30);
   expect_cells_after_upwind_cells(mesh, 50);
+  expect_cells_after_upwind_cells(mesh, 1 << 30, LevelOrder::alike);
+}
+
+TEST(SweepOrder, LevelsOfAlikeCellsHoldRunsThroughWhoseFacesLightGoesTheSameWay) {
+  const TetrahedralMesh mesh = cube_mesh(2e-3);
+  const Vec3 direction = Vec3(0.3, -0.5, 0.8).normalized();
+  const auto changes = [&](LevelOrder levels) {
+    const SweepOrder order = order_along(mesh, direction, 1 << 30, levels);
+    const auto leaving = [&](std::int32_t position) {
+      const CellIndex cell(visited_cell(order.visits[static_cast<std::size_t>(position)]));
+      unsigned bits = 0;
+      for (unsigned k = 0; k < 4; ++k) {
+        const FaceIndex face(mesh.faces(cell)[k]);
+        const double out = mesh.owner(face) == cell ? 1 : -1;
+        bits |= static_cast<unsigned>(out * seen_area(mesh.area_normal(face), direction) > 0) << k;
+      }
+      return bits;
+    };
+    std::size_t most = 0;
+    for (std::size_t l = 0; l + 1 < order.levels.size(); ++l) {
+      std::size_t count = 0;
+      for (std::int32_t i = order.levels[l] + 1; i < order.levels[l + 1]; ++i)
+        count += leaving(i) != leaving(i - 1);
+      most = std::max(most, count);
+    }
+    return most;
+  };
+  // Of 16 patterns 14 occur: light enters a cell somewhere, and leaves it.
+  EXPECT_LE(changes(LevelOrder::alike), 13U);
+  EXPECT_GT(changes(LevelOrder::neighbours), 13U);
 }
 
 TEST(SweepOrder, VisitsACellAsSoonAsItsTileIsOpenAndItsUpwindCellsAreVisited) {
@@ -61,7 +93,7 @@ TEST(SweepOrder, VisitsACellAsSoonAsItsTileIsOpenAndItsUpwindCellsAreVisited) {
   const SweepTiles tiles(mesh, 100);
   ASSERT_GT(tiles.count(), 4);
   const Vec3 direction = Vec3(0.3, -0.5, 0.8).normalized();
-  const SweepOrder order = make_sweep_order(SweepGraph(mesh), direction, tiles);
+  const SweepOrder order = make_sweep_order(SweepGraph(mesh), direction, tiles, LevelOrder::neighbours);
   ASSERT_EQ(order.steps.size(), static_cast<std::size_t>(tiles.count()) + 1);
   std::vector<std::int32_t> step(order.visits.size());
   for (std::size_t s = 0; s + 1 < order.steps.size(); ++s)
