@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "mesh/tetrahedra/cell_locator.h"
+#include "solver/problem/lamp_shape.h"
 
 namespace etendue {
 namespace {
@@ -45,6 +47,39 @@ PointLight point_light(const LightCase& light) {
   point.quarter_plane = light.type == PhotometricType::c ? Vec3(-right) : right;
   if (light.type == PhotometricType::b) point.axis = -ahead;
   return point;
+}
+
+/// Parts of a sky are about as wide as that [rad]: a sun in it is a light of its own.
+constexpr double width_of_part = 10 * pi / 180;
+
+// Rings about the zenith, each cut into parts, as many in each quarter, that stand at its mean cosine: a
+// level plane gets from them exactly what an even sky sends. Their brightness is a mean over 3 x 3 points.
+// The table counts azimuths counterclockwise seen from above.
+std::vector<Light> sky_lights(const LightCase& light, const std::vector<int>& walls) {
+  PointLight table = point_light(light);
+  table.axis = -light.direction;
+  std::vector<Light> sky;
+  const auto rings = static_cast<int>(std::ceil(table.angle.back() / width_of_part));
+  for (int ring = 0; ring < rings; ++ring) {
+    const double upper = std::cos(table.angle.back() * ring / rings),
+                 lower = std::cos(table.angle.back() * (ring + 1) / rings);
+    const double cosine = (upper + lower) / 2, sine = std::sqrt(1 - cosine * cosine);
+    const int count = 4 * static_cast<int>(std::ceil(2 * pi * sine / (4 * width_of_part)));
+    for (int i = 0; i < count; ++i) {
+      const auto azimuth = [&](double place) { return 2 * pi * (i + place) / count; };
+      double brightness = 0;
+      for (const double a : {1. / 6, 0.5, 5. / 6})
+        for (const double b : {1. / 6, 0.5, 5. / 6})
+          brightness += lamp_shape(table, std::acos(upper + a * (lower - upper)), azimuth(b)) / 9;
+      if (brightness == 0) continue;
+      const Vec3 from = cosine * table.axis + sine * (std::cos(azimuth(0.5)) * table.zero_plane +
+                                                      std::sin(azimuth(0.5)) * table.quarter_plane);
+      BeamLight beam{-from, light.strength, walls};
+      for (double& irradiance : beam.irradiance) irradiance *= 2 * pi * (upper - lower) / count * brightness;
+      sky.push_back({light.name, std::move(beam), light.origin});
+    }
+  }
+  return sky;
 }
 
 // A regular polygon of the disc's area, counterclockwise from where it shines to.
@@ -118,7 +153,7 @@ void shine(const LightCase& light, const std::vector<int>& numbers, std::vector<
 }  // namespace
 
 std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, std::vector<Wall>& walls) {
-  std::vector<Light> lights;
+  std::vector<Light> lights, skies;
   std::vector<Fault> faults;
   if (input.lights.empty()) return lights;
   const CellLocator locator(mesh);
@@ -131,6 +166,9 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
     } else if (light.kind == "sun") {
       require_open(light, numbers, as_written, faults);
       lights.push_back({light.name, BeamLight{light.direction, light.strength, numbers}, light.origin});
+    } else if (light.kind == "sky" && !light.angle.empty()) {
+      require_open(light, numbers, as_written, faults);
+      std::ranges::move(sky_lights(light, numbers), std::back_inserter(skies));
     } else if (light.kind == "wall" || light.kind == "sky") {
       shine(light, numbers, walls, faults);
     } else {
@@ -140,6 +178,7 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
     }
   }
   if (!faults.empty()) throw InputError(std::move(faults));
+  std::ranges::move(skies, std::back_inserter(lights));
   return lights;
 }
 

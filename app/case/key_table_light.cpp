@@ -57,14 +57,15 @@ std::vector<KeyDeclaration> light_keys() {
             "direction, "
             "angle, power; falloff), sun (direction, irradiance; walls), disc (position, direction, radius, "
             "radiance), rectangle (position, direction, along, size, radiance), wall (walls, radiance), sky "
-            "(radiance; walls)."}},
+            "(radiance; walls, distribution, direction and along)."}},
       {"light", "position", point, {.unit = "length", .help = "Where it stands, or its middle."}},
       {"light",
        "direction",
        point,
        {.help =
             "The axis of a spot or of a distribution, the way of the sun's light, the side to which a disc "
-            "or a rectangle shines; of any length. Of a distribution -z without it."}},
+            "or a rectangle shines, the way of light from the zenith of a sky; of any length. Of a "
+            "distribution -z without it."}},
       {"light",
        "power",
        band_numbers,
@@ -85,9 +86,11 @@ std::vector<KeyDeclaration> light_keys() {
       {"light",
        "distribution",
        text,
-       {.help = "Of a point: an IES file (LM-63, type A, B or C), or a CSV with an angle from the axis "
-                "[degree] and "
-                "an intensity on each line, found beside the case; only the shape counts."}},
+       {.help =
+            "Of a point: an IES file (LM-63, type A, B or C), or a CSV with an angle from the axis, or with "
+            "an angle and an azimuth [degree], and an intensity on each line; only the shape counts. Of a "
+            "sky: such a CSV with the angle from the zenith, and what the radiance is multiplied with. "
+            "Found beside the case."}},
       {"light", "radius", number, {.unit = "length", .range = positive, .help = "Of a disc."}},
       {"light",
        "along",
@@ -104,7 +107,8 @@ std::vector<KeyDeclaration> light_keys() {
        band_numbers,
        {.unit = "power/(length^2 sr)",
         .range = not_negative,
-        .help = "Of a disc, a rectangle, a wall or the sky, the same in all directions."}},
+        .help = "Of a disc, a rectangle, a wall or the sky, the same in all directions (of a sky without a "
+                "distribution)."}},
       {"light",
        "irradiance",
        band_numbers,

@@ -22,7 +22,8 @@ struct LightTable {
   PhotometricType type = PhotometricType::c;
 };
 
-/// Reads an IES file or a CSV with an angle and an intensity on each line. Throws FileError or InputError;
+/// Reads an IES file or a CSV with an angle and an intensity on each line, or an angle, an azimuth and an
+/// intensity. Throws FileError or InputError;
 /// `origin` is the key that names it.
 LightTable read_light_table(const std::filesystem::path& path, const Origin& origin);
 

@@ -28,7 +28,7 @@ const std::array<KindKeys, 7>& kind_keys() {
       {"disc", {"position", "direction", "radius", "radiance"}, {}},
       {"rectangle", {"position", "direction", "along", "size", "radiance"}, {}},
       {"wall", {"walls", "radiance"}, {}},
-      {"sky", {"radiance"}, {"walls"}},
+      {"sky", {"radiance"}, {"walls", "distribution", "direction", "along"}},
   }};
   return kinds;
 }
@@ -103,8 +103,10 @@ LightCase read_light(Section& section, const Bands& bands, const std::filesystem
   light.position = section.point_if("position").value_or(Vec3::Zero());
   light.direction = unit_if(section, "direction").value_or(-Vec3::UnitZ());
   light.along = unit_if(section, "along").value_or(Vec3::UnitX());
-  if (light.kind == "point" && section.has("along") && !section.has("distribution"))
-    section.unused("along", "only a distribution has a side that is turned there");
+  for (const char* key : {"along", "direction"})
+    if ((light.kind == "sky" || (light.kind == "point" && key == std::string_view("along"))) &&
+        section.has(key) && !section.has("distribution"))
+      section.unused(key, "only a distribution is turned there");
   if (!section.has("along") && std::abs(light.direction.x()) > 0.9) light.along = Vec3::UnitY();
   if (section.has("along") && light.along.cross(light.direction).norm() < 1e-6)
     section.fault("along", "has the direction in which the light shines; use one across it");

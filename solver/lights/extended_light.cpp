@@ -59,6 +59,8 @@ constexpr double thick = 1;
 /// How often a cell or face with a part in the shadow is divided.
 constexpr int divisions_in_shadow = 2;
 
+/// How finely walls see a light of which they see a part: to the sides of a box it sinks below the horizon.
+constexpr LightDetail wall_in_shadow{0.25, 0.03, 0.3, 0.9, TriangleRule::seven_points};
 /// Less than that is nothing, but its logarithm is a number.
 constexpr double least_transmittance = 1e-300;
 /// Specular reflectance above which a mirror counts as one that sends all light back.
@@ -88,8 +90,9 @@ struct ExtendedLight::Site {
     return sum;
   }
   static WayLoss loss_at(const Losses& losses, const Barycentric& barycentric, std::size_t band) {
-    WayLoss loss;
+    WayLoss loss{0};
     for (std::size_t i = 0; i < corners; ++i) {
+      loss.visible += barycentric[i] * losses[i][band].visible;
       loss.extinction += barycentric[i] * losses[i][band].extinction;
       loss.turn += barycentric[i] * losses[i][band].turn;
     }
@@ -97,7 +100,7 @@ struct ExtendedLight::Site {
   }
 };
 
-ExtendedLight::ExtendedLight(const LightPaths& paths, const ExtendedSource& source, int threads)
+ExtendedLight::ExtendedLight(const LightPaths& paths, const WideSource& source, int threads)
     : paths_(paths), source_(source), bands_(paths.bands()) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::vector<CellIndex> cells = cells_of_vertices(mesh);
@@ -109,20 +112,20 @@ ExtendedLight::ExtendedLight(const LightPaths& paths, const ExtendedSource& sour
 #pragma omp for schedule(dynamic, 64)
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
       const auto i = static_cast<std::size_t>(v);
-      seen_[i] =
-          look({cells[i], mesh.point(VertexIndex(v))}, beams, std::span(losses_).subspan(i * bands_, bands_));
+      seen_[i] = look({cells[i], mesh.point(VertexIndex(v))}, coarse_light, beams,
+                      std::span(losses_).subspan(i * bands_, bands_));
     }
   }
   // What a vertex of a sheet sees depends on the side, so the cells around it do not share it.
   for (const std::int32_t v : vertices_of_sheets(mesh)) seen_[static_cast<std::size_t>(v)] = Seen::part;
 }
 
-ExtendedLight::Seen ExtendedLight::look(const PointInCell& here, LightBeams& beams,
+ExtendedLight::Seen ExtendedLight::look(const PointInCell& here, LightDetail detail, LightBeams& beams,
                                         std::span<WayLoss> loss) const {
   LightBeams clear(bands_);
-  source_.add_beams(here, Sight::clear, coarse_light, clear);
+  source_.add_beams(here, Sight::clear, detail, clear);
   beams.clear();
-  source_.add_beams(here, Sight::attenuated, coarse_light, beams);
+  source_.add_beams(here, Sight::attenuated, detail, beams);
   // The same beams in the same order, without those that something stands before.
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < clear.size() && open.size() < beams.size(); ++i)
@@ -149,7 +152,7 @@ bool ExtendedLight::take_from_vertices(std::span<const std::int32_t> vertices,
                                        std::array<std::vector<WayLoss>, corners>& losses) const {
   for (std::size_t i = 0; i < corners; ++i) {
     const auto v = static_cast<std::size_t>(vertices[i]);
-    if (seen_[v] != Seen::all) return false;
+    if (seen_[v] != Seen::all && !source_.is_soft()) return false;
     const auto first = losses_.begin() + static_cast<std::ptrdiff_t>(v * bands_);
     losses[i].assign(first, first + static_cast<std::ptrdiff_t>(bands_));
   }
@@ -166,7 +169,7 @@ bool ExtendedLight::look_inside(const Site<corners>& site, LightBeams& beams,
   double lit = 0;
   for (std::size_t i = 0; i < corners; ++i) {
     losses[i].resize(bands_);
-    seen[i] = look({site.cell, site.position(rule[i].barycentric)}, beams, losses[i]);
+    seen[i] = look({site.cell, site.position(rule[i].barycentric)}, coarse_light, beams, losses[i]);
     if (seen[i] == Seen::nothing || seen[i] == Seen::part) return false;
     lit += seen[i] == Seen::all ? 1 : 0;
   }
@@ -225,7 +228,7 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
   for (const auto& point : rule_of_degree_two(part)) {
     const auto barycentric = in_whole(point.barycentric, part);
     const Vec3 place = site.position(barycentric);
-    const Seen seen = look({site.cell, place}, beams, loss);
+    const Seen seen = look({site.cell, place}, corners == 3 ? wall_in_shadow : coarse_light, beams, loss);
     any_lit = any_lit || seen == Seen::all || seen == Seen::part;
     any_shadow = any_shadow || seen == Seen::nothing || seen == Seen::part;
     source_.look_clear(place, std::nullopt, beams, clear);

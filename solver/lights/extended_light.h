@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/lights/cell_light.h"
-#include "solver/lights/extended_source.h"
+#include "solver/lights/wide_source.h"
 
 namespace etendue {
 
@@ -25,7 +25,7 @@ struct WayLoss {
 /// points of the cell itself; and in shadows from each point that is asked.
 class ExtendedLight {
  public:
-  ExtendedLight(const LightPaths& paths, const ExtendedSource& source, int threads);
+  ExtendedLight(const LightPaths& paths, const WideSource& source, int threads);
 
   void add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const;
   void add(FaceIndex face, LightBeams& beams, NodalMoments& moments) const;
@@ -36,7 +36,7 @@ class ExtendedLight {
   template <std::size_t corners>
   struct Site;
 
-  Seen look(const PointInCell& here, LightBeams& beams, std::span<WayLoss> loss) const;
+  Seen look(const PointInCell& here, LightDetail detail, LightBeams& beams, std::span<WayLoss> loss) const;
   /// Losses are [corner][band]. False where a corner does not see all.
   template <std::size_t corners>
   bool take_from_vertices(std::span<const std::int32_t> vertices,
@@ -58,7 +58,7 @@ class ExtendedLight {
            const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const;
 
   const LightPaths& paths_;
-  const ExtendedSource& source_;
+  const WideSource& source_;
   std::size_t bands_;
   std::vector<WayLoss> losses_;  ///< [vertex][band]
   std::vector<Seen> seen_;       ///< [vertex]

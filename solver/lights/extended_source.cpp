@@ -45,7 +45,7 @@ struct ExtendedSource::View {
 
 ExtendedSource::ExtendedSource(std::string name, std::vector<double> power, EmitterTree tree,
                                const LightPaths& paths)
-    : LightSource(std::move(name), std::move(power)),
+    : WideSource(std::move(name), std::move(power)),
       tree_(std::move(tree)),
       paths_(paths),
       images_(paths.mirrors().images_of_point()) {

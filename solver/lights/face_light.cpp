@@ -118,10 +118,12 @@ void add_irradiance(const LightPaths& paths, const LightSource& source, FaceInde
     return;
   }
   PointsOfFace points(source, face, beams, moments);
+  // A wide light is seen in part from everywhere.
+  const int divisions = source.as_wide() != nullptr ? 0 : most_divisions;
   if (source.is_near(face.centroid, far_in_sizes / 3 * face.size))
-    points.add(seven_point_rule(), whole_face, face.area, most_divisions);
+    points.add(seven_point_rule(), whole_face, face.area, divisions);
   else
-    points.add(three_point_rule(), whole_face, face.area, most_divisions);
+    points.add(three_point_rule(), whole_face, face.area, divisions);
 }
 
 }  // namespace etendue

@@ -9,6 +9,7 @@
 #include "solver/lights/beam_source.h"
 #include "solver/lights/extended_source.h"
 #include "solver/lights/point_source.h"
+#include "solver/lights/sky_source.h"
 
 namespace etendue {
 namespace {
@@ -106,9 +107,17 @@ void LightSetup::refuse_all(const std::string& where, const std::string& instead
 }
 
 void LightSetup::add_lights() {
-  for (const Light& light : problem_.lights()) {
+  const auto lights = problem_.lights();
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const Light& light = lights[i];
+    if (continues_sky(lights, i)) continue;
     if (const auto* point = std::get_if<PointLight>(&light.kind)) {
       sources_.push_back(std::make_unique<PointSource>(light.name, *point, paths_));
+    } else if (i + 1 < lights.size() && continues_sky(lights, i + 1)) {
+      std::vector<BeamLight> parts;
+      for (std::size_t k = i; k == i || (k < lights.size() && continues_sky(lights, k)); ++k)
+        parts.push_back(std::get<BeamLight>(lights[k].kind));
+      sources_.push_back(std::make_unique<SkySource>(light.name, std::move(parts), paths_));
     } else if (const auto* beam = std::get_if<BeamLight>(&light.kind)) {
       sources_.push_back(std::make_unique<BeamSource>(light.name, *beam, paths_));
     } else {

@@ -28,8 +28,8 @@ struct LightDetail {
 constexpr LightDetail coarse_light{0.7, 0.03, 0.6, 0.9, TriangleRule::three_points};
 constexpr LightDetail fine_light{0.2, 0.01, 0.15, 0.25, TriangleRule::seven_points};
 
-class ExtendedSource;
 class PointSource;
+class WideSource;
 
 /// Something whose uncollided light is integrated along rays.
 class LightSource {
@@ -49,8 +49,8 @@ class LightSource {
   /// Whether it is near enough, or wide enough, for its parts to be looked at one by one from a place of this
   /// size; beams and points are always looked at directly.
   virtual bool is_near(const Vec3& place, double size) const = 0;
-  /// The light as one with an area or a volume, if it is one.
-  virtual const ExtendedSource* as_extended() const { return nullptr; }
+  /// The light as one that comes from many directions, if it is one.
+  virtual const WideSource* as_wide() const { return nullptr; }
 
  private:
   std::string name_;

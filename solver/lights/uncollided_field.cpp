@@ -61,7 +61,8 @@ void add_walls(const LightPaths& paths, const LightSource& source,
     for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
       const FaceIndex face(f);
       moments.clear();
-      if (extended)
+      // Sky light comes in by walls too: their net flux says little.
+      if (extended && !source.as_wide()->is_soft())
         extended->add(face, beams, moments);
       else
         add_irradiance(paths, source, face, beams, moments);
@@ -83,7 +84,7 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
   for (const auto& source : sources) {
     std::vector<double>& own = field.by_source.emplace_back(field.fluence.size(), 0);
     std::optional<ExtendedLight> extended;
-    if (source->as_extended() != nullptr) extended.emplace(paths, *source->as_extended(), threads);
+    if (source->as_wide() != nullptr) extended.emplace(paths, *source->as_wide(), threads);
     add_cells(paths, *source, extended, threads, own, field.net_flux);
     add_walls(paths, *source, extended, threads, field.irradiance);
     for (std::size_t i = 0; i < own.size(); ++i) field.fluence[i] += own[i];

@@ -122,7 +122,7 @@ void WallLight::add_light(const PointInCell& point, const Vec3& normal, LightBea
 // Behind mirrors it is not known which of them there are.
 bool WallLight::is_penumbra(const LightSource& source, const PointInCell& point,
                             const LightBeams& seen) const {
-  if (source.as_extended() == nullptr || !lights_.paths().mirrors().empty()) return false;
+  if (source.as_wide() == nullptr || !lights_.paths().mirrors().empty()) return false;
   LightBeams clear(bands_);
   source.add_beams(point, Sight::clear, wall_light_detail, clear);
   if (seen.size() < clear.size()) return true;

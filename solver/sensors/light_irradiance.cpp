@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "solver/lights/sky_source.h"
 #include "solver/sensors/polygon_irradiance.h"
 
 namespace etendue {
@@ -60,7 +61,9 @@ void LightIrradiance::find_flat_lights() {
     if (source == lights_.sources().end()) throw std::logic_error("a light has no source");
     return (source++)->get();
   };
-  for (const Light& light : problem.lights()) {
+  for (std::size_t i = 0; i < problem.lights().size(); ++i) {
+    if (continues_sky(problem.lights(), i)) continue;
+    const Light& light = problem.lights()[i];
     const LightSource* shining = next();
     if (const auto* surface = std::get_if<SurfaceLight>(&light.kind))
       flat_.push_back({shining, surface->radiance, triangles_of(*surface)});

@@ -179,7 +179,7 @@ std::vector<SensorReader::AtPoint> SensorReader::over_cone(const PointInCell& pl
       sum_tolerance, rays);
   LightBeams beams(bands);
   for (const auto& source : lights_.sources())
-    if (source->as_extended() == nullptr) source->add_beams(place, Sight::attenuated, fine_light, beams);
+    if (source->as_wide() == nullptr) source->add_beams(place, Sight::attenuated, fine_light, beams);
   std::vector<AtPoint> found(normals.size());
   for (std::size_t i = 0; i < normals.size(); ++i)
     for (std::size_t b = 0; b < bands; ++b) {

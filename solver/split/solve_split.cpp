@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "solver/lights/beam_source.h"
+#include "solver/lights/sky_source.h"
 #include "solver/split/first_collision.h"
 #include "solver/split/once_collided.h"
 
@@ -35,9 +36,12 @@ void add_exitance(const LightSetup& lights, const UncollidedField& field, Soluti
   const auto bands = static_cast<std::size_t>(problem.band_count());
   solution.lights.from_walls.assign(problem.walls().size(), std::vector<double>(bands, 0));
   solution.lights.inside.assign(bands, 0);
-  std::vector<const BeamSource*> beams;
-  for (const auto& source : lights.sources())
-    if (const auto* beam = dynamic_cast<const BeamSource*>(source.get())) beams.push_back(beam);
+  std::vector<const BeamLight*> beams;
+  for (const auto& source : lights.sources()) {
+    if (const auto* beam = dynamic_cast<const BeamSource*>(source.get())) beams.push_back(&beam->light());
+    if (const auto* sky = dynamic_cast<const SkySource*>(source.get()))
+      for (const BeamLight& part : sky->parts()) beams.push_back(&part);
+  }
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     const int w = mesh.wall(face);
@@ -45,11 +49,10 @@ void add_exitance(const LightSetup& lights, const UncollidedField& field, Soluti
     std::vector<double> sent(bands, 0);
     for (std::size_t b = 0; b < bands && lights.has_wall(w); ++b)
       sent[b] = std::numbers::pi * wall.radiance[b];
-    for (const BeamSource* beam : beams)
-      if (std::count(beam->light().walls.begin(), beam->light().walls.end(), w) > 0) {
-        const double seen =
-            std::max(0.0, -beam->light().direction.dot(mesh.area_normal(face))) / mesh.area(face);
-        for (std::size_t b = 0; b < bands; ++b) sent[b] += seen * beam->light().irradiance[b];
+    for (const BeamLight* beam : beams)
+      if (std::count(beam->walls.begin(), beam->walls.end(), w) > 0) {
+        const double seen = std::max(0.0, -beam->direction.dot(mesh.area_normal(face))) / mesh.area(face);
+        for (std::size_t b = 0; b < bands; ++b) sent[b] += seen * beam->irradiance[b];
       }
     for (std::size_t b = 0; b < bands; ++b) {
       solution.lights.from_walls[static_cast<std::size_t>(w)][b] += sent[b] * mesh.area(face);
@@ -93,7 +96,8 @@ std::vector<UncollidedBalance> balance_of(const LightSetup& lights, const Uncoll
   return balances;
 }
 
-/// Lights that are neither walls nor media, nor beams that walls let in. They are the first of the sources.
+/// Lights that are neither walls nor media, nor beams or a sky that walls let in. They are the first of the
+/// sources.
 void add_lights_inside(const LightSetup& lights, Solution& solution) {
   const auto all = lights.problem().lights();
   for (std::size_t i = 0; i < all.size(); ++i)

@@ -278,5 +278,47 @@ TEST(BuildProblem, TurnsIesLampsByTheirType) {
   EXPECT_NEAR(brightness(ahead, Vec3::UnitX()), 1, 1e-12);
 }
 
+/// A sky over a cube from this table.
+std::vector<BeamLight> sky_of(const std::string& table, const std::string& keys) {
+  const TestFolder folder;
+  const Case input =
+      case_of(cube + "[[light]]\nname = \"sky\"\nkind = \"sky\"\nradiance = 3\ndistribution = \"" +
+              folder.write("sky.csv", table).string() + "\"\n" + keys);
+  const TetrahedralMesh mesh = build_mesh(input);
+  const Problem problem = build_problem(input, mesh);
+  std::vector<BeamLight> parts;
+  for (const Light& light : problem.lights()) parts.push_back(std::get<BeamLight>(light.kind));
+  return parts;
+}
+
+TEST(BuildProblem, LightsLevelGroundAsAnEvenSkyDoes) {
+  double all = 0, on_the_ground = 0;
+  for (const BeamLight& part : sky_of("0, 1\n90, 1\n", "")) {
+    all += part.irradiance[0];
+    on_the_ground -= part.irradiance[0] * part.direction.z();
+  }
+  EXPECT_NEAR(all, 3 * 2 * std::numbers::pi, 1e-12);
+  EXPECT_NEAR(on_the_ground, 3 * std::numbers::pi, 1e-12);
+}
+
+// Bright at azimuth 90 alone, which lies counterclockwise of `along` as seen from above: light from there
+// travels the other way.
+TEST(BuildProblem, TurnsTheTableOfASky) {
+  const std::string table =
+      "angle, azimuth, radiance\n0, 0, 0\n0, 90, 0\n0, 180, 0\n90, 0, 0\n90, 90, 1\n90, 180, 0\n";
+  const auto flow = [&](const std::string& keys) {
+    Vec3 sum = Vec3::Zero();
+    for (const BeamLight& part : sky_of(table, keys)) sum += part.irradiance[0] * part.direction;
+    return sum.normalized().eval();
+  };
+  const Vec3 from_y = flow("");
+  EXPECT_NEAR(from_y.x(), 0, 1e-12);
+  EXPECT_LT(from_y.y(), -0.7);
+  EXPECT_LT(from_y.z(), -0.2);
+  const Vec3 from_minus_x = flow("along = [0, 1, 0]\n");
+  EXPECT_NEAR(from_minus_x.x(), -from_y.y(), 1e-12);
+  EXPECT_NEAR(from_minus_x.z(), from_y.z(), 1e-12);
+}
+
 }  // namespace
 }  // namespace etendue

@@ -92,6 +92,20 @@ TEST(LightTable, AddsThePlanesOfSymmetricLamps) {
   EXPECT_EQ(read(3, "-90 0 90", {-90, 0, 90}).type, PhotometricType::a);
 }
 
+TEST(LightTable, ReadsAnglesAndAzimuthsInAnyOrder) {
+  const TestFolder folder;
+  const auto read = [&](const std::string& text) {
+    return read_light_table(folder.write("a.csv", text), {});
+  };
+  const LightTable table = read("0, 180, 3\n0, 0, 1\n90, 0, 2\n90, 180, 4\n");
+  EXPECT_EQ(table.angle, (std::vector<double>{0, 90}));
+  EXPECT_EQ(table.plane, (std::vector<double>{0, 180, 360}));
+  EXPECT_EQ(table.intensity, (std::vector<double>{1, 2, 3, 4, 1, 2}));
+  EXPECT_THROW(read("0, 0, 1\n90, 0, 2\n90, 180, 4\n"), InputError);
+  EXPECT_THROW(read("0, 0, 1\n0, 0, 2\n"), InputError);
+  EXPECT_THROW(read("0, 90, 1\n90, 90, 2\n"), InputError);
+}
+
 TEST(LightTable, RefusesWhatItCannotUse) {
   const TestFolder folder;
   const auto refusal = [&](const std::string& text) {

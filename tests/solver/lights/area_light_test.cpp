@@ -102,7 +102,7 @@ TEST(UncollidedField, OfALampInAWallBalancesInAMedium) {
 }
 
 TEST(UncollidedField, OfALampInAWallBalancesWithShadows) {
-  for (const double extinction : {0.0, 1.0}) EXPECT_NEAR(part_found(4e-4, extinction, 0.1), 1, 1e-3);
+  for (const double extinction : {0.0, 1.0}) EXPECT_NEAR(part_found(1e-3, extinction, 0.1), 1, 1e-3);
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "solver/lights/clear_light.h"
+#include "solver/lights/light_source.h"
+
+namespace etendue {
+
+/// Light that comes to a place from more than a few directions: what is left of it on its way is looked at
+/// from the vertices of the mesh.
+class WideSource : public LightSource {
+ public:
+  using LightSource::LightSource;
+
+  const WideSource* as_wide() const override { return this; }
+  /// What would arrive in empty space, by way of mirrors too, without the images behind this plane of a
+  /// mirror. `beams` is room to work in.
+  virtual void look_clear(const Vec3& place, std::optional<int> without, LightBeams& beams,
+                          ClearLight& light) const = 0;
+  /// Whether its fluence in empty space has no steps: that of a surface jumps at its rim.
+  virtual bool is_volume() const { return false; }
+  /// Whether it fills so much of the sphere that the visible part of it is linear in cells.
+  virtual bool is_soft() const { return false; }
+};
+
+}  // namespace etendue
