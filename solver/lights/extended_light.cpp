@@ -117,7 +117,7 @@ ExtendedLight::ExtendedLight(const LightPaths& paths, const WideSource& source, 
     }
   }
   // What a vertex of a sheet sees depends on the side, so the cells around it do not share it.
-  for (const std::int32_t v : vertices_of_sheets(mesh)) seen_[static_cast<std::size_t>(v)] = Seen::part;
+  for (const std::int32_t v : vertices_of_sheets(mesh)) seen_[static_cast<std::size_t>(v)] = Seen::by_side;
 }
 
 ExtendedLight::Seen ExtendedLight::look(const PointInCell& here, LightDetail detail, LightBeams& beams,
@@ -152,7 +152,7 @@ bool ExtendedLight::take_from_vertices(std::span<const std::int32_t> vertices,
                                        std::array<std::vector<WayLoss>, corners>& losses) const {
   for (std::size_t i = 0; i < corners; ++i) {
     const auto v = static_cast<std::size_t>(vertices[i]);
-    if (seen_[v] != Seen::all && !source_.is_soft()) return false;
+    if (seen_[v] == Seen::by_side || (seen_[v] != Seen::all && !source_.is_soft())) return false;
     const auto first = losses_.begin() + static_cast<std::ptrdiff_t>(v * bands_);
     losses[i].assign(first, first + static_cast<std::ptrdiff_t>(bands_));
   }

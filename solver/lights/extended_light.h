@@ -31,8 +31,9 @@ class ExtendedLight {
   void add(FaceIndex face, LightBeams& beams, NodalMoments& moments) const;
 
  private:
-  /// What a place sees of the light: all, a part, nothing; or it lies behind.
-  enum class Seen : char { all, part, nothing, behind };
+  /// What a place sees of the light: all, a part, nothing; it lies behind; or that depends on the side of a
+  /// sheet.
+  enum class Seen : char { all, part, nothing, behind, by_side };
   template <std::size_t corners>
   struct Site;
 
