@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace etendue {
@@ -10,12 +11,18 @@ namespace {
 
 /// Parts of the way to the centroid that a start is moved by, one after the other until the ray is inside.
 constexpr std::array<double, 4> start_moves = {1e-11, 1e-9, 1e-6, 1e-3};
+/// The first move, in roundings of the largest coordinate: from a wall to a lamp may be very much less far
+/// than the cell is long, and the way must not come out shorter than it is.
+constexpr double first_move = 16 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
 RayMesh::RayMesh(const TetrahedralMesh& mesh) {
   points_.reserve(static_cast<std::size_t>(mesh.vertex_count()));
-  for (const Vec3& p : mesh.points()) points_.push_back({p.x(), p.y(), p.z()});
+  for (const Vec3& p : mesh.points()) {
+    points_.push_back({p.x(), p.y(), p.z()});
+    largest_ = std::max(largest_, p.cwiseAbs().maxCoeff());
+  }
   cells_.reserve(static_cast<std::size_t>(mesh.cell_count()));
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     Cell cell{mesh.vertices(CellIndex(c)), {}};
@@ -93,6 +100,9 @@ RayMesh::Exit RayMesh::start(CellIndex cell, const Vec3& from, const Vec3& direc
   const Cell& record = cells_[cell.at()];
   const Vec3 inwards = centroid(record) - from;
   Exit exit;
+  frame =
+      frame_of(from + std::min(start_moves[0], first_move * largest_ / inwards.norm()) * inwards, direction);
+  if (first_exit(frame, record, exit)) return exit;
   for (const double move : start_moves) {
     frame = frame_of(from + move * inwards, direction);
     if (first_exit(frame, record, exit)) return exit;

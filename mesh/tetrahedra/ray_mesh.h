@@ -33,8 +33,8 @@ class RayMesh {
 
   /// Walks from a point of a cell along the unit vector `direction` and calls visit(CellIndex, double length)
   /// for each cell on the way, in order, until `length` is covered or the ray leaves the domain: it does not
-  /// come back in. The start may lie on a face, an edge or a vertex of its cell: it is moved into it by 1e-11
-  /// of its size.
+  /// come back in. The start may lie on a face, an edge or a vertex of its cell: it is moved into it, by as
+  /// little as rounding lets.
   template <class Visitor>
   RayEnd walk(CellIndex start, const Vec3& from, const Vec3& direction, double length, Visitor&& visit) const;
 
@@ -84,6 +84,7 @@ class RayMesh {
 
   std::vector<Cell> cells_;
   std::vector<Point> points_;
+  double largest_ = 0;  ///< coordinate [length]
 };
 
 inline RayMesh::Projected RayMesh::project(const Frame& frame, std::int32_t vertex,

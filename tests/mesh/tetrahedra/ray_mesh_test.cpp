@@ -101,6 +101,21 @@ TEST(RayMesh, PassesTheCellsThatItNames) {
   }
 }
 
+// From a wall to one nearby the way is as long as it is, however large the cells are.
+TEST(RayMesh, KeepsShortWaysInLongCells) {
+  const TetrahedralMesh mesh = cube_mesh(1e12, 1e4);
+  const RayMesh rays(mesh);
+  const CellLocator locator(mesh);
+  for (const double distance : {1.0, 10.0, 1000.0})
+    for (const double y : {1234.5, 5000.0}) {
+      const Vec3 from(distance, y, 0);
+      for (const CellPoint& at : locator.find(from)) {
+        const Path path = walk(rays, at.cell, from, -Vec3::UnitX());
+        EXPECT_NEAR(path.length, distance, 1e-10);
+      }
+    }
+}
+
 TEST(RayMesh, StopsAtItsLength) {
   const TetrahedralMesh mesh = cube_mesh(5e-3);
   const RayMesh rays(mesh);
