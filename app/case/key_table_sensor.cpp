@@ -14,13 +14,14 @@ std::vector<KeyDeclaration> sensor_keys() {
        "kind",
        text,
        {.default_value = "\"irradiance\"",
-        .choices = {"irradiance", "fluence", "radiance", "cone", "grid", "flux", "intensity", "region"},
-        .help =
-            "irradiance on one side of a plane; fluence from all sides; radiance from one direction; of a "
-            "cone the mean radiance and what it brings to the plane across it; grid: irradiance at the "
-            "middles of parts of a parallelogram; flux: power through a polygon, both ways; "
-            "intensity of what leaves the domain by a wall, over directions; region: the account of its "
-            "light."}},
+        .choices = {"irradiance", "exitance", "fluence", "radiance", "cone", "grid", "flux", "intensity",
+                    "region"},
+        .help = "irradiance on one side of a plane; exitance: what a wall sends at a point of it; fluence "
+                "from all sides; radiance from one direction; of a "
+                "cone the mean radiance and what it brings to the plane across it; grid: irradiance at the "
+                "middles of parts of a parallelogram; flux: power through a polygon or a wall, both ways; "
+                "intensity of what leaves the domain by a wall, over directions; region: the account of its "
+                "light."}},
       {"sensor",
        "position",
        point,
@@ -29,7 +30,8 @@ std::vector<KeyDeclaration> sensor_keys() {
        "normal",
        point,
        {.default_note = "of a grid: along × across",
-        .help = "Of irradiance: to the side where light is measured; of any length."}},
+        .help = "Of irradiance: to the side where light is measured; of exitance: into the domain; of any "
+                "length."}},
       {"sensor",
        "direction",
        point,
@@ -48,12 +50,17 @@ std::vector<KeyDeclaration> sensor_keys() {
       {"sensor",
        "parts",
        numbers,
-       {.default_note = "[4, 4]; of a flux [4], of intensity [24, 19]",
+       {.default_note = "[4, 4]; of a flux [4], through a wall [1], of intensity [24, 19]",
         .range = {.lowest = 1, .highest = 4096},
         .help =
             "Of a grid: parts along and across. Of a flux: n, and 3 n^2 points for each triangle about the "
-            "polygon's first corner. Of intensity: azimuths, and polar angles from 0 to 90 degrees."}},
-      {"sensor", "wall", text, {.help = "Of intensity: the wall that the light leaves by."}},
+            "polygon's first corner, or for each face of the wall. Of intensity: azimuths, and polar angles "
+            "from 0 to 90 degrees."}},
+      {"sensor",
+       "wall",
+       text,
+       {.help = "Of intensity: the wall that the light leaves by. Of a flux: in place of a polygon; forward "
+                "is out of the domain."}},
       {"sensor",
        "region",
        text,

@@ -9,6 +9,7 @@ namespace etendue {
 namespace {
 
 const std::map<std::string, SensorKind> kinds = {{"irradiance", SensorKind::irradiance},
+                                                 {"exitance", SensorKind::exitance},
                                                  {"fluence", SensorKind::fluence},
                                                  {"radiance", SensorKind::radiance},
                                                  {"cone", SensorKind::cone},
@@ -20,11 +21,12 @@ const std::map<std::string, SensorKind> kinds = {{"irradiance", SensorKind::irra
 /// The keys that a kind of sensor takes, beside name, kind and rays.
 const std::map<SensorKind, std::vector<std::string>> keys_of = {
     {SensorKind::irradiance, {"position", "normal"}},
+    {SensorKind::exitance, {"position", "normal"}},
     {SensorKind::fluence, {"position"}},
     {SensorKind::radiance, {"position", "direction"}},
     {SensorKind::cone, {"position", "direction", "angle"}},
     {SensorKind::grid, {"position", "along", "across", "normal", "parts"}},
-    {SensorKind::flux, {"polygon", "parts", "direction", "angle"}},
+    {SensorKind::flux, {"polygon", "wall", "parts", "direction", "angle"}},
     {SensorKind::intensity, {"wall", "parts"}},
     {SensorKind::region, {"region", "direction", "angle"}}};
 
@@ -73,6 +75,7 @@ void read_sides(Section& section, Sensor& sensor) {
 
 void read_parts(Section& section, Sensor& sensor) {
   sensor.count = {4, 4};
+  if (sensor.kind == SensorKind::flux && section.has("wall")) sensor.count = {1, 1};
   if (sensor.kind == SensorKind::intensity) sensor.count = {default_azimuths, default_polar_angles};
   const TomlNode* given = section.find("parts");
   if (given == nullptr) return;
@@ -119,7 +122,8 @@ void check_polygon(Section& section, const std::vector<Vec3>& polygon) {
 }
 
 void read_polygon(Section& section, Sensor& sensor) {
-  if (!section.has("polygon")) return section.fault("polygon", "missing; use a list of corners");
+  if (section.has("polygon") == section.has("wall"))
+    return section.fault("polygon", "a flux goes through a polygon or through a wall; use one of the two");
   if (const TomlNode* corners = section.find("polygon")) {
     for (const auto& corner : corners->array()) sensor.polygon.push_back(to_vec3(*corner));
     check_polygon(section, sensor.polygon);
@@ -142,13 +146,18 @@ SensorCase read_sensor(Section& section) {
   refuse_other_keys(section, kind, sensor.kind);
   if (takes(sensor.kind, "position")) read_position(section, sensor);
   if (takes(sensor.kind, "parts")) read_parts(section, sensor);
+  if (sensor.kind == SensorKind::exitance)
+    sensor.direction = unit_vector(section, "normal", "a vector into the domain");
   if (sensor.kind == SensorKind::irradiance)
     sensor.direction = unit_vector(section, "normal", "a vector to the side where light is measured");
   if (sensor.kind == SensorKind::radiance || sensor.kind == SensorKind::cone)
     sensor.direction = unit_vector(section, "direction", "a vector to where the sensor looks");
   if (sensor.kind == SensorKind::cone) read_cone_angle(section, sensor);
   if (sensor.kind == SensorKind::grid) read_sides(section, sensor);
-  if (sensor.kind == SensorKind::flux) read_polygon(section, sensor);
+  if (sensor.kind == SensorKind::flux) {
+    read_polygon(section, sensor);
+    result.wall = section.text_if("wall").value_or("");
+  }
   if (sensor.kind == SensorKind::region) {
     result.region = section.text_if("region").value_or("");
     if (!section.has("region")) section.fault("region", "missing; use the name of a region");

@@ -49,15 +49,6 @@ std::vector<int> sky_walls(const BakeRequest& request, const Problem& problem) {
   return walls;
 }
 
-/// Visibility as grey.
-BakedSurface occlusion(const BakeRequest& request, const SavedScene& scene, const WallSurface& surface) {
-  BakedSurface baked{surface, {"sky_visibility"}, {}, {}, "sky visibility: 1 less the ambient occlusion"};
-  baked.values =
-      bake_sky_visibility(surface, scene.mesh, sky_walls(request, scene.problem), scene.options.threads);
-  for (const double value : baked.values) baked.colors.push_back({value, value, value});
-  return baked;
-}
-
 /// What directions brought to the walls, as the solution has it, or looked for by rays.
 WallIrradiance brought(const BakeRequest& request, const SavedScene& scene) {
   const SolveOptions& options = scene.options;
@@ -68,24 +59,93 @@ WallIrradiance brought(const BakeRequest& request, const SavedScene& scene) {
   return gather(radiance, request.gather, options.threads);
 }
 
-BakedSurface light(const BakeRequest& request, const SavedScene& scene, const WallSurface& surface) {
-  BakedSurface baked{surface, {}, {}, {}, ""};
-  baked.values = bake_irradiance(surface, scene.lights, brought(request, scene), scene.options.threads);
-  if (request.quantity == BakedQuantity::radiosity)
-    baked.values = bake_radiosity(surface, scene.problem, baked.values);
-  const std::string quantity = request.quantity == BakedQuantity::radiosity ? "radiosity" : "irradiance";
-  const std::vector<std::string>& bands = scene.problem.bands().names;
-  const BandColor rule(scene.problem.bands());
-  for (const std::string& band : bands)
-    baked.names.push_back(quantity + (bands.size() > 1 ? "_" + band : ""));
-  for (std::size_t at = 0; at < baked.values.size(); at += bands.size())
-    baked.colors.push_back(rule.of(std::span(baked.values).subspan(at, bands.size())));
-  const double exposure = automatic_exposure(baked.colors);
-  for (LinearColor& color : baked.colors)
+/// Numbers at places, and how they are shown.
+struct Baked {
+  std::vector<std::string> names;
+  std::vector<double> values;       ///< [place][name]
+  std::vector<LinearColor> colors;  ///< [place], not exposed yet
+};
+
+/// Bakes at any places of the walls.
+class Baker {
+ public:
+  Baker(const BakeRequest& request, const SavedScene& scene) : request_(request), scene_(scene) {
+    if (request.quantity == BakedQuantity::occlusion)
+      sky_ = sky_walls(request, scene.problem);
+    else
+      brought_ = brought(request, scene);
+  }
+
+  std::string name() const {
+    if (request_.quantity == BakedQuantity::occlusion) return "occlusion";
+    return request_.quantity == BakedQuantity::radiosity ? "radiosity" : "irradiance";
+  }
+  std::string unit() const {
+    return request_.quantity == BakedQuantity::occlusion ? "" : UnitLabels(scene_.input.units).flux;
+  }
+
+  Baked at(const std::vector<BakePlace>& places) const {
+    return request_.quantity == BakedQuantity::occlusion ? occlusion(places) : light(places);
+  }
+
+  /// What colours are multiplied by, from those at the vertices.
+  double exposure(const std::vector<LinearColor>& colors) const {
+    return request_.quantity == BakedQuantity::occlusion ? 1 : automatic_exposure(colors);
+  }
+  std::string comment(double exposure) const {
+    if (request_.quantity == BakedQuantity::occlusion) return "sky visibility: 1 less the ambient occlusion";
+    return fmt::format("{} [{}]; colours are it times {:.6g}: {}", name(), unit(), exposure,
+                       BandColor(scene_.problem.bands()).rule());
+  }
+
+ private:
+  /// Visibility as grey.
+  Baked occlusion(const std::vector<BakePlace>& places) const {
+    Baked baked{
+        {"sky_visibility"}, bake_sky_visibility(places, scene_.mesh, sky_, scene_.options.threads), {}};
+    for (const double value : baked.values) baked.colors.push_back({value, value, value});
+    return baked;
+  }
+
+  Baked light(const std::vector<BakePlace>& places) const {
+    Baked baked{{}, bake_irradiance(places, scene_.lights, brought_, scene_.options.threads), {}};
+    if (request_.quantity == BakedQuantity::radiosity)
+      baked.values = bake_radiosity(places, scene_.problem, baked.values);
+    const std::vector<std::string>& bands = scene_.problem.bands().names;
+    const BandColor rule(scene_.problem.bands());
+    for (const std::string& band : bands)
+      baked.names.push_back(name() + (bands.size() > 1 ? "_" + band : ""));
+    for (std::size_t at = 0; at < baked.values.size(); at += bands.size())
+      baked.colors.push_back(rule.of(std::span(baked.values).subspan(at, bands.size())));
+    return baked;
+  }
+
+  const BakeRequest& request_;
+  const SavedScene& scene_;
+  std::vector<int> sky_;
+  WallIrradiance brought_;
+};
+
+void expose(double exposure, std::vector<LinearColor>& colors) {
+  for (LinearColor& color : colors)
     for (double& value : color) value *= exposure;
-  baked.comment = fmt::format("{} [{}]; colours are it times {:.6g}: {}", quantity,
-                              UnitLabels(scene.input.units).flux, exposure, rule.rule());
-  return baked;
+}
+
+void add_texture(const BakeRequest& request, const SavedScene& scene, const Baker& baker,
+                 const WallSurface& surface, double exposure, OutputFolder& folder) {
+  if (request.texture == 0) return;
+  const WallAtlas atlas = wall_atlas(surface, scene.mesh, request.texture);
+  Baked baked = baker.at(atlas.places);
+  expose(exposure, baked.colors);
+  const BakedTexture texture{surface,
+                             atlas,
+                             std::move(baked.names),
+                             std::move(baked.values),
+                             std::move(baked.colors),
+                             baker.comment(exposure)};
+  folder.add_text(baker.name() + ".texture.glb", textured_glb_bytes(texture));
+  folder.add_text(baker.name() + ".texture.png", texture_png(texture));
+  folder.add_text(baker.name() + ".texture.exr", texture_exr(texture));
 }
 
 }  // namespace
@@ -98,20 +158,25 @@ ExitCode bake_results(const BakeRequest& request, std::ostream& out, std::ostrea
   if (scene.problem.space() == AngularSpace::plane)
     throw InputError("command line: bake: not in flatland (not in this version)");
   const WallSurface surface = wall_surface(scene.mesh);
-  const bool sky = request.quantity == BakedQuantity::occlusion;
-  const BakedSurface baked = sky ? occlusion(request, scene, surface) : light(request, scene, surface);
-  const std::string name = sky                                            ? "occlusion"
-                           : request.quantity == BakedQuantity::radiosity ? "radiosity"
-                                                                          : "irradiance";
+  const Baker baker(request, scene);
+  Baked at_vertices = baker.at(vertex_places(surface, scene.mesh));
+  const double exposure = baker.exposure(at_vertices.colors);
+  expose(exposure, at_vertices.colors);
+  const BakedSurface baked{surface, std::move(at_vertices.names), std::move(at_vertices.values),
+                           std::move(at_vertices.colors), baker.comment(exposure)};
   OutputFolder folder(directory);
+  const std::string name = baker.name();
   folder.add_text(name + ".ply", ply_bytes(baked));
   folder.add_text(name + ".glb", glb_bytes(baked));
-  const std::string summary = summary_with_files(directory, folder.names());
+  write_baked(baked, baker.unit(), folder.add(name + ".vtp"), directory / (name + ".vtp"));
+  add_texture(request, scene, baker, surface, exposure, folder);
+  const std::vector<std::string> names = folder.names();
+  const std::string summary = summary_with_files(directory, names);
   if (!summary.empty()) folder.add_text("summary.json", summary);
   folder.publish({});
-  out << fmt::format("baked {} at {} vertices of {} faces\n  {}\nwritten to {}: {}.ply {}.glb\n", name,
+  out << fmt::format("baked {} at {} vertices of {} faces\n  {}\nwritten to {}: {}\n", name,
                      surface.vertices.size(), surface.triangles.size(), baked.comment, directory.string(),
-                     name, name);
+                     fmt::join(names, " "));
   return ExitCode::done;
 }
 

@@ -104,8 +104,8 @@ class Parser {
   }
 
   void add_bake() {
-    bake_command_ =
-        app_.add_subcommand("bake", "Vertex colours of the walls from a saved result: PLY and glTF");
+    bake_command_ = app_.add_subcommand(
+        "bake", "Colours of the walls from a saved result: vertices and textures, PLY, glTF and VTK");
     CLI::App& command = *bake_command_;
     command.add_option("results", bake_.results, "The directory of a run")->required()->type_name("RESULTS");
     command
@@ -123,6 +123,11 @@ class Parser {
         .add_option("--gather", bake_.gather,
                     "Rays from each vertex of walls that reflect, as of a camera; default: 0")
         ->check(CLI::IsMember({0, 64, 144, 256, 576, 1024}))
+        ->type_name("N");
+    command
+        .add_option("--texture", bake_.texture,
+                    "Bakes a texture of N x N pixels too, with coordinates for it; default: none")
+        ->check(CLI::Range(16, 16384))
         ->type_name("N");
     command.add_flag("--verbose", bake_.verbose, "Show the mesher's log on standard error");
     command.add_option("--output", output_, "Directory of the files, in place of RESULTS")->type_name("DIR");

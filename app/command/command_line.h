@@ -42,8 +42,9 @@ struct BakeRequest : CaseRequest {
   std::filesystem::path results;  ///< the directory of a run
   BakedQuantity quantity = BakedQuantity::irradiance;
   std::vector<std::string>
-      sky;         ///< walls that are the sky of an occlusion; empty: all that are black and cold
-  int gather = 0;  ///< as of a camera
+      sky;          ///< walls that are the sky of an occlusion; empty: all that are black and cold
+  int gather = 0;   ///< as of a camera
+  int texture = 0;  ///< pixels across and down of a texture that is baked too; 0: none
   std::optional<std::filesystem::path> output;
   std::optional<int> threads;
 };

@@ -19,9 +19,11 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-bool has_directional_band(const Medium& medium) {
-  for (int band = 0; band < static_cast<int>(medium.directional.size()); ++band)
-    if (medium.is_directional(band)) return true;
+/// A kernel by a formula or a file is known at the ordinates alone.
+bool has_kernel(const Medium& medium) {
+  for (std::size_t band = 0; band < medium.directional.size(); ++band)
+    if (medium.is_directional(static_cast<int>(band)) && !is_seen_by_rays(medium.directional[band]))
+      return true;
   return false;
 }
 
@@ -65,8 +67,8 @@ void check_views(const std::vector<CameraCase>& cameras, const std::vector<Senso
                  const Problem& problem) {
   std::string where;
   if (problem.space() == AngularSpace::plane) where = "in flatland (not in this version); remove it";
-  if (std::any_of(problem.media().begin(), problem.media().end(), has_directional_band))
-    where = "beside leaves, flakes or a kernel, which rays do not see (not in this version); remove it";
+  if (std::any_of(problem.media().begin(), problem.media().end(), has_kernel))
+    where = "beside a kernel, which rays do not see (not in this version); remove it";
   if (uses_formulas(problem))
     where =
         "beside absorption or emission that depends on the direction, which rays do not see (not in this "

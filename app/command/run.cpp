@@ -118,14 +118,14 @@ std::string directions_line(const RunDirections& directions) {
 
 Solution solve_visibly(UncollidedLight uncollided, const RunDirections& directions,
                        const SolveOptions& options, ProgressDisplay& display, Checkpoints checkpoints,
-                       const Interruption& interruption) {
+                       const Interruption& interruption, const SetReader& reader) {
   const auto observe = [&](const SweepProgress& progress) {
     display.show(progress);
     checkpoints.consider(progress);
     return interruption.noted() ? SolveControl::stop : SolveControl::proceed;
   };
-  Solution solution =
-      solve_rotated(std::move(uncollided), directions.sets, options, observe, directions.first_collided);
+  Solution solution = solve_rotated(std::move(uncollided), directions.sets, options, observe,
+                                    directions.first_collided, reader);
   display.finish();
   return solution;
 }
@@ -161,6 +161,12 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
   SolveOptions options = solve_options(input, directions.count(), place_probes(input.probes, mesh, locator));
   if (exact) options.angular_input = &exact->input;
+  AccountBook accounts(input.sensors, lights);
+  SetReader keep_accounts;
+  if (need_all_ordinates(input.sensors))
+    keep_accounts = [&](const DirectionSet& set, const Solution& found, const AngularInput* light) {
+      accounts.add(set, options, found, light);
+    };
   SavedState initial;
   if (input.initial) {
     initial = read_initial(*input.initial, input, mesh);
@@ -180,7 +186,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   interruption.note_the_first();
   ProgressDisplay display(resolved_style(request.progress, out), out);
   const Solution solution = solve_visibly(std::move(uncollided), all_directions, options, display,
-                                          Checkpoints(input, problem, err), interruption);
+                                          Checkpoints(input, problem, err), interruption, keep_accounts);
   interruption.note_all();
   std::optional<RayRadiance> scene;
   if (!input.sensors.empty() || !input.cameras.empty())
@@ -190,7 +196,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
       .problem = problem,
       .solution = solution,
       .probes = read_probes(input.probes, lights, solution, locator),
-      .sensors = read_sensors(input.sensors, {lights, directions, options, solution, scene, locator}),
+      .sensors = read_sensors(input.sensors, {lights, accounts, options, solution, scene, locator}),
       .balances = balances(problem, solution),
       .walls = wall_powers(problem, solution),
       .regions = region_powers(problem, solution),

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "solver/sensors/region_account.h"
+#include "solver/sensors/uncollided_account.h"
 
 namespace etendue {
 namespace {
@@ -55,58 +55,61 @@ std::optional<PointInCell> place_of(const Vec3& point, const CellLocator& locato
   return PointInCell{cells.front().cell, point};
 }
 
-SensorReading read_region(const SensorCase& sensor, const SensorScene& scene) {
-  const Problem& problem = scene.lights.problem();
-  const auto& names = problem.mesh().region_names();
-  const int region = static_cast<int>(std::ranges::find(names, sensor.region) - names.begin());
-  std::optional<Cone> travel;
-  if (sensor.sensor.half_angle > 0) travel = Cone{-sensor.sensor.direction, sensor.sensor.half_angle};
-  const RegionAccount account =
-      region_account(scene.lights, scene.directions, scene.options, scene.solution, region, travel);
-  using Quantity = RadiometricQuantity;
-  const std::vector<double> nothing(account.path.size(), 0);
-  const std::vector<double> solid_angle(nothing.size(), account.solid_angle);
-  std::vector<double> residual;
-  for (std::size_t b = 0; b < nothing.size(); ++b) residual.push_back(account.residual(b));
-  SensorReading reading;
-  const auto add = [&](Quantity quantity, const std::vector<double>& values) {
-    reading.measurements.push_back({quantity, nothing, values, nothing});
-  };
-  add(Quantity::solid_angle, solid_angle);
-  add(Quantity::path, account.path);
-  add(Quantity::flowing_in, account.flowing_in);
-  add(Quantity::flowing_out, account.flowing_out);
-  add(Quantity::emitted, account.emitted);
-  add(Quantity::absorbed, account.absorbed);
-  add(Quantity::scattered_in, account.scattered_in);
-  add(Quantity::scattered_out, account.scattered_out);
-  add(Quantity::account_residual, residual);
-  return reading;
+int region_of(const SensorCase& sensor, const TetrahedralMesh& mesh) {
+  const auto& names = mesh.region_names();
+  return static_cast<int>(std::ranges::find(names, sensor.region) - names.begin());
 }
 
-std::string what_a_region_lacks(const Case& input, const LightSetup& lights) {
-  if (!lights.empty())
-    return "beside lights, whose light is no ordinate's (not in this version); use uncollided = false where "
-           "light "
-           "comes from";
-  if (input.rotations > 1)
-    return "in a mean over rotated sets (not in this version); use directions.rotations = 1";
-  return "";
+/// Directions of travel that count.
+std::optional<Cone> travel_of(const SensorCase& sensor) {
+  if (sensor.sensor.half_angle > 0) return Cone{-sensor.sensor.direction, sensor.sensor.half_angle};
+  return std::nullopt;
+}
+
+SensorReading read_region(const SensorCase& sensor, std::size_t number, const SensorScene& scene) {
+  const RegionAccount uncollided =
+      uncollided_account(scene.lights, scene.solution, region_of(sensor, scene.lights.problem().mesh()),
+                         travel_of(sensor), scene.options.threads);
+  const RegionAccount collided = scene.accounts.collided(number);
+  using Quantity = RadiometricQuantity;
+  const std::size_t bands = collided.path.size();
+  const std::vector<double> nothing(bands, 0);
+  SensorReading reading;
+  const auto add = [&](Quantity quantity, const std::vector<double>& first, const std::vector<double>& rest) {
+    reading.measurements.push_back({quantity, first, rest, nothing});
+  };
+  add(Quantity::solid_angle, nothing, std::vector<double>(bands, collided.solid_angle));
+  add(Quantity::path, uncollided.path, collided.path);
+  add(Quantity::flowing_in, uncollided.flowing_in, collided.flowing_in);
+  add(Quantity::flowing_out, uncollided.flowing_out, collided.flowing_out);
+  add(Quantity::emitted, uncollided.emitted, collided.emitted);
+  add(Quantity::absorbed, uncollided.absorbed, collided.absorbed);
+  add(Quantity::scattered_in, uncollided.scattered_in, collided.scattered_in);
+  add(Quantity::scattered_out, uncollided.scattered_out, collided.scattered_out);
+  std::vector<double> missing, missing_rest;
+  for (std::size_t b = 0; b < bands; ++b) {
+    const double all = uncollided.coming_in(b) + collided.coming_in(b);
+    missing.push_back(all > 0 ? uncollided.missing(b) / all : 0);
+    missing_rest.push_back(all > 0 ? collided.missing(b) / all : 0);
+  }
+  add(Quantity::account_residual, missing, missing_rest);
+  return reading;
 }
 
 std::optional<Fault> fault_of(const SensorCase& sensor, const Case& input, const LightSetup& lights,
                               const CellLocator& locator) {
   const TetrahedralMesh& mesh = lights.problem().mesh();
-  if (sensor.sensor.kind == SensorKind::intensity) {
+  if (!sensor.wall.empty()) {
     if (placed(sensor, mesh).wall >= 0) return std::nullopt;
     return no_such(sensor, "wall", sensor.wall, mesh.wall_names());
   }
   if (sensor.sensor.kind == SensorKind::region) {
     if (std::ranges::count(mesh.region_names(), sensor.region) == 0)
       return no_such(sensor, "region", sensor.region, mesh.region_names());
-    const std::string lacks = what_a_region_lacks(input, lights);
-    if (lacks.empty()) return std::nullopt;
-    return fault_at(sensor.origin, "", "the account of a region " + lacks);
+    if (!input.first_collided) return std::nullopt;
+    return fault_at(sensor.origin, "",
+                    "the account of a region in a run with directions.first_collided, whose first collisions "
+                    "are no ordinate's (not in this version); remove one of the two");
   }
   const std::vector<Vec3> points = points_of(sensor.sensor);
   if (std::ranges::any_of(points, [&](const Vec3& point) { return !locator.find(point).empty(); }))
@@ -128,6 +131,23 @@ bool need_all_ordinates(const std::vector<SensorCase>& sensors) {
       sensors, [](const SensorCase& sensor) { return sensor.sensor.kind == SensorKind::region; });
 }
 
+void AccountBook::add(const DirectionSet& directions, const SolveOptions& options, const Solution& solution,
+                      const AngularInput* input) {
+  sums_.resize(sensors_.size(), RegionAccount(lights_.paths().bands()));
+  for (std::size_t i = 0; i < sensors_.size(); ++i)
+    if (sensors_[i].sensor.kind == SensorKind::region)
+      sums_[i].add(region_account(lights_, directions, options, solution, input,
+                                  region_of(sensors_[i], lights_.problem().mesh()), travel_of(sensors_[i])),
+                   1);
+  ++sets_;
+}
+
+RegionAccount AccountBook::collided(std::size_t sensor) const {
+  RegionAccount mean(lights_.paths().bands());
+  mean.add(sums_.at(sensor), 1.0 / sets_);
+  return mean;
+}
+
 std::vector<SensorRow> read_sensors(const std::vector<SensorCase>& sensors, const SensorScene& scene) {
   std::vector<SensorRow> rows;
   if (!scene.rays) return rows;
@@ -135,7 +155,7 @@ std::vector<SensorRow> read_sensors(const std::vector<SensorCase>& sensors, cons
   const auto locate = [&](const Vec3& point) { return place_of(point, scene.locator); };
   for (const SensorCase& sensor : sensors)
     if (sensor.sensor.kind == SensorKind::region)
-      rows.push_back({sensor, read_region(sensor, scene)});
+      rows.push_back({sensor, read_region(sensor, rows.size(), scene)});
     else
       rows.push_back({sensor, reader.read(placed(sensor, scene.lights.problem().mesh()), locate,
                                           scene.options.threads)});

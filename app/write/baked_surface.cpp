@@ -7,9 +7,12 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/write/color.h"
+#include "app/write/image_files.h"
 
 namespace etendue {
 namespace {
@@ -43,6 +46,95 @@ nlohmann::json vector_of(const Vec3& vector) {
 constexpr int float_type = 5126, unsigned_type = 5125;       // component types of glTF
 constexpr int array_buffer = 34962, element_buffer = 34963;  // targets of glTF
 
+constexpr int clamp_to_edge = 33071, linear_filter = 9729;  // texture samplers of glTF
+
+/// A surface becoming a glTF file: positions, normals and indices are there, more is added.
+class GlbWriter {
+ public:
+  explicit GlbWriter(const WallSurface& surface) : vertices_(surface.vertices.size()) {
+    std::string positions, normals, indices;
+    Vec3 low = surface.vertices.front().position, high = low;
+    for (const WallSurface::Vertex& vertex : surface.vertices) {
+      append(positions, vertex.position);
+      append(normals, vertex.normal);
+      low = low.cwiseMin(vertex.position);
+      high = high.cwiseMax(vertex.position);
+    }
+    for (const std::array<std::int32_t, 3>& triangle : surface.triangles)
+      for (const std::int32_t vertex : triangle) append(indices, static_cast<std::uint32_t>(vertex));
+    add_attribute("POSITION", positions, "VEC3");
+    accessors_[0]["min"] = vector_of(low);
+    accessors_[0]["max"] = vector_of(high);
+    add_attribute("NORMAL", normals, "VEC3");
+    accessors_.push_back({{"bufferView", add_view(indices, element_buffer)},
+                          {"componentType", unsigned_type},
+                          {"count", 3 * surface.triangles.size()},
+                          {"type", "SCALAR"}});
+    indices_ = accessors_.size() - 1;
+  }
+
+  /// Floats for each vertex.
+  void add_attribute(const std::string& name, const std::string& bytes, const std::string& type) {
+    accessors_.push_back({{"bufferView", add_view(bytes, array_buffer)},
+                          {"componentType", float_type},
+                          {"count", vertices_},
+                          {"type", type}});
+    attributes_[name] = accessors_.size() - 1;
+  }
+
+  /// What the surface is coloured by, in place of vertex colours.
+  void add_texture(const std::string& png) {
+    document_["images"] = {{{"bufferView", add_view(png, 0)}, {"mimeType", "image/png"}}};
+    document_["samplers"] = {{{"magFilter", linear_filter},
+                              {"minFilter", linear_filter},
+                              {"wrapS", clamp_to_edge},
+                              {"wrapT", clamp_to_edge}}};
+    document_["textures"] = {{{"sampler", 0}, {"source", 0}}};
+    surface_["baseColorTexture"] = {{"index", 0}};
+  }
+
+  std::string bytes(const std::string& comment) && {
+    document_["asset"] = {{"version", "2.0"}, {"generator", "etendue"}, {"copyright", comment}};
+    document_["extensionsUsed"] = {"KHR_materials_unlit"};
+    document_["scene"] = 0;
+    document_["scenes"] = {{{"nodes", {0}}}};
+    // glTF has y up: a quarter turn about x.
+    document_["nodes"] = {{{"mesh", 0}, {"name", "walls"}, {"rotation", {-0.70710678, 0, 0, 0.70710678}}}};
+    document_["meshes"] = {
+        {{"primitives", {{{"attributes", attributes_}, {"indices", indices_}, {"material", 0}}}}}};
+    surface_["baseColorFactor"] = {1, 1, 1, 1};
+    surface_["metallicFactor"] = 0;
+    document_["materials"] = {{{"pbrMetallicRoughness", surface_},
+                               {"extensions", {{"KHR_materials_unlit", nlohmann::json::object()}}}}};
+    document_["accessors"] = accessors_;
+    document_["bufferViews"] = views_;
+    document_["buffers"] = {{{"byteLength", buffer_.size()}}};
+    const std::string chunks =
+        chunk("JSON", document_.dump(), ' ') + chunk(std::string("BIN\0", 4), buffer_, '\0');
+    std::string bytes = "glTF";
+    append(bytes, std::uint32_t{2});
+    append(bytes, static_cast<std::uint32_t>(12 + chunks.size()));
+    return bytes + chunks;
+  }
+
+ private:
+  /// The number of a part of the buffer, which begins at a whole word; 0 is no target.
+  std::size_t add_view(const std::string& bytes, int target) {
+    buffer_.resize((buffer_.size() + 3) / 4 * 4, '\0');
+    nlohmann::json view = {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}};
+    if (target != 0) view["target"] = target;
+    buffer_ += bytes;
+    views_.push_back(view);
+    return views_.size() - 1;
+  }
+
+  std::size_t vertices_;
+  std::size_t indices_ = 0;
+  std::string buffer_;
+  nlohmann::json accessors_ = nlohmann::json::array(), views_ = nlohmann::json::array();
+  nlohmann::json attributes_, surface_, document_;
+};
+
 }  // namespace
 
 std::string ply_bytes(const BakedSurface& baked) {
@@ -73,62 +165,44 @@ std::string ply_bytes(const BakedSurface& baked) {
 }
 
 std::string glb_bytes(const BakedSurface& baked) {
-  const WallSurface& surface = baked.surface;
-  const std::size_t vertices = surface.vertices.size(), indices = 3 * surface.triangles.size();
-  std::string buffer;
-  Vec3 low = surface.vertices.front().position, high = low;
-  for (const WallSurface::Vertex& vertex : surface.vertices) {
-    append(buffer, vertex.position);
-    low = low.cwiseMin(vertex.position);
-    high = high.cwiseMax(vertex.position);
-  }
-  for (const WallSurface::Vertex& vertex : surface.vertices) append(buffer, vertex.normal);
+  GlbWriter glb(baked.surface);
+  std::string colors;
   for (const LinearColor& color : baked.colors)
-    for (const double value : color) append(buffer, static_cast<float>(std::clamp(value, 0., 1.)));
-  for (const std::array<std::int32_t, 3>& triangle : surface.triangles)
-    for (const std::int32_t vertex : triangle) append(buffer, static_cast<std::uint32_t>(vertex));
+    for (const double value : color) append(colors, static_cast<float>(std::clamp(value, 0., 1.)));
+  glb.add_attribute("COLOR_0", colors, "VEC3");
+  return std::move(glb).bytes(baked.comment);
+}
 
-  const std::size_t part = 12 * vertices;  // bytes of three floats for each vertex
-  const auto view = [](std::size_t offset, std::size_t length, int target) {
-    return nlohmann::json{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}, {"target", target}};
-  };
-  const auto three_floats = [&](int buffer_view) {
-    return nlohmann::json{
-        {"bufferView", buffer_view}, {"componentType", float_type}, {"count", vertices}, {"type", "VEC3"}};
-  };
-  nlohmann::json positions = three_floats(0);
-  positions["min"] = vector_of(low);
-  positions["max"] = vector_of(high);
-  const nlohmann::json document = {
-      {"asset", {{"version", "2.0"}, {"generator", "etendue"}, {"copyright", baked.comment}}},
-      {"extensionsUsed", {"KHR_materials_unlit"}},
-      {"scene", 0},
-      {"scenes", {{{"nodes", {0}}}}},
-      // glTF has y up: a quarter turn about x.
-      {"nodes", {{{"mesh", 0}, {"name", "walls"}, {"rotation", {-0.70710678, 0, 0, 0.70710678}}}}},
-      {"meshes",
-       {{{"primitives",
-          {{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"COLOR_0", 2}}},
-            {"indices", 3},
-            {"material", 0}}}}}}},
-      {"materials",
-       {{{"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 1}}, {"metallicFactor", 0}}},
-         {"extensions", {{"KHR_materials_unlit", nlohmann::json::object()}}}}}},
-      {"accessors",
-       {positions,
-        three_floats(1),
-        three_floats(2),
-        {{"bufferView", 3}, {"componentType", unsigned_type}, {"count", indices}, {"type", "SCALAR"}}}},
-      {"bufferViews",
-       {view(0, part, array_buffer), view(part, part, array_buffer), view(2 * part, part, array_buffer),
-        view(3 * part, 4 * indices, element_buffer)}},
-      {"buffers", {{{"byteLength", buffer.size()}}}}};
-  const std::string chunks =
-      chunk("JSON", document.dump(), ' ') + chunk(std::string("BIN\0", 4), buffer, '\0');
-  std::string bytes = "glTF";
-  append(bytes, std::uint32_t{2});
-  append(bytes, static_cast<std::uint32_t>(12 + chunks.size()));
-  return bytes + chunks;
+std::string textured_glb_bytes(const BakedTexture& baked) {
+  GlbWriter glb(baked.surface);
+  std::string coordinates;
+  for (const std::array<double, 2>& place : baked.atlas.coordinates)
+    for (const double value : place) append(coordinates, static_cast<float>(value));
+  glb.add_attribute("TEXCOORD_0", coordinates, "VEC2");
+  glb.add_texture(texture_png(baked));
+  return std::move(glb).bytes(baked.comment);
+}
+
+std::string texture_png(const BakedTexture& baked) {
+  const auto side = static_cast<std::size_t>(baked.atlas.side);
+  std::vector<std::uint8_t> rgb(3 * side * side, 0);
+  for (std::size_t i = 0; i < baked.atlas.texels.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      rgb[3 * baked.atlas.texels[i] + k] = display_value(baked.colors[i][k], Exposure{1});
+  return png_bytes({baked.atlas.side, baked.atlas.side}, rgb);
+}
+
+std::string texture_exr(const BakedTexture& baked) {
+  const auto side = static_cast<std::size_t>(baked.atlas.side);
+  std::vector<ImageChannel> channels;
+  for (std::size_t n = 0; n < baked.names.size(); ++n) {
+    channels.push_back(
+        {baked.names[n], std::vector<float>(side * side, std::numeric_limits<float>::quiet_NaN())});
+    for (std::size_t i = 0; i < baked.atlas.texels.size(); ++i)
+      channels.back().values[baked.atlas.texels[i]] =
+          static_cast<float>(baked.values[i * baked.names.size() + n]);
+  }
+  return exr_bytes({baked.atlas.side, baked.atlas.side}, channels, baked.comment);
 }
 
 }  // namespace etendue

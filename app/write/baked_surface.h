@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "solver/picture/band_color.h"
+#include "solver/sensors/wall_atlas.h"
 #include "solver/sensors/wall_bake.h"
 
 namespace etendue {
@@ -26,5 +28,27 @@ std::string ply_bytes(const BakedSurface& baked);
 /// The bytes of a glTF 2.0 file (.glb): positions, normals, and linear vertex colours from 0 to 1, to be
 /// shown as they are (KHR_materials_unlit). The case's z axis points up.
 std::string glb_bytes(const BakedSurface& baked);
+
+/// The same numbers as a texture: an atlas, and the numbers and colours of its texels.
+struct BakedTexture {
+  const WallSurface& surface;
+  const WallAtlas& atlas;
+  std::vector<std::string> names;
+  std::vector<double> values;       ///< [texel][name]
+  std::vector<LinearColor> colors;  ///< [texel], exposed: 1 is white
+  std::string comment;
+};
+
+/// The texture as a picture: PNG, what shows no wall black.
+std::string texture_png(const BakedTexture& baked);
+/// Its numbers: OpenEXR, a channel for each name, NaN where there is no wall.
+std::string texture_exr(const BakedTexture& baked);
+/// The bytes of a glTF 2.0 file (.glb) with the texture in it and coordinates for it, without vertex colours.
+std::string textured_glb_bytes(const BakedTexture& baked);
+
+/// baked.vtp: positions, normals and numbers of a baked surface, for VTK. `path` is written, `shown` is named
+/// in a FileError.
+void write_baked(const BakedSurface& baked, const std::string& unit, const std::filesystem::path& path,
+                 const std::filesystem::path& shown);
 
 }  // namespace etendue

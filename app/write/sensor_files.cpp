@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "app/write/csv_field.h"
 #include "app/write/image_files.h"
@@ -65,6 +67,26 @@ std::string sensors_csv(const RunResult& result) {
   return table;
 }
 
+/// The quantities of a sensor over wavelengths: what each band brings, per nanometre too, and as photons.
+std::string spectrum_csv(const RunResult& result, const SensorRow& row) {
+  const Bands& bands = result.problem.bands();
+  std::string table =
+      "quantity,band,from_nm,to_nm,photon_energy_J,uncollided,collided,value,unit,per_nm,photons_per_s\n";
+  const std::optional<SiScale> scale = si_scale(result.input.units.length, result.input.units.power);
+  const std::vector<double> photons = {Photometry(bands).photons_per_joule().begin(),
+                                       Photometry(bands).photons_per_joule().end()};
+  for (const SensorTableRow& value : radiant_rows(result, row)) {
+    const auto b = static_cast<std::size_t>(std::ranges::find(bands.names, value.band) - bands.names.begin());
+    const double width = std::abs(bands.edges[b + 1] - bands.edges[b]);
+    table += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", value.quantity, csv_field(value.band),
+                         std::min(bands.edges[b], bands.edges[b + 1]),
+                         std::max(bands.edges[b], bands.edges[b + 1]), 1 / photons[b], value.uncollided,
+                         value.collided, value.value(), csv_field(value.unit), value.value() / width,
+                         scale ? fmt::format("{}", value.value() * scale->power * photons[b]) : "");
+  }
+  return table;
+}
+
 std::string sensors_text(const RunResult& result) {
   std::string text;
   for (const SensorTableRow& row : sensor_rows(result))
@@ -80,6 +102,8 @@ void add_sensor_files(const RunResult& result, OutputFolder& folder) {
   folder.add_text("sensors.csv", sensors_csv(result));
   for (const SensorRow& row : result.sensors) {
     const std::string& name = row.place.name;
+    if (!result.problem.bands().edges.empty())
+      folder.add_text(name + ".spectrum.csv", spectrum_csv(result, row));
     if (row.place.sensor.kind == SensorKind::grid) {
       folder.add_text(name + ".grid.csv", grid_csv(result, row));
       folder.add_text(name + ".grid.exr", grid_exr(result, row));

@@ -23,6 +23,7 @@ struct QuantityWords {
 
 const std::map<Quantity, QuantityWords> words = {
     {Quantity::irradiance, {"irradiance", "illuminance", Kind::per_area}},
+    {Quantity::exitance, {"exitance", "luminous_exitance", Kind::per_area}},
     {Quantity::fluence, {"fluence", "scalar_illuminance", Kind::per_area}},
     {Quantity::radiance, {"radiance", "luminance", Kind::per_area_and_angle}},
     {Quantity::radiance_mean, {"radiance_mean", "luminance_mean", Kind::per_area_and_angle}},
@@ -72,11 +73,18 @@ class RowMaker {
         photometry_(bands_),
         scale_(si_scale(units_.length, units_.power)) {}
 
-  void add(const std::string& sensor, const Measurement& found, std::vector<SensorTableRow>& rows) const {
+  /// In its own unit, a row for each band.
+  void add_radiant(const std::string& sensor, const Measurement& found,
+                   std::vector<SensorTableRow>& rows) const {
     const QuantityWords& words_of = words.at(found.quantity);
     for (std::size_t b = 0; b < found.collided.size(); ++b)
       rows.push_back({sensor, bands_.names[b], words_of.radiometric, found.uncollided[b], found.collided[b],
                       found.error[b], unit_of(words_of.kind, labels_)});
+  }
+
+  void add(const std::string& sensor, const Measurement& found, std::vector<SensorTableRow>& rows) const {
+    const QuantityWords& words_of = words.at(found.quantity);
+    add_radiant(sensor, found, rows);
     if (!scale_) return;
     if (found.quantity == Quantity::fluence) add_densities(sensor, found, rows);
     if (found.quantity == Quantity::path) add_photons_there(sensor, found, rows);
@@ -141,6 +149,16 @@ class RowMaker {
 };
 
 }  // namespace
+
+std::vector<SensorTableRow> radiant_rows(const RunResult& result, const SensorRow& row) {
+  const RowMaker maker(result);
+  std::vector<SensorTableRow> rows;
+  for (const Measurement& found : row.reading.measurements) {
+    const Kind kind = words.at(found.quantity).kind;
+    if (kind != Kind::angle && kind != Kind::number) maker.add_radiant(row.place.name, found, rows);
+  }
+  return rows;
+}
 
 std::vector<SensorTableRow> sensor_rows(const RunResult& result) {
   const RowMaker maker(result);

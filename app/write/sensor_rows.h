@@ -26,4 +26,7 @@ struct SensorTableRow {
 /// units that the case asks for.
 std::vector<SensorTableRow> sensor_rows(const RunResult& result);
 
+/// Those of one sensor that have radiant power in them, without what is derived from them.
+std::vector<SensorTableRow> radiant_rows(const RunResult& result, const SensorRow& row);
+
 }  // namespace etendue

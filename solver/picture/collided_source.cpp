@@ -28,7 +28,8 @@ CollidedSource::CollidedSource(const LightSetup& lights, const DirectionSet& dir
       nodes_(options.order == SpaceOrder::linear ? 4 : 1),
       plan_(plan_scattering(problem_, directions)),
       harmonics_(directions, highest_degree(plan_)),
-      phases_(problem_) {
+      phases_(problem_),
+      matter_(problem_, directions) {
   const auto cells = static_cast<std::size_t>(problem_.mesh().cell_count());
   find_rows(lights, options);
   const auto rows = static_cast<std::size_t>(*std::max_element(row_.begin(), row_.end()));
@@ -98,6 +99,7 @@ CollidedSource::View CollidedSource::view(const Vec3& travel) const {
   view.harmonics.resize(count());
   harmonics_.at(travel, view.harmonics);
   if (dense_radiance_.empty()) return view;
+  view.matter = matter_.views(travel);
   for (const PhaseFunction& phase : phases_.phases()) {
     const std::size_t first = view.weights.size();
     for (std::size_t n = 0; n < directions_.directions().size(); ++n)
@@ -131,7 +133,11 @@ void CollidedSource::at_vertices(CellIndex cell, const View& view, std::span<dou
       const auto band = static_cast<int>(b);
       double value = emits ? problem_.emission(cell, band) : 0;
       const double scattering = problem_.scattering(cell, band);
-      if (scattering > 0) {
+      if (const int matter = matter_.of(region, b); matter >= 0) {
+        const DirectionalMatter::View& seen = view.matter[static_cast<std::size_t>(matter)];
+        value += matter_.density(cell, b) * seen.scattered *
+                 dense(static_cast<std::size_t>(dense_row_[cell.at()]), node, b, seen.weights.data());
+      } else if (scattering > 0) {
         const int phase = phases_.of(region, b);
         double sum = factor(region, 0, b) * state_.fluence[(cell.at() * nodes_ + node) * bands_ + b];
         for (std::size_t k = 1; row > 0 && k < count(); ++k)

@@ -10,6 +10,7 @@
 #include "solver/ordinates/scattering_plan.h"
 #include "solver/ordinates/solve.h"
 #include "solver/picture/continuous_harmonics.h"
+#include "solver/picture/directional_matter.h"
 #include "solver/problem/phase_list.h"
 
 namespace etendue {
@@ -23,8 +24,8 @@ namespace etendue {
 ///
 ///     S(w) = q + sigma_s (sum over n of w_n p(w.w_n) u_n) / (sum over n of w_n p(w.w_n)).
 ///
-/// Both are continuous in w, and a constant radiance scatters into a constant one. No ordinate's radiance
-/// itself is looked at.
+/// and of leaves and flakes as DirectionalMatter says. All are continuous in w, and a constant radiance
+/// scatters into a constant one. No ordinate's radiance itself is looked at.
 class CollidedSource {
  public:
   /// `options` are those of the solution (elements, meters). The arguments must outlive it. Throws
@@ -36,6 +37,7 @@ class CollidedSource {
   struct View {
     std::vector<double> harmonics;  ///< [k]
     std::vector<double> weights;  ///< [phase][ordinate] w_n p / sum of them, where scattering is by a matrix
+    std::vector<DirectionalMatter::View> matter;  ///< of leaves and flakes
   };
   View view(const Vec3& travel) const;
 
@@ -44,7 +46,11 @@ class CollidedSource {
   /// Whether all directions are alike in a cell.
   bool is_isotropic(CellIndex cell) const { return row_[cell.at()] == 0 && dense_row_[cell.at()] < 0; }
   /// As light sees it that goes on where it is scattered straight ahead [1/length].
-  double extinction(CellIndex cell, std::size_t band) const { return extinction_[cell.at() * bands_ + band]; }
+  double extinction(CellIndex cell, std::size_t band, const View& view) const {
+    const int matter = matter_.of(problem_.mesh().region(cell), band);
+    if (matter < 0) return extinction_[cell.at() * bands_ + band];
+    return matter_.density(cell, band) * view.matter[static_cast<std::size_t>(matter)].extinction;
+  }
   /// Writes the values at the vertices, [4][band] [power/(length^3 sr)].
   void at_vertices(CellIndex cell, const View& view, std::span<double> values) const;
 
@@ -66,6 +72,7 @@ class CollidedSource {
   std::vector<ScatteringTreatment> plan_;  ///< [region][band]
   ContinuousHarmonics harmonics_;
   PhaseList phases_;
+  DirectionalMatter matter_;
   std::vector<std::int32_t> row_;        ///< see rows()
   std::vector<std::int32_t> dense_row_;  ///< [cell], -1 without
   std::vector<double> factors_;          ///< [region][k][band] chi_k/(4 pi)

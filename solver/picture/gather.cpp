@@ -2,8 +2,9 @@
 #include "solver/picture/gather.h"
 
 #include <cmath>
-#include <exception>
 #include <numbers>
+
+#include "solver/parallel/parallel_for.h"
 
 namespace etendue {
 namespace {
@@ -63,27 +64,19 @@ WallIrradiance gather(const RayRadiance& scene, int rays, int threads) {
   WallIrradiance result{std::vector<double>(faces * 3 * scene.bands(), 0), std::vector<double>(faces, pi)};
   const std::vector<std::vector<WallCorner>> planes = corners_by_plane(mesh);
   const std::vector<Vec3> directions = half_range_rays(rays);
-  std::exception_ptr failure;
-#pragma omp parallel num_threads(threads)
-  {
-    RayRadiance::Workspace work(scene);
-#pragma omp for schedule(dynamic, 8)
-    for (std::size_t p = 0; p < planes.size(); ++p) try {
-        const WallCorner& first = planes[p].front();
-        bool seen = false;
-        for (const WallCorner& corner : planes[p])
-          seen = seen || is_diffuse(scene.problem().wall(mesh.wall(corner.face)));
-        if (!seen) continue;
-        const std::vector<double> irradiance = irradiance_at(scene, first, directions, work);
-        for (const WallCorner& corner : planes[p])
-          for (std::size_t b = 0; b < irradiance.size(); ++b)
-            result.values[(corner.face.at() * 3 + corner.node) * irradiance.size() + b] = irradiance[b];
-      } catch (...) {
-#pragma omp critical(etendue_gather)
-        failure = std::current_exception();
-      }
-  }
-  if (failure) std::rethrow_exception(failure);
+  const auto bring = [&](std::size_t p, RayRadiance::Workspace& work) {
+    bool seen = false;
+    for (const WallCorner& corner : planes[p])
+      seen = seen || is_diffuse(scene.problem().wall(mesh.wall(corner.face)));
+    if (!seen) return true;
+    const std::vector<double> irradiance = irradiance_at(scene, planes[p].front(), directions, work);
+    for (const WallCorner& corner : planes[p])
+      for (std::size_t b = 0; b < irradiance.size(); ++b)
+        result.values[(corner.face.at() * 3 + corner.node) * irradiance.size() + b] = irradiance[b];
+    return true;
+  };
+  parallel_for(
+      planes.size(), threads, 8, [&] { return RayRadiance::Workspace(scene); }, bring);
   return result;
 }
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "solver/parallel/parallel_for.h"
+
 namespace etendue {
 namespace {
 
@@ -47,17 +49,16 @@ void OnceScattered::look_at_vertices(int threads) {
           problem_.scattering(CellIndex(c), static_cast<int>(b)) > 0)
         for (const std::int32_t v : mesh.vertices(CellIndex(c))) cell_of[static_cast<std::size_t>(v)] = c;
   vertex_beams_.resize(cell_of.size() * sources);
-#pragma omp parallel num_threads(threads)
-  {
-    LightBeams beams(lights_.paths().bands());
-#pragma omp for schedule(dynamic, 64)
-    for (std::size_t v = 0; v < cell_of.size(); ++v)
-      for (std::size_t s = 0; s < sources && cell_of[v] >= 0; ++s) {
-        const double sum = look(*lights_.sources()[s], {CellIndex(cell_of[v]), mesh.points()[v]}, beams);
-        for (std::size_t i = 0; i < beams.size() && sum > 0; ++i)
-          vertex_beams_[v * sources + s].push_back({beams.direction(i), sum_of(beams.fluence(i)) / sum});
-      }
-  }
+  const auto look_from = [&](std::size_t v, LightBeams& beams) {
+    for (std::size_t s = 0; s < sources && cell_of[v] >= 0; ++s) {
+      const double sum = look(*lights_.sources()[s], {CellIndex(cell_of[v]), mesh.points()[v]}, beams);
+      for (std::size_t i = 0; i < beams.size() && sum > 0; ++i)
+        vertex_beams_[v * sources + s].push_back({beams.direction(i), sum_of(beams.fluence(i)) / sum});
+    }
+    return true;
+  };
+  parallel_for(
+      cell_of.size(), threads, 64, [&] { return LightBeams(lights_.paths().bands()); }, look_from);
 }
 
 // [source][phase]; in a vertex that is itself the light all directions are alike.

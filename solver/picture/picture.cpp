@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/picture/picture.h"
 
-#include <atomic>
 #include <cmath>
-#include <exception>
+#include <mutex>
 
+#include "solver/parallel/parallel_for.h"
 #include "solver/picture/gather.h"
 
 namespace etendue {
@@ -36,36 +36,21 @@ Picture take_picture(const RayRadiance& scene, const Camera& camera, int threads
   Picture picture{camera.pixels, scene.bands(), {}};
   picture.radiance.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(lines) * picture.bands,
                           0);
-  std::atomic<bool> stopped = false;
-  std::exception_ptr failure;
   int done = 0;
-#pragma omp parallel num_threads(threads)
-  {
-    RayRadiance::Workspace work(scene);
-#pragma omp for schedule(dynamic, 1)
-    for (int row = 0; row < lines; ++row) {
-      if (stopped) continue;
-      try {
-        for (int column = 0; column < columns; ++column)
-          add_rays(scene, camera, rays, column, row, view, work,
-                   std::span(picture.radiance)
-                       .subspan((static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                                 static_cast<std::size_t>(column)) *
-                                    picture.bands,
-                                picture.bands));
-#pragma omp critical(etendue_picture)
-        {
-          ++done;
-          if (observer && !observer(static_cast<double>(done) / lines)) stopped = true;
-        }
-      } catch (...) {
-#pragma omp critical(etendue_picture)
-        failure = std::current_exception();
-        stopped = true;
-      }
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
+  std::mutex observing;
+  const auto take_row = [&](std::size_t row, RayRadiance::Workspace& work) {
+    for (int column = 0; column < columns; ++column)
+      add_rays(scene, camera, rays, column, static_cast<int>(row), view, work,
+               std::span(picture.radiance)
+                   .subspan((row * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)) *
+                                picture.bands,
+                            picture.bands));
+    const std::lock_guard<std::mutex> lock(observing);
+    ++done;
+    return !observer || observer(static_cast<double>(done) / lines);
+  };
+  parallel_for(
+      static_cast<std::size_t>(lines), threads, 1, [&] { return RayRadiance::Workspace(scene); }, take_row);
   picture.whole = done == lines;
   return picture;
 }

@@ -11,9 +11,13 @@
 namespace etendue {
 namespace {
 
-/// A ray is given up where mirrors have left less than this of its light, and after so many of them.
-constexpr double faint = 1e-12;
+/// A ray is given up where less than this of its light is left, which is less than a picture's numbers
+/// resolve, and after so many mirrors.
+constexpr double faint = 1e-8;
 constexpr int most_mirrors = 10000;
+
+/// A ray has come back to where it was where place and direction are within this part of the way of it.
+constexpr double same_place = 1e-12;
 
 std::array<double, 4> barycentric(const TetrahedralMesh& mesh, CellIndex cell, const Vec3& point) {
   const auto& v = mesh.vertices(cell);
@@ -34,6 +38,15 @@ double interpolated(std::span<const double> values, const std::array<double, 4>&
 }
 
 }  // namespace
+
+/// Where a ray left its first mirror, the light that it had brought until then [band], and the weight of what
+/// is beyond [band].
+struct RayRadiance::Turn {
+  Vec3 position;
+  Vec3 towards;
+  std::vector<double> radiance;
+  std::vector<double> weight;
+};
 
 /// A straight part of a ray, between mirrors.
 struct RayRadiance::Stretch {
@@ -107,6 +120,8 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
   std::fill(work.factor.begin(), work.factor.end(), 1.0);
   PointInCell at = start;
   Vec3 towards = direction;
+  std::optional<Turn> first;
+  double way = 0;
   for (int i = 0; i < most_mirrors; ++i) {
     const RayEnd end = walk(at, towards, work);
     const Stretch stretch{at.position, towards, view};
@@ -117,13 +132,40 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
     const Vec3 normal = problem_.mesh().area_normal(*end.wall).normalized();
     towards = (towards - 2 * towards.dot(normal) * normal).normalized();
     at = {end.cell, end.point};
+    way += end.distance;
+    if (!first)
+      first = Turn{at.position, towards, {radiance.begin(), radiance.end()}, weights_left(work)};
+    else if ((at.position - first->position).norm() < same_place * way &&
+             (towards - first->towards).norm() < same_place && end_series(*first, work, radiance))
+      return;
   }
+}
+
+std::vector<double> RayRadiance::weights_left(const Workspace& work) const {
+  std::vector<double> weights;
+  for (std::size_t b = 0; b < bands_; ++b) weights.push_back(work.factor[b] * std::exp(-work.depth_rest[b]));
+  return weights;
+}
+
+// Between mirrors that face each other the ray goes round and round: with X of light on the first round and
+// w < 1 of the weight left after it the series X (1 + w + w^2 + …) is X/(1 - w). Not so where lights and the
+// rest see different extinctions.
+bool RayRadiance::end_series(const Turn& first, const Workspace& work, std::span<double> radiance) const {
+  if (work.depth != work.depth_rest) return false;
+  const std::vector<double> left = weights_left(work);
+  for (std::size_t b = 0; b < bands_; ++b) {
+    const double kept = first.weight[b] > 0 ? left[b] / first.weight[b] : 0;
+    // Where nothing is lost nothing shines.
+    if (kept < 1) radiance[b] = first.radiance[b] + (radiance[b] - first.radiance[b]) / (1 - kept);
+  }
+  return true;
 }
 
 void RayRadiance::add_cells(const Stretch& stretch, Workspace& work, std::span<double> radiance) const {
   work.view.reset();
   work.memory.forget();
   for (const Workspace::Part& part : work.parts) {
+    if (!work.view) work.view = collided_.view(stretch.travel());
     if (stretch.view.shafts > 0 && !lights_.empty()) add_shafts(stretch, part, work, radiance);
     add_part(stretch, part, work, radiance);
   }
@@ -133,7 +175,6 @@ void RayRadiance::add_cells(const Stretch& stretch, Workspace& work, std::span<d
 //   integral of S e^(-sigma s) ds = S_a E_0 + (S_b - S_a) E_1/l.
 void RayRadiance::add_part(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
                            std::span<double> radiance) const {
-  if (!work.view) work.view = collided_.view(stretch.travel());
   collided_.at_vertices(part.cell, *work.view, work.values);
   if (stretch.view.shafts == 0) once_.add_at_vertices(part.cell, stretch.travel(), work.memory, work.values);
   const auto here = barycentric(problem_.mesh(), part.cell, stretch.at(part.from));
@@ -142,7 +183,7 @@ void RayRadiance::add_part(const Stretch& stretch, const Workspace::Part& part, 
   for (std::size_t b = 0; b < bands_; ++b) {
     const double near = interpolated(work.values, here, b, bands_);
     const double far = interpolated(work.values, there, b, bands_);
-    const double extinction = collided_.extinction(part.cell, b);
+    const double extinction = collided_.extinction(part.cell, b, *work.view);
     const AttenuatedWay way = attenuated_way(extinction, part.length);
     radiance[b] += work.factor[b] * std::exp(-work.depth_rest[b]) *
                    (near * way.constant + (far - near) * way.linear / part.length);
@@ -168,7 +209,7 @@ void RayRadiance::add_shafts(const Stretch& stretch, const Workspace::Part& part
     once_.add_at({part.cell, stretch.at(part.from + along)}, stretch.travel(), work.beams, work.at_point);
     for (std::size_t b = 0; b < bands_; ++b)
       radiance[b] += work.factor[b] * part.length * rule.weights[i] / 2 * work.at_point[b] *
-                     std::exp(-work.depth_rest[b] - collided_.extinction(part.cell, b) * along);
+                     std::exp(-work.depth_rest[b] - collided_.extinction(part.cell, b, *work.view) * along);
   }
 }
 

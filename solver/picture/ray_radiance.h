@@ -72,6 +72,7 @@ class RayRadiance {
 
  private:
   struct Stretch;
+  struct Turn;
   RayEnd walk(const PointInCell& from, const Vec3& direction, Workspace& work) const;
   void add_cells(const Stretch& stretch, Workspace& work, std::span<double> radiance) const;
   void add_part(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
@@ -83,6 +84,9 @@ class RayRadiance {
   void add_wall(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
                 std::span<double> radiance) const;
   bool reflect(FaceIndex face, Workspace& work) const;
+  std::vector<double> weights_left(const Workspace& work) const;
+  /// Whether the rounds of a ray that is back at its first mirror could be added up.
+  bool end_series(const Turn& first, const Workspace& work, std::span<double> radiance) const;
   void find_dark_cells();
 
   const LightSetup& lights_;

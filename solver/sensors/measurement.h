@@ -8,13 +8,14 @@ namespace etendue {
 /// What sensors report, in the words and units of radiometry.
 enum class RadiometricQuantity {
   irradiance,       ///< through the sensor's plane [power/length^2]; of a cone what comes from within it
+  exitance,         ///< what a wall sends: emission and what it reflects, its radiosity [power/length^2]
   fluence,          ///< from all sides [power/length^2]
   radiance,         ///< from one direction [power/(length^2 sr)]
   radiance_mean,    ///< over the cone [power/(length^2 sr)]
   irradiance_mean,  ///< over a grid
   irradiance_least,
   irradiance_most,
-  flux_forward,    ///< power through a polygon, in the direction of its normal [power]
+  flux_forward,    ///< power through a polygon in the direction of its normal, or out by a wall [power]
   flux_backward,   ///< against it [power]
   flux_net,        ///< forward less backward [power]
   intensity_most,  ///< of all directions [power/sr]

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/lights/light_setup.h"
+#include "solver/ordinates/angular_input.h"
 #include "solver/ordinates/solve.h"
 #include "solver/sensors/cone_cubature.h"
 
@@ -17,6 +18,8 @@ namespace etendue {
 ///
 /// Light that scatters from one direction of the cone into another is scattered out and in.
 struct RegionAccount {
+  explicit RegionAccount(std::size_t bands);
+
   double solid_angle = 0;          ///< of the ordinates that count [sr]; in the plane [rad]
   std::vector<double> path;        ///< [band] integral of u over the region and them [power length]
   std::vector<double> flowing_in;  ///< [band] through its surface [power], and so the others
@@ -26,16 +29,21 @@ struct RegionAccount {
   std::vector<double> scattered_in;
   std::vector<double> scattered_out;
 
+  double coming_in(std::size_t band) const;  ///< flowing_in + emitted + scattered_in [power]
+  double missing(std::size_t band) const;    ///< coming_in less what becomes of it [power]
   /// What the account misses, relative to all that comes in.
   double residual(std::size_t band) const;
+  void add(const RegionAccount& other, double factor);
 };
 
-/// From the radiance of all ordinates, which the solution must have kept (SolveOptions::keep_ordinates), and
-/// its state. Through the faces of the mesh flows what its upwind cell has there, as in the sweep, so that
-/// the account closes as far as the iteration has converged. `cone` holds directions of travel; without it
-/// all count. Not for problems with lights: their light is no ordinate's.
+/// Of the light that directions carried, from the radiance of all ordinates, which the solution must have
+/// kept (SolveOptions::keep_ordinates), and its state: what SetReader is given. Through the faces
+/// of the mesh flows what its upwind cell has there, as in the sweep, so that the account closes as far as
+/// the iteration has converged. Light of lights that scatters for the first time, or is reflected diffusely,
+/// comes with `input`: it is scattered in, or flows in. `cone` holds directions of travel; without it all
+/// count.
 RegionAccount region_account(const LightSetup& lights, const DirectionSet& directions,
-                             const SolveOptions& options, const Solution& solution, int region,
-                             const std::optional<Cone>& cone);
+                             const SolveOptions& options, const Solution& solution, const AngularInput* input,
+                             int region, const std::optional<Cone>& cone);
 
 }  // namespace etendue

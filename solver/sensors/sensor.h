@@ -11,11 +11,12 @@ namespace etendue {
 /// What an instrument measures.
 enum class SensorKind {
   irradiance,  ///< at a point, on the side that the normal points to
+  exitance,    ///< at a point of a wall, what it sends into the domain
   fluence,     ///< at a point, from all sides
   radiance,    ///< at a point, from the direction in which it looks
   cone,        ///< at a point, from all directions within an angle of the one in which it looks
   grid,        ///< irradiance at the middles of equal parts of a parallelogram
-  flux,        ///< power through a flat convex polygon, to both sides
+  flux,        ///< power through a flat convex polygon or a whole wall, to both sides
   intensity,   ///< what leaves the domain by a wall, over directions
   region       ///< the account of a region, of all light or of that from within a cone
 };
@@ -33,7 +34,7 @@ struct Sensor {
   /// polar angles.
   std::array<int, 2> count = {1, 1};
   std::vector<Vec3> polygon = {};  ///< corners, in order, of a flux
-  int wall = -1;                   ///< of intensities
+  int wall = -1;                   ///< of intensities; of a flux in place of a polygon
   int rays = 2000;                 ///< at most, from one point, for other light than that of lights
 };
 

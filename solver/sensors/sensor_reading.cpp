@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
 
+#include "solver/parallel/parallel_for.h"
+#include "solver/sensors/polygon_points.h"
 #include "solver/sensors/wall_intensity.h"
 
 namespace etendue {
@@ -60,47 +61,15 @@ Measurement mean_of(const GridReading& grid, std::size_t bands, const std::vecto
   return mean;
 }
 
-/// A point of a rule on a polygon and the area that it stands for.
-struct PolygonPoint {
-  Vec3 position;
-  double area;
-};
-
-// Sub-triangle (i, j) of n^2: corners at i/n and j/n of the two sides, standing up or upside down.
-std::vector<PolygonPoint> points_on(const std::vector<Vec3>& polygon, int n) {
-  std::vector<PolygonPoint> points;
-  for (std::size_t k = 2; k < polygon.size(); ++k) {
-    const Vec3 u = (polygon[k - 1] - polygon[0]) / n, v = (polygon[k] - polygon[0]) / n;
-    const double area = u.cross(v).norm() / 2 / 3;
-    const auto add = [&](const Vec3& corner, double sign) {
-      for (const auto& [a, b] : {std::pair(1. / 6, 1. / 6), {2. / 3, 1. / 6}, {1. / 6, 2. / 3}})
-        points.push_back({corner + sign * (a * u + b * v), area});
-    };
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; i + j < n; ++j) {
-        add(polygon[0] + i * u + j * v, 1);
-        if (i + j + 1 < n) add(polygon[0] + (i + 1) * u + (j + 1) * v, -1);
-      }
-  }
-  return points;
-}
-
 /// Calls read(i, workspace) for the points of a sensor on all threads.
 template <class Read>
 void for_all_points(std::size_t count, const RayRadiance& scene, int threads, const Read& read) {
-  std::exception_ptr failure;
-#pragma omp parallel num_threads(threads)
-  {
-    RayRadiance::Workspace work(scene);
-#pragma omp for schedule(dynamic, 1)
-    for (std::size_t i = 0; i < count; ++i) try {
+  parallel_for(
+      count, threads, 1, [&] { return RayRadiance::Workspace(scene); },
+      [&](std::size_t i, RayRadiance::Workspace& work) {
         read(i, work);
-      } catch (...) {
-#pragma omp critical(etendue_sensor_points)
-        failure = std::current_exception();
-      }
-  }
-  if (failure) std::rethrow_exception(failure);
+        return true;
+      });
 }
 
 void add_to(std::vector<double>& sum, const std::vector<double>& values, double factor) {
@@ -108,13 +77,6 @@ void add_to(std::vector<double>& sum, const std::vector<double>& values, double 
 }
 
 }  // namespace
-
-Vec3 polygon_normal(const std::vector<Vec3>& polygon) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 2; i < polygon.size(); ++i)
-    sum += (polygon[i - 1] - polygon[0]).cross(polygon[i] - polygon[0]);
-  return sum.normalized();
-}
 
 Vec3 grid_point(const Sensor& sensor, int i, int j) {
   return sensor.position + (i + 0.5) / sensor.count[0] * sensor.sides[0] +
@@ -230,22 +192,50 @@ void SensorReader::read_grid(const Sensor& sensor, const Locate& locate, int thr
                           most_of(reading.grid, bands, Quantity::irradiance_most)};
 }
 
-std::vector<SensorReader::AtPoint> SensorReader::both_sides(const PointInCell& place, const Vec3& normal,
-                                                            const Sensor& sensor,
+std::vector<SensorReader::FluxPoint> SensorReader::flux_points(const Sensor& sensor,
+                                                               const Locate& locate) const {
+  std::vector<FluxPoint> points;
+  if (sensor.wall < 0) {
+    const Vec3 normal = polygon_normal(sensor.polygon);
+    for (const PolygonPoint& point : polygon_points(sensor.polygon, sensor.count[0]))
+      if (const auto place = locate(point.position)) points.push_back({*place, normal, point.area});
+    return points;
+  }
+  const TetrahedralMesh& mesh = scene_.problem().mesh();
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    if (mesh.wall(face) != sensor.wall) continue;
+    std::vector<Vec3> corners;
+    for (const std::int32_t v : mesh.vertices(face)) corners.push_back(mesh.point(VertexIndex(v)));
+    for (const PolygonPoint& point : polygon_points(corners, sensor.count[0]))
+      points.push_back({{mesh.owner(face), point.position}, mesh.area_normal(face).normalized(), point.area});
+  }
+  return points;
+}
+
+std::vector<SensorReader::AtPoint> SensorReader::both_sides(const FluxPoint& point, const Sensor& sensor,
                                                             RayRadiance::Workspace& work) const {
-  const std::array<Vec3, 2> normals = {normal, -normal};
+  const std::array<Vec3, 2> normals = {point.normal, -point.normal};
   if (sensor.half_angle > 0)
-    return over_cone(place, {sensor.direction, sensor.half_angle}, normals, sensor.rays, work);
-  return {irradiance(place, normals[0], sensor.rays, work), irradiance(place, normals[1], sensor.rays, work)};
+    return over_cone(point.place, {sensor.direction, sensor.half_angle}, normals, sensor.rays, work);
+  const AtPoint before = sensor.wall < 0 ? irradiance(point.place, normals[0], sensor.rays, work)
+                                         : exitance(point.place, normals[1], sensor.rays, work);
+  return {before, irradiance(point.place, normals[1], sensor.rays, work)};
+}
+
+// The wall as it is seen at no distance, mirrors and all.
+SensorReader::AtPoint SensorReader::exitance(const PointInCell& place, const Vec3& inwards, int rays,
+                                             RayRadiance::Workspace& work) const {
+  const std::array<Vec3, 1> normal = {-inwards};
+  return over_cone(place, {-inwards, pi / 2}, normal, rays, work).front();
 }
 
 void SensorReader::read_flux(const Sensor& sensor, const Locate& locate, int threads,
                              SensorReading& reading) const {
-  const std::vector<PolygonPoint> points = points_on(sensor.polygon, sensor.count[0]);
-  const Vec3 normal = polygon_normal(sensor.polygon);
+  const std::vector<FluxPoint> points = flux_points(sensor, locate);
   std::vector<std::vector<AtPoint>> found(points.size());
   for_all_points(points.size(), scene_, threads, [&](std::size_t p, RayRadiance::Workspace& work) {
-    if (const auto place = locate(points[p].position)) found[p] = both_sides(*place, normal, sensor, work);
+    found[p] = both_sides(points[p], sensor, work);
   });
   const std::vector<double> nothing(scene_.bands(), 0);
   Measurement forward{Quantity::flux_forward, nothing, nothing, nothing};
@@ -258,7 +248,6 @@ void SensorReader::read_flux(const Sensor& sensor, const Locate& locate, int thr
     add_to(sum.error, part.error, std::abs(area));
   };
   for (std::size_t p = 0; p < points.size(); ++p) {
-    if (found[p].empty()) continue;
     add(backward, found[p][0], points[p].area);
     add(forward, found[p][1], points[p].area);
     add(net, found[p][0], -points[p].area);
@@ -294,6 +283,8 @@ SensorReading SensorReader::read(const Sensor& sensor, const Locate& locate, int
   };
   if (sensor.kind == SensorKind::radiance)
     add(Quantity::radiance, radiance(place, sensor.direction, work));
+  else if (sensor.kind == SensorKind::exitance)
+    add(Quantity::exitance, exitance(place, sensor.direction, sensor.rays, work));
   else if (sensor.kind == SensorKind::fluence)
     add(Quantity::fluence, fluence(place, sensor, work));
   else

@@ -26,7 +26,7 @@ class SensorReader {
   /// `locate` finds a cell that holds a point; where there is none, a grid has no numbers (NaN) and nothing
   /// flows through a polygon. Other sensors must stand in a cell. A polygon is cut into triangles about its
   /// first corner, each of them into count^2 equal ones with three points of degree 2: the sum converges at
-  /// least at order 2 in 1/count. The same bits for any number of threads.
+  /// least at order 2 in 1/count; so are the faces of a wall. The same bits for any number of threads.
   using Locate = std::function<std::optional<PointInCell>(const Vec3&)>;
   SensorReading read(const Sensor& sensor, const Locate& locate, int threads) const;
 
@@ -37,14 +37,25 @@ class SensorReader {
   /// Integral over the half range about a normal, times the cosine, or over the sphere.
   AtPoint irradiance(const PointInCell& place, const Vec3& normal, int rays,
                      RayRadiance::Workspace& work) const;
+  /// What a wall sends into the domain at a point of it.
+  AtPoint exitance(const PointInCell& place, const Vec3& inwards, int rays,
+                   RayRadiance::Workspace& work) const;
   AtPoint fluence(const PointInCell& place, const Sensor& sensor, RayRadiance::Workspace& work) const;
   AtPoint radiance(const PointInCell& place, const Vec3& looking, RayRadiance::Workspace& work) const;
   /// Integrals over a cone, times the cosine to each of the normals where it is positive; a normal of zero
   /// stands for the integral itself.
   std::vector<AtPoint> over_cone(const PointInCell& place, const Cone& cone, std::span<const Vec3> normals,
                                  int rays, RayRadiance::Workspace& work) const;
-  /// What falls on both sides of a polygon at a point: on that of its normal, and on the other.
-  std::vector<AtPoint> both_sides(const PointInCell& place, const Vec3& normal, const Sensor& sensor,
+  /// A point of a rule on a polygon or a wall, and the area that it stands for.
+  struct FluxPoint {
+    PointInCell place;
+    Vec3 normal;
+    double area;
+  };
+  std::vector<FluxPoint> flux_points(const Sensor& sensor, const Locate& locate) const;
+  /// What falls on both sides at a point: on that of the normal, and on the other. What falls on the back of
+  /// a wall is what the wall sends in.
+  std::vector<AtPoint> both_sides(const FluxPoint& point, const Sensor& sensor,
                                   RayRadiance::Workspace& work) const;
   void read_cone(const PointInCell& place, const Sensor& sensor, SensorReading& reading) const;
   void read_grid(const Sensor& sensor, const Locate& locate, int threads, SensorReading& reading) const;

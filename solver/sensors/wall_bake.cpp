@@ -2,9 +2,9 @@
 #include "solver/sensors/wall_bake.h"
 
 #include <algorithm>
-#include <exception>
 #include <numbers>
 
+#include "solver/parallel/parallel_for.h"
 #include "solver/sensors/light_irradiance.h"
 
 namespace etendue {
@@ -15,26 +15,20 @@ using std::numbers::pi;
 /// Part of the way from a vertex to the middle of its face.
 constexpr double off_the_vertex = 0.02;
 
-/// [vertex][band]
-std::vector<double> light_at_vertices(const WallSurface& surface, const LightSetup& lights, int threads) {
+/// [place][band]
+std::vector<double> light_at(const std::vector<BakePlace>& places, const LightSetup& lights, int threads) {
   const TetrahedralMesh& mesh = lights.problem().mesh();
   const std::size_t bands = lights.paths().bands();
+  std::vector<double> values(places.size() * bands);
   const LightIrradiance direct(lights);
-  std::vector<double> values(surface.vertices.size() * bands);
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
-  for (std::size_t v = 0; v < surface.vertices.size(); ++v) try {
-      const WallSurface::Vertex& vertex = surface.vertices[v];
-      const FaceIndex face = vertex.corner.face;
-      const Vec3 place = vertex.position + off_the_vertex * (mesh.centroid(face) - vertex.position);
-      const UncollidedAtPoint light = direct.at({mesh.owner(face), place}, vertex.normal);
-      std::copy(light.irradiance.begin(), light.irradiance.end(),
-                values.begin() + static_cast<std::ptrdiff_t>(v * bands));
-    } catch (...) {
-#pragma omp critical(etendue_wall_bake)
-      failure = std::current_exception();
-    }
-  if (failure) std::rethrow_exception(failure);
+  parallel_for(places.size(), threads, 16, [&](std::size_t i) {
+    const BakePlace& place = places[i];
+    const UncollidedAtPoint light =
+        direct.at({mesh.owner(place.face), place.position}, -mesh.area_normal(place.face).normalized());
+    std::copy(light.irradiance.begin(), light.irradiance.end(),
+              values.begin() + static_cast<std::ptrdiff_t>(i * bands));
+    return true;
+  });
   return values;
 }
 
@@ -60,32 +54,43 @@ WallSurface wall_surface(const TetrahedralMesh& mesh) {
   return surface;
 }
 
-std::vector<double> bake_irradiance(const WallSurface& surface, const LightSetup& lights,
+std::vector<BakePlace> vertex_places(const WallSurface& surface, const TetrahedralMesh& mesh) {
+  std::vector<BakePlace> places;
+  for (const WallSurface::Vertex& vertex : surface.vertices) {
+    BakePlace place{vertex.corner.face, {0, 0, 0}, {}};
+    place.weights[vertex.corner.node] = 1;
+    place.position = vertex.position + off_the_vertex * (mesh.centroid(place.face) - vertex.position);
+    places.push_back(place);
+  }
+  return places;
+}
+
+std::vector<double> bake_irradiance(const std::vector<BakePlace>& places, const LightSetup& lights,
                                     const WallIrradiance& brought, int threads) {
   const std::size_t bands = lights.paths().bands();
-  std::vector<double> values(surface.vertices.size() * bands, 0);
-  if (!lights.empty()) values = light_at_vertices(surface, lights, threads);
-  for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
-    const WallCorner& corner = surface.vertices[v].corner;
-    for (std::size_t b = 0; b < bands; ++b)
-      values[v * bands + b] += brought.values[(corner.face.at() * 3 + corner.node) * bands + b];
-  }
+  std::vector<double> values(places.size() * bands, 0);
+  if (!lights.empty()) values = light_at(places, lights, threads);
+  for (std::size_t p = 0; p < places.size(); ++p)
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t b = 0; b < bands; ++b)
+        values[p * bands + b] +=
+            places[p].weights[i] * brought.values[(places[p].face.at() * 3 + i) * bands + b];
   return values;
 }
 
-std::vector<double> bake_radiosity(const WallSurface& surface, const Problem& problem,
+std::vector<double> bake_radiosity(const std::vector<BakePlace>& places, const Problem& problem,
                                    const std::vector<double>& irradiance) {
   const auto bands = static_cast<std::size_t>(problem.band_count());
   std::vector<double> values(irradiance.size());
-  for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
-    const Wall& wall = problem.wall(problem.mesh().wall(surface.vertices[v].corner.face));
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    const Wall& wall = problem.wall(problem.mesh().wall(places[p].face));
     for (std::size_t b = 0; b < bands; ++b)
-      values[v * bands + b] = wall.diffuse[b] * irradiance[v * bands + b] + pi * wall.radiance[b];
+      values[p * bands + b] = wall.diffuse[b] * irradiance[p * bands + b] + pi * wall.radiance[b];
   }
   return values;
 }
 
-std::vector<double> bake_sky_visibility(const WallSurface& surface, const TetrahedralMesh& mesh,
+std::vector<double> bake_sky_visibility(const std::vector<BakePlace>& places, const TetrahedralMesh& mesh,
                                         const std::vector<int>& sky, int threads) {
   std::vector<Medium> media;
   for (const std::string& name : mesh.region_names())
@@ -98,7 +103,7 @@ std::vector<double> bake_sky_visibility(const WallSurface& surface, const Tetrah
   }
   const Problem outdoors(mesh, {}, media, walls);
   const LightSetup lights(outdoors);
-  std::vector<double> values = light_at_vertices(surface, lights, threads);
+  std::vector<double> values = light_at(places, lights, threads);
   for (double& value : values) value /= pi;
   return values;
 }

@@ -24,18 +24,28 @@ struct WallSurface {
 
 WallSurface wall_surface(const TetrahedralMesh& mesh);
 
-/// Irradiance [vertex][band]: of the lights exact there (LightIrradiance), else as `brought` has it. Read 2 %
-/// of the way to the middle of a face: at an edge of the room it would not be known on which side.
-std::vector<double> bake_irradiance(const WallSurface& surface, const LightSetup& lights,
+/// A place on a wall where a number is baked.
+struct BakePlace {
+  FaceIndex face;
+  std::array<double, 3> weights;  ///< of the face's vertices; their sum is 1
+  Vec3 position;                  ///< where lights are looked at
+};
+
+/// The vertices of a surface. Lights are looked at 2 % of the way to the middle of a face: at an edge of the
+/// room it would not be known on which side.
+std::vector<BakePlace> vertex_places(const WallSurface& surface, const TetrahedralMesh& mesh);
+
+/// Irradiance [place][band]: of the lights exact there (LightIrradiance), else as `brought` has it.
+std::vector<double> bake_irradiance(const std::vector<BakePlace>& places, const LightSetup& lights,
                                     const WallIrradiance& brought, int threads);
 
-/// What the wall sends back and emits, per area, [vertex][band] [power/length^2]: (diffuse) E + pi L.
-std::vector<double> bake_radiosity(const WallSurface& surface, const Problem& problem,
+/// What the wall sends back and emits, per area, [place][band] [power/length^2]: (diffuse) E + pi L.
+std::vector<double> bake_radiosity(const std::vector<BakePlace>& places, const Problem& problem,
                                    const std::vector<double>& irradiance);
 
-/// Visibility of a uniform sky [vertex], weighted by the cosine: 1 less the ambient occlusion. The walls in
+/// Visibility of a uniform sky [place], weighted by the cosine: 1 less the ambient occlusion. The walls in
 /// `sky` shine, all others are black, and nothing is between them.
-std::vector<double> bake_sky_visibility(const WallSurface& surface, const TetrahedralMesh& mesh,
+std::vector<double> bake_sky_visibility(const std::vector<BakePlace>& places, const TetrahedralMesh& mesh,
                                         const std::vector<int>& sky, int threads);
 
 }  // namespace etendue

@@ -3,9 +3,10 @@
 
 #include <array>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <numbers>
+
+#include "solver/parallel/parallel_for.h"
 
 namespace etendue {
 namespace {
@@ -97,35 +98,28 @@ GridReading wall_intensity(const LightSetup& lights, const RayRadiance& scene, i
   const std::size_t bands = scene.bands();
   const auto count = static_cast<std::size_t>(azimuths) * static_cast<std::size_t>(polar_angles);
   GridReading reading{std::vector<double>(count * bands, 0), std::vector<double>(count * bands, 0)};
-  std::exception_ptr failure;
-#pragma omp parallel num_threads(threads)
-  {
-    RayRadiance::Workspace work(scene);
+  const auto look = [&](std::size_t i, RayRadiance::Workspace& work) {
+    const auto columns = static_cast<std::size_t>(azimuths);
+    const Vec3 direction = frame.direction(polar_angle(static_cast<int>(i / columns), polar_angles),
+                                           azimuth_angle(static_cast<int>(i % columns), azimuths));
+    const std::span uncollided = std::span(reading.uncollided).subspan(i * bands, bands);
     std::vector<double> other(bands), all(bands);
-#pragma omp for schedule(dynamic, 1)
-    for (std::size_t i = 0; i < count; ++i) try {
-        const auto columns = static_cast<std::size_t>(azimuths);
-        const Vec3 direction = frame.direction(polar_angle(static_cast<int>(i / columns), polar_angles),
-                                               azimuth_angle(static_cast<int>(i % columns), azimuths));
-        const std::span uncollided = std::span(reading.uncollided).subspan(i * bands, bands);
-        for (const WallPoint& point : points) {
-          const double across = point.area.dot(direction);
-          // Along the wall nothing leaves; rounding must not make rays run in it.
-          if (across <= 1e-12 * point.area.norm()) continue;
-          scene.along(point.place, -direction, {.lights_shown = false}, work, other);
-          if (!lights.empty()) scene.along(point.place, -direction, {.lights_shown = true}, work, all);
-          for (std::size_t b = 0; b < bands; ++b) {
-            reading.collided[i * bands + b] += across * other[b];
-            if (!lights.empty()) uncollided[b] += across * (all[b] - other[b]);
-          }
-        }
-        for (const PointLightPlace& bulb : bulbs) add_point_light(lights, bulb, wall, direction, uncollided);
-      } catch (...) {
-#pragma omp critical(etendue_wall_intensity)
-        failure = std::current_exception();
+    for (const WallPoint& point : points) {
+      const double across = point.area.dot(direction);
+      // Along the wall nothing leaves; rounding must not make rays run in it.
+      if (across <= 1e-12 * point.area.norm()) continue;
+      scene.along(point.place, -direction, {.lights_shown = false}, work, other);
+      if (!lights.empty()) scene.along(point.place, -direction, {.lights_shown = true}, work, all);
+      for (std::size_t b = 0; b < bands; ++b) {
+        reading.collided[i * bands + b] += across * other[b];
+        if (!lights.empty()) uncollided[b] += across * (all[b] - other[b]);
       }
-  }
-  if (failure) std::rethrow_exception(failure);
+    }
+    for (const PointLightPlace& bulb : bulbs) add_point_light(lights, bulb, wall, direction, uncollided);
+    return true;
+  };
+  parallel_for(
+      count, threads, 1, [&] { return RayRadiance::Workspace(scene); }, look);
   return reading;
 }
 

@@ -39,13 +39,13 @@ std::size_t estimate_rotated_memory(const LightSetup& lights, const std::vector<
 
 Solution solve_rotated(const LightSetup& lights, const std::vector<DirectionSet>& sets,
                        const SolveOptions& options, const SolveObserver& observer,
-                       const std::vector<DirectionSet>& first_collided) {
-  return solve_rotated(UncollidedLight(lights, options), sets, options, observer, first_collided);
+                       const std::vector<DirectionSet>& first_collided, const SetReader& reader) {
+  return solve_rotated(UncollidedLight(lights, options), sets, options, observer, first_collided, reader);
 }
 
 Solution solve_rotated(UncollidedLight uncollided, const std::vector<DirectionSet>& sets,
                        const SolveOptions& options, const SolveObserver& observer,
-                       const std::vector<DirectionSet>& first_collided) {
+                       const std::vector<DirectionSet>& first_collided, const SetReader& reader) {
   MeanSolution mean;
   SavedState last;
   SolveOptions warm = options;
@@ -60,8 +60,9 @@ Solution solve_rotated(UncollidedLight uncollided, const std::vector<DirectionSe
       all.max_sweeps += before;
       return observer(all);
     };
-    Solution solution = uncollided.solve_rest(sets[i], first_collided.empty() ? nullptr : &first_collided[i],
-                                              warm, observer ? SolveObserver(shifted) : SolveObserver());
+    Solution solution =
+        uncollided.solve_rest(sets[i], first_collided.empty() ? nullptr : &first_collided[i], warm,
+                              observer ? SolveObserver(shifted) : SolveObserver(), reader);
     before += sweeps;
     interrupted = solution.interrupted;
     if (interrupted && mean.count() > 0) break;

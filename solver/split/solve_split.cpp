@@ -131,7 +131,8 @@ UncollidedLight::UncollidedLight(const LightSetup& lights, const SolveOptions& o
 
 // The first collisions are a source of the one sweep or of the other.
 Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const DirectionSet* first_collided,
-                                     const SolveOptions& options, const SolveObserver& observer) const {
+                                     const SolveOptions& options, const SolveObserver& observer,
+                                     const SetReader& reader) const {
   const Problem remaining = lights_.remaining();
   SolveOptions with_input = options;
   if (first_collided != nullptr) {
@@ -147,13 +148,19 @@ Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const Direc
   with_input.angular_input = &input;
   Solution solution = solve(remaining, directions, with_input, observer);
   solution.seconds.lights = seconds;
+  if (reader) reader(directions, solution, &input);
   return solution;
 }
 
 Solution UncollidedLight::solve_rest(const DirectionSet& directions, const DirectionSet* first_collided,
-                                     const SolveOptions& options, const SolveObserver& observer) const {
-  if (lights_.empty()) return solve(lights_.problem(), directions, options, observer);
-  Solution solution = sweep_rest(directions, first_collided, options, observer);
+                                     const SolveOptions& options, const SolveObserver& observer,
+                                     const SetReader& reader) const {
+  if (lights_.empty()) {
+    Solution whole = solve(lights_.problem(), directions, options, observer);
+    if (reader) reader(directions, whole, options.angular_input);
+    return whole;
+  }
+  Solution solution = sweep_rest(directions, first_collided, options, observer, reader);
   solution.notes.insert(solution.notes.begin(), lights_.notes().begin(), lights_.notes().end());
   solution.lights.balance = balance_of(lights_, field_);
   add_exitance(lights_, field_, solution);
@@ -175,9 +182,10 @@ void UncollidedLight::finish(Solution& solution) && {
 }
 
 Solution solve_split(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
-                     const SolveObserver& observer, const DirectionSet* first_collided) {
+                     const SolveObserver& observer, const DirectionSet* first_collided,
+                     const SetReader& reader) {
   UncollidedLight uncollided(lights, options);
-  Solution solution = uncollided.solve_rest(directions, first_collided, options, observer);
+  Solution solution = uncollided.solve_rest(directions, first_collided, options, observer, reader);
   std::move(uncollided).finish(solution);
   return solution;
 }

@@ -28,7 +28,13 @@ TEST(Bake, WritesWhatTheWallsReceiveSendAndSee) {
     const std::string number = quantity == "occlusion" ? "sky_visibility" : quantity + "_green";
     EXPECT_TRUE(has(ply, "property float " + number + "\n"));
     EXPECT_EQ(text_of(results / (quantity + ".glb")).substr(0, 4), "glTF");
+    EXPECT_TRUE(has(text_of(results / (quantity + ".vtp")), "Name=\"" + number + "\""));
     EXPECT_TRUE(has(text_of(results / "summary.json"), quantity + ".glb")) << "a later run removes it";
+    arguments.insert(arguments.end(), {"--texture", "64"});
+    ASSERT_EQ(etendue_says(arguments).code, ExitCode::done);
+    EXPECT_EQ(text_of(results / (quantity + ".texture.png")).substr(1, 3), "PNG");
+    EXPECT_EQ(text_of(results / (quantity + ".texture.glb")).substr(0, 4), "glTF");
+    EXPECT_FALSE(text_of(results / (quantity + ".texture.exr")).empty());
     arguments.insert(arguments.end(), {"--threads", "3"});
     ASSERT_EQ(etendue_says(arguments).code, ExitCode::done);
     EXPECT_EQ(text_of(results / (quantity + ".ply")), ply);

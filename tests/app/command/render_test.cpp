@@ -169,18 +169,22 @@ TEST(Run, RefusesACameraBesideFormulasOfTheDirection) {
   EXPECT_EQ(wall.code, ExitCode::done) << wall.err;
 }
 
-TEST(Run, RefusesACameraBesideLeaves) {
+TEST(Run, PhotographsLeavesAndRefusesKernels) {
   std::string text = small_case() + camera;
   const std::string matter = "absorption = [0.1, 0.2, 0.3]\nscattering = 1.0\n";
   text.replace(text.find(matter), matter.size(),
                "leaves = { area_density = 1, reflectance = 0.4, transmittance = 0.1 }\n");
   const CaseFolder folder(text);
-  const Outcome outcome = etendue_says({"run", folder.file()});
-  EXPECT_EQ(outcome.code, ExitCode::input_error);
-  EXPECT_TRUE(has(outcome.err,
-                  "a camera beside leaves, flakes or a kernel, which rays do not see (not in this "
-                  "version); remove it"))
-      << outcome.err;
+  const Outcome leaves = etendue_says({"run", folder.file()});
+  EXPECT_EQ(leaves.code, ExitCode::done) << leaves.err;
+  text.replace(text.find("leaves = "), text.find('\n', text.find("leaves = ")) - text.find("leaves = "),
+               "absorption = 1\nkernel = \"0.01*(1 + wx*vx)\"");
+  const CaseFolder other(text);
+  const Outcome kernel = etendue_says({"run", other.file()});
+  EXPECT_EQ(kernel.code, ExitCode::input_error);
+  EXPECT_TRUE(
+      has(kernel.err, "a camera beside a kernel, which rays do not see (not in this version); remove it"))
+      << kernel.err;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/write/sample_run.h"
@@ -76,6 +77,46 @@ TEST(BakedSurface, GlbIsAFileOfWholeChunks) {
   EXPECT_EQ(read<float>(bytes, colors + 12), 0.5F);
   EXPECT_EQ(read<float>(bytes, colors + 20), 1.0F) << "no more than white";
   EXPECT_EQ(read<std::uint32_t>(bytes, start_of(primitive["indices"]) + 8), 2U);
+}
+
+// All that the glTF 2.0 specification asks of the parts of such a file: aligned views within the buffer,
+// counts that fit them, and references that exist; and the texture is a PNG.
+TEST(BakedSurface, TexturedGlbIsConsistent) {
+  const Sample sample;
+  WallAtlas atlas;
+  atlas.side = 16;
+  atlas.texel = 0.1;
+  atlas.coordinates = {{0.1, 0.2}, {0.1, 0.8}, {0.7, 0.2}};
+  atlas.texels = {17, 18};
+  const BakedTexture texture{sample.surface,           atlas,  {"irradiance"}, {1.5, 2.5},
+                             {{1, 0.5, 0}, {0, 0, 1}}, "light"};
+  const std::string bytes = textured_glb_bytes(texture);
+  EXPECT_EQ(read<std::uint32_t>(bytes, 8), bytes.size());
+  const auto json_length = read<std::uint32_t>(bytes, 12);
+  const nlohmann::json document = nlohmann::json::parse(bytes.substr(20, json_length));
+  const std::string buffer = bytes.substr(20 + json_length + 8);
+  EXPECT_EQ(buffer.size() % 4, 0U);
+  EXPECT_LE(document["buffers"][0]["byteLength"], buffer.size());
+  const std::map<std::string, std::size_t> size_of = {{"SCALAR", 4}, {"VEC2", 8}, {"VEC3", 12}};
+  for (const nlohmann::json& view : document["bufferViews"]) {
+    EXPECT_EQ(view["byteOffset"].get<std::size_t>() % 4, 0U);
+    EXPECT_LE(view["byteOffset"].get<std::size_t>() + view["byteLength"].get<std::size_t>(),
+              document["buffers"][0]["byteLength"].get<std::size_t>());
+  }
+  for (const nlohmann::json& accessor : document["accessors"])
+    EXPECT_EQ(accessor["count"].get<std::size_t>() * size_of.at(accessor["type"]),
+              document["bufferViews"][accessor["bufferView"].get<std::size_t>()]["byteLength"]);
+  const nlohmann::json& primitive = document["meshes"][0]["primitives"][0];
+  EXPECT_EQ(document["accessors"][primitive["attributes"]["TEXCOORD_0"].get<std::size_t>()]["type"], "VEC2");
+  EXPECT_FALSE(primitive["attributes"].contains("COLOR_0")) << "it would be multiplied by the texture";
+  const nlohmann::json& material = document["materials"][primitive["material"].get<std::size_t>()];
+  const auto number = material["pbrMetallicRoughness"]["baseColorTexture"]["index"].get<std::size_t>();
+  const nlohmann::json& image = document["images"][document["textures"][number]["source"].get<std::size_t>()];
+  EXPECT_EQ(image["mimeType"], "image/png");
+  const nlohmann::json& view = document["bufferViews"][image["bufferView"].get<std::size_t>()];
+  EXPECT_EQ(buffer.substr(view["byteOffset"], view["byteLength"]), texture_png(texture));
+  EXPECT_EQ(texture_png(texture).substr(1, 3), "PNG");
+  EXPECT_FALSE(texture_exr(texture).empty());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/angle/micro_flakes.h"
 #include "solver/picture/picture.h"
 #include "solver/split/solve_split.h"
 #include "tests/solver/ordinates/sample_problems.h"
@@ -103,6 +104,41 @@ TEST(RayRadiance, IsConstantInAFurnaceOfConstantElements) {
   EXPECT_NEAR(scene.along({0.4, 0.3, 0.2}, {0.3, 0.5, -0.2}), 3, 3e-6);
 }
 
+Medium matter(const DirectionalScattering& scattering, double reference, double albedo, double emission) {
+  Medium medium = uniform_medium(1, 2 * reference * (1 - albedo), 2 * reference * albedo, emission);
+  medium.directional = {scattering};
+  return medium;
+}
+
+// Leaves and flakes of density 2: light that they send on in equal parts leaves a constant constant. Their
+// extinction depends on the direction, and so does how they emit in a furnace: they have none there.
+TEST(RayRadiance, SeesLeavesAndFlakesInAWhiteFurnace) {
+  const TetrahedralMesh mesh = cube_mesh(0.03);
+  const LeafCanopy leaves{LeafAngles::planophile, 0.6, 0.4};
+  const MicroFlakes flakes{Vec3(1, 2, 2) / 3, 1, 0.3, 1};
+  const std::vector<Medium> media = {matter(leaves, 0.5, 1, 0),
+                                     matter(flakes, mean_flake_projection(flakes), 1, 0)};
+  for (const Medium& medium : media) {
+    const Problem furnace = uniform_problem(mesh, medium, uniform_wall(1, 3, 0, 0));
+    const Scene scene(furnace, directions_ldfe_sq(1));
+    for (const Vec3& towards : {Vec3(0.3, 0.5, -0.2), Vec3(0, 0, 1), Vec3(-1, 0.1, 0)})
+      EXPECT_NEAR(scene.along({0.4, 0.3, 0.2}, towards), 3, 3e-6);
+  }
+}
+
+// Black level leaves of density 2 let e^(-2 |mu| s) through, which flat light passes unhindered.
+TEST(RayRadiance, PassesLevelLeavesAsTheyLie) {
+  const TetrahedralMesh mesh = cube_mesh(0.03);
+  const Medium black = matter(LeafCanopy{LeafAngles::horizontal, 0, 0}, 0.5, 0, 0);
+  const Problem canopy = uniform_problem(mesh, black, uniform_wall(1, 3, 0, 0));
+  const Scene scene(canopy, directions_ldfe_sq(1));
+  for (const double mu : {1.0, 0.6, 0.0}) {
+    const Vec3 towards(std::sqrt(1 - mu * mu), 0, mu);
+    const double way = mu == 1.0 ? 0.8 : std::min(0.6 / towards.x(), mu > 0 ? 0.8 / mu : 1e9);
+    EXPECT_NEAR(scene.along({0.4, 0.3, 0.2}, towards), 3 * std::exp(-2 * mu * way), 1e-9) << mu;
+  }
+}
+
 // L = q/sigma (1 - e^(-sigma l)) of an emitting slab (Chandrasekhar 1960, eq. I.69), to rounding.
 TEST(RayRadiance, IsThatOfAnEmittingSlab) {
   const TetrahedralMesh mesh = cube_mesh(0.01);
@@ -127,6 +163,28 @@ TEST(RayRadiance, GoesOnAtAMirror) {
   const Scene scene(slab, directions_product(2));
   const double once = 0.5 * (1 - std::exp(-2.0));
   EXPECT_NEAR(scene.along({0.3, -1, 0.4}, Vec3::UnitY()), once + std::exp(-2.0) * 0.8 * once, 1e-12);
+}
+
+// A ray across the gap between two mirrors goes round and round: q/sigma (1 - t)/(1 - r t) of each mirror's r
+// and the gap's t = e^(-sigma h), however thin the medium; where nothing is lost nothing shines, at once.
+TEST(RayRadiance, AddsUpTheRoundsBetweenMirrors) {
+  const TetrahedralMesh mesh = cube_mesh(0.03);
+  for (const double extinction : {2.0, 1e-3, 1e-6}) {
+    std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+      walls[w].name = mesh.wall_names()[w];
+      if (walls[w].name == "ymin" || walls[w].name == "ymax") walls[w].specular = {1.0};
+      if (walls[w].name == "ymax") walls[w].specular = {0.99};
+    }
+    const Problem gap(mesh, {}, {uniform_medium(1, extinction, 0, extinction)}, walls);
+    const Scene scene(gap, directions_product(2));
+    const double across = std::exp(-extinction), glow = -std::expm1(-extinction);
+    const double expected = glow * (1 + 0.99 * across) / (1 - 0.99 * across * across);
+    EXPECT_NEAR(scene.along({0.3, -1, 0.4}, Vec3::UnitY()) / expected, 1, 1e-9) << extinction;
+  }
+  const Problem dark = uniform_problem(mesh, uniform_medium(1, 0, 0, 0), uniform_wall(1, 0, 0, 1));
+  const Scene nothing(dark, directions_product(2));
+  EXPECT_EQ(nothing.along({0.3, 0.2, 0.4}, Vec3::UnitY()), 0);
 }
 
 // Thin haze in the sun: L = sigma_s p E integral of e^(-sigma s) ds, with the phase function itself.

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "solver/measure/balance.h"
+#include "solver/sensors/uncollided_account.h"
+#include "solver/split/solve_split.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
 namespace etendue {
@@ -25,7 +29,7 @@ struct Solved {
     solution = solve(problem, directions, options);
   }
   RegionAccount account(int region, const std::optional<Cone>& cone = {}) const {
-    return region_account(lights, directions, options, solution, region, cone);
+    return region_account(lights, directions, options, solution, nullptr, region, cone);
   }
 
   const Problem& problem;
@@ -97,6 +101,94 @@ TEST(RegionAccount, CountsPhaseSpaceInAFurnace) {
   EXPECT_NEAR(cone.path[0] / (3 * 0.125 * cone.solid_angle), 1, 1e-8);
   EXPECT_NEAR(cone.flowing_in[0] / cone.flowing_out[0], 1, 1e-8);
   EXPECT_NEAR(cone.scattered_in[0] / cone.scattered_out[0], 1, 1e-8);
+}
+
+/// Both parts of the accounts of a region, in all directions and in a cone.
+struct LitAccounts {
+  std::vector<RegionAccount> collided;
+  std::vector<RegionAccount> uncollided;
+};
+
+LitAccounts lit_accounts(const LightSetup& lights, int region) {
+  const DirectionSet directions = directions_product(6);
+  const std::array<std::optional<Cone>, 2> cones = {std::nullopt,
+                                                    Cone{Vec3(0.3, -0.2, -0.9).normalized(), 1.0}};
+  SolveOptions options = tight_options();
+  options.keep_ordinates.resize(static_cast<std::size_t>(directions.count()));
+  std::iota(options.keep_ordinates.begin(), options.keep_ordinates.end(), 0);
+  LitAccounts accounts;
+  const auto reader = [&](const DirectionSet& set, const Solution& found, const AngularInput* input) {
+    for (const auto& cone : cones)
+      accounts.collided.push_back(region_account(lights, set, options, found, input, region, cone));
+  };
+  const Solution solution = solve_split(lights, directions, options, {}, nullptr, reader);
+  for (const auto& cone : cones)
+    accounts.uncollided.push_back(uncollided_account(lights, solution, region, cone, 1));
+  return accounts;
+}
+
+/// Gas that scatters around a block, a wall that reflects, and what shines.
+Problem lit_gas(const TetrahedralMesh& mesh, std::vector<Light> lights, double lit_wall) {
+  std::vector<Medium> media(2, uniform_medium(1, 0.3, 1, 0, PhaseHenyeyGreenstein{0.5}));
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    walls.push_back(uniform_wall(1, name == "zmax" ? lit_wall : 0, name == "zmin" ? 0.5 : 0, 0));
+    walls.back().name = name;
+    walls.back().uncollided = Uncollided::yes;
+  }
+  return Problem(mesh, {}, media, walls, AngularSpace::sphere, std::move(lights));
+}
+
+// Beside lights too: what directions carried closes as the iteration does, light on its way from the lights
+// as the sums over points do, and what it scatters is what the other takes over.
+TEST(RegionAccount, ClosesBesideLights) {
+  const TetrahedralMesh mesh = two_region_mesh(0.02);
+  const auto zmax =
+      static_cast<int>(std::ranges::find(mesh.wall_names(), "zmax") - mesh.wall_names().begin());
+  const int inner = region_of(mesh, "inner");
+  const std::vector<Problem> problems = {
+      lit_gas(mesh, {{"sun", BeamLight{-Vec3::UnitZ(), {2}, {zmax}}, {}}}, 0),
+      lit_gas(mesh, {{"bulb", PointLight{{0.5, 0.5, 0.55}, {3}, Vec3::UnitZ(), {}, {}}, {}}}, 0),
+      lit_gas(mesh, {}, 1)};
+  for (const Problem& problem : problems)
+    for (const int region : {inner, 1 - inner}) {
+      // A wide lamp sends many beams.
+      if (&problem == &problems.back() && region != inner) continue;
+      const LightSetup lights(problem);
+      const LitAccounts accounts = lit_accounts(lights, region);
+      for (const std::size_t i : {0, 1}) {
+        EXPECT_NEAR(accounts.collided[i].residual(0), 0, 1e-8);
+        // The edge of the cone goes through cells, most of all around a bulb.
+        EXPECT_NEAR(accounts.uncollided[i].residual(0), 0, i == 0 ? 0.02 : 0.15);
+      }
+      const RegionAccount& first = accounts.uncollided[0];
+      EXPECT_GT(first.coming_in(0), 0.1);
+      EXPECT_GT(accounts.collided[0].scattered_in[0], 1.0000001 * accounts.collided[0].scattered_out[0]);
+      EXPECT_NEAR((accounts.collided[0].scattered_in[0] - first.scattered_out[0]) /
+                      accounts.collided[0].scattered_out[0],
+                  1, 1e-8)
+          << "light is scattered as often into directions as out of them";
+    }
+}
+
+// The sun travels within a cone or not; a bulb sends the cone's part of its power into it.
+TEST(RegionAccount, KnowsWhereLightOfLightsGoes) {
+  const TetrahedralMesh mesh = two_region_mesh(0.02);
+  const auto zmax =
+      static_cast<int>(std::ranges::find(mesh.wall_names(), "zmax") - mesh.wall_names().begin());
+  const Problem problem = lit_gas(mesh,
+                                  {{"sun", BeamLight{-Vec3::UnitZ(), {2}, {zmax}}, {}},
+                                   {"bulb", PointLight{{0.5, 0.5, 0.5}, {3}, Vec3::UnitZ(), {}, {}}, {}}},
+                                  0);
+  const LightSetup lights(problem);
+  const Solution solution = solve_split(lights, directions_product(2), tight_options());
+  const int inner = region_of(mesh, "inner");
+  const Cone up{Vec3::UnitZ(), 0.5}, down{-Vec3::UnitZ(), 0.5};
+  const RegionAccount rising = uncollided_account(lights, solution, inner, up, 1);
+  const RegionAccount falling = uncollided_account(lights, solution, inner, down, 1);
+  EXPECT_NEAR(rising.emitted[0], 3 * up.solid_angle() / (4 * pi), 1e-8);
+  EXPECT_NEAR(falling.emitted[0], rising.emitted[0], 1e-12);
+  EXPECT_NEAR(falling.flowing_in[0] - rising.flowing_in[0], 2 * 0.25 * std::exp(-1.3 * 0.25), 1e-8);
 }
 
 }  // namespace

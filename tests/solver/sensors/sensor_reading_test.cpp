@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -102,6 +103,62 @@ TEST(SensorReader, SeesASkyByFormula) {
   Sensor sensor;
   sensor.position = {0.3, 0.6, 0};
   EXPECT_NEAR(laboratory.value(sensor), 2.44346095279, 1e-6);
+}
+
+// Through a wall of area 1 goes pi u each way, within a cone about its normal pi u sin^2; its exitance is pi
+// u.
+TEST(SensorReader, CountsWhatGoesThroughAWallInAFurnace) {
+  const TetrahedralMesh mesh = box();
+  const Problem furnace =
+      uniform_problem(mesh, uniform_medium(1, 0.7, 2, 0.7 * 4), uniform_wall(1, 0.3 * 4, 0.5, 0.2));
+  const Laboratory laboratory(furnace, directions_ldfe_sq(1));
+  Sensor sensor;
+  sensor.kind = SensorKind::flux;
+  sensor.wall = static_cast<int>(std::ranges::find(mesh.wall_names(), "floor") - mesh.wall_names().begin());
+  for (const std::size_t way : {0, 1}) EXPECT_NEAR(laboratory.value(sensor, way) / (pi * 4), 1, 3e-6);
+  sensor.half_angle = 0.4;
+  for (const double up : {1, -1}) {
+    sensor.direction = {0, 0, up};
+    EXPECT_NEAR(laboratory.value(sensor, up > 0 ? 0 : 1) / (pi * 4 * std::pow(std::sin(0.4), 2)), 1, 3e-6);
+    EXPECT_EQ(laboratory.value(sensor, up > 0 ? 1 : 0), 0);
+  }
+  sensor.kind = SensorKind::exitance;
+  sensor.direction = Vec3::UnitZ();
+  sensor.position = {0.3, 0.6, 0};
+  EXPECT_NEAR(laboratory.value(sensor) / (pi * 4), 1, 3e-6);
+}
+
+// A ceiling of radiance 5 sends 5 pi; the floor sends back half of what it gets, a tenth of all as a mirror:
+// what it reflects of the ceiling is looked for by the rays of a picture, within 1e-3.
+TEST(SensorReader, KeepsWhatWallsGetAndSendApart) {
+  const TetrahedralMesh mesh = box();
+  std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    walls[w].name = mesh.wall_names()[w];
+    if (walls[w].name == "ceiling") walls[w] = uniform_wall(1, 5, 0, 0), walls[w].name = "ceiling";
+    if (walls[w].name == "floor") walls[w] = uniform_wall(1, 0, 0.4, 0.1), walls[w].name = "floor";
+    walls[w].uncollided = Uncollided::yes;
+  }
+  const Problem room(mesh, {}, {uniform_medium(1, 0.1, 0, 0)}, walls);
+  const Laboratory laboratory(room, directions_ldfe_sq(1));
+  Sensor sensor;
+  sensor.kind = SensorKind::exitance;
+  sensor.position = {0.3, 0.6, 1};
+  sensor.direction = -Vec3::UnitZ();
+  EXPECT_NEAR(laboratory.value(sensor) / (5 * pi), 1, 1e-6);
+  sensor.position = {0.3, 0.6, 0};
+  sensor.direction = Vec3::UnitZ();
+  const double sent = laboratory.value(sensor);
+  sensor.kind = SensorKind::irradiance;
+  EXPECT_NEAR(sent / laboratory.value(sensor), 0.5, 2e-3);
+  sensor.kind = SensorKind::flux;
+  const auto number = [&](const std::string& name) {
+    return static_cast<int>(std::ranges::find(mesh.wall_names(), name) - mesh.wall_names().begin());
+  };
+  sensor.wall = number("ceiling");
+  EXPECT_NEAR(laboratory.value(sensor, 1) / (5 * pi), 1, 1e-6);
+  sensor.wall = number("floor");
+  EXPECT_NEAR(laboratory.value(sensor, 1) / laboratory.value(sensor, 0), 0.5, 2e-3);
 }
 
 // A lamp seen through absorbing gas: both parts of every reading are known.

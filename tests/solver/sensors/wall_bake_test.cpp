@@ -42,8 +42,8 @@ TEST(WallBake, FindsTheSkyOfAWell) {
   const TetrahedralMesh mesh = well();
   const WallSurface surface = wall_surface(mesh);
   const int mouth = mesh.wall_names()[0] == "mouth" ? 0 : 1;
-  const std::vector<double> visibility = bake_sky_visibility(surface, mesh, {mouth}, 2);
-  EXPECT_EQ(visibility, bake_sky_visibility(surface, mesh, {mouth}, 1));
+  const std::vector<double> visibility = bake_sky_visibility(vertex_places(surface, mesh), mesh, {mouth}, 2);
+  EXPECT_EQ(visibility, bake_sky_visibility(vertex_places(surface, mesh), mesh, {mouth}, 1));
   int seen = 0;
   for (std::size_t v = 0; v < visibility.size(); ++v) {
     EXPECT_GE(visibility[v], -1e-12);
@@ -69,8 +69,8 @@ TEST(WallBake, AddsLightsExactlyToWhatDirectionsBrought) {
   const WallSurface surface = wall_surface(mesh);
   const WallIrradiance brought{
       std::vector<double>(static_cast<std::size_t>(mesh.boundary_face_count()) * 3, 0.3), {}};
-  const std::vector<double> irradiance = bake_irradiance(surface, lights, brought, 1);
-  const std::vector<double> radiosity = bake_radiosity(surface, lit, irradiance);
+  const std::vector<double> irradiance = bake_irradiance(vertex_places(surface, mesh), lights, brought, 1);
+  const std::vector<double> radiosity = bake_radiosity(vertex_places(surface, mesh), lit, irradiance);
   for (std::size_t v = 0; v < irradiance.size(); ++v) {
     const bool mouth = surface.vertices[v].normal.z() < -0.5;
     EXPECT_NEAR(radiosity[v], mouth ? 2 * pi : 0.5 * irradiance[v], 1e-12);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "mesh/base/vec3.h"
+
+namespace etendue {
+
+/// A point of a rule on a polygon and the area that it stands for.
+struct PolygonPoint {
+  Vec3 position;
+  double area;
+};
+
+/// Those of a flat convex polygon: each triangle about its first corner in n^2 equal ones, with the three
+/// points of degree 2 in each.
+std::vector<PolygonPoint> polygon_points(const std::vector<Vec3>& polygon, int n);
+
+}  // namespace etendue

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/sensors/uncollided_account.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "mesh/tetrahedra/cell_locator.h"
+#include "solver/lights/point_source.h"
+#include "solver/parallel/parallel_for.h"
+#include "solver/sensors/polygon_points.h"
+#include "solver/sensors/region_surface.h"
+
+namespace etendue {
+namespace {
+
+using std::numbers::pi;
+
+/// Of integrals over the cone of what a light sends.
+constexpr double sum_tolerance = 1e-9;
+constexpr int most_directions = 20000;
+
+/// Faces are cut into this many parts squared, of three points each.
+constexpr int parts_of_side = 2;
+
+/// Points on the edge of a cell's lattice of points that stand for equal parts.
+constexpr int cell_lattice = 3;
+
+bool holds(const std::optional<Cone>& cone, const Vec3& travel) { return !cone || cone->holds(travel); }
+
+/// Those of all lights but one.
+LightBeams beams_at(const LightSetup& lights, const PointInCell& place,
+                    const LightSource* without = nullptr) {
+  LightBeams beams(lights.paths().bands());
+  for (const auto& source : lights.sources())
+    if (source.get() != without) source->add_beams(place, Sight::attenuated, fine_light, beams);
+  return beams;
+}
+
+/// The light that a wall is; null where it is none. Walls are the last of the sources. Seen from its own
+/// surface it is not known whether it shines, so there it is left out.
+const LightSource* light_of_wall(const LightSetup& lights, int wall) {
+  if (!lights.has_wall(wall)) return nullptr;
+  const auto found =
+      std::find_if(lights.sources().rbegin(), lights.sources().rend(),
+                   [&](const auto& source) { return source->name() == lights.problem().wall(wall).name; });
+  return found == lights.sources().rend() ? nullptr : found->get();
+}
+
+/// Points spread evenly in a cell.
+std::vector<Vec3> points_in(const TetrahedralMesh& mesh, CellIndex cell) {
+  std::array<Vec3, 4> v;
+  for (std::size_t k = 0; k < 4; ++k) v[k] = mesh.point(VertexIndex(mesh.vertices(cell)[k]));
+  std::vector<Vec3> points;
+  const auto part = [](int i) { return (i + 0.25) / cell_lattice; };
+  for (int i = 0; i < cell_lattice; ++i)
+    for (int j = 0; i + j < cell_lattice; ++j)
+      for (int k = 0; i + j + k < cell_lattice; ++k)
+        points.push_back(part(i) * v[0] + part(j) * v[1] + part(k) * v[2] +
+                         part(cell_lattice - 1 - i - j - k) * v[3]);
+  return points;
+}
+
+/// [band] the part of the fluence in a cell that travels within the cone.
+std::vector<double> share_of(const LightSetup& lights, CellIndex cell, const Cone& cone) {
+  std::vector<double> all(lights.paths().bands(), 0), within(all);
+  for (const Vec3& point : points_in(lights.problem().mesh(), cell)) {
+    const LightBeams beams = beams_at(lights, {cell, point});
+    for (std::size_t n = 0; n < beams.size(); ++n)
+      for (std::size_t b = 0; b < all.size(); ++b) {
+        all[b] += beams.fluence(n)[b];
+        if (cone.holds(beams.direction(n))) within[b] += beams.fluence(n)[b];
+      }
+  }
+  for (std::size_t b = 0; b < all.size(); ++b) within[b] = all[b] > 0 ? within[b] / all[b] : 0;
+  return within;
+}
+
+void add_cell(const LightSetup& lights, const Solution& solution, CellIndex cell,
+              const std::optional<Cone>& cone, RegionAccount& account) {
+  const Problem& problem = lights.problem();
+  const std::size_t bands = lights.paths().bands();
+  const std::vector<double> share = cone ? share_of(lights, cell, *cone) : std::vector<double>(bands, 1);
+  for (std::size_t b = 0; b < bands; ++b) {
+    double fluence = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      fluence += solution.lights.fluence[(cell.at() * 4 + i) * bands + b] / 4;
+    const double path = problem.mesh().volume(cell) * fluence * share[b];
+    const auto band = static_cast<int>(b);
+    account.path[b] += path;
+    account.absorbed[b] += problem.absorption(cell, band) * path;
+    account.scattered_out[b] += problem.scattering(cell, band) * path;
+  }
+}
+
+/// Integral of max(0, n.w) over the cone, or over all directions [sr].
+double projected(const std::optional<Cone>& cone, const Vec3& normal) {
+  if (!cone) return pi;
+  return integrate_over_cone(
+             *cone, 1,
+             [&](const Vec3& travel, std::span<double> value) {
+               value[0] = std::max(0.0, normal.dot(travel));
+             },
+             sum_tolerance, most_directions)
+      .values[0];
+}
+
+void add_face(const LightSetup& lights, const SurfaceFace& part, const std::optional<Cone>& cone,
+              RegionAccount& account) {
+  const TetrahedralMesh& mesh = lights.problem().mesh();
+  const std::size_t bands = account.path.size();
+  const LightSource* own = part.outside ? nullptr : light_of_wall(lights, mesh.wall(part.face));
+  std::vector<Vec3> corners;
+  for (const std::int32_t v : mesh.vertices(part.face)) corners.push_back(mesh.point(VertexIndex(v)));
+  for (const PolygonPoint& point : polygon_points(corners, parts_of_side)) {
+    const LightBeams beams = beams_at(lights, {part.inside, point.position}, own);
+    for (std::size_t n = 0; n < beams.size(); ++n) {
+      if (!holds(cone, beams.direction(n))) continue;
+      const double across = point.area * part.area.normalized().dot(beams.direction(n));
+      for (std::size_t b = 0; b < bands; ++b)
+        (across > 0 ? account.flowing_out : account.flowing_in)[b] += std::abs(across) * beams.fluence(n)[b];
+    }
+  }
+  if (own == nullptr) return;
+  const double inwards = projected(cone, -part.area.normalized()) * part.area.norm();
+  for (std::size_t b = 0; b < bands; ++b)
+    account.flowing_in[b] += inwards * lights.problem().wall(mesh.wall(part.face)).radiance[b];
+}
+
+/// What lights in the region send.
+class Emission {
+ public:
+  Emission(const LightSetup& lights, int region, const std::optional<Cone>& cone)
+      : lights_(lights), mesh_(lights.problem().mesh()), locator_(mesh_), region_(region), cone_(cone) {}
+
+  void add_to(RegionAccount& account) const {
+    const auto all = lights_.problem().lights();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (const auto* surface = std::get_if<SurfaceLight>(&all[i].kind)) add_surface(*surface, account);
+      if (const auto* point = std::get_if<PointLight>(&all[i].kind))
+        if (is_here(point->position)) add_point(*lights_.sources()[i], account);
+    }
+    if (!lights_.has_region(region_)) return;
+    const double solid_angle = cone_ ? cone_->solid_angle() : 4 * pi;
+    for (std::int32_t c = 0; c < mesh_.cell_count(); ++c)
+      for (std::size_t b = 0; b < account.path.size() && mesh_.region(CellIndex(c)) == region_; ++b)
+        account.emitted[b] += solid_angle * mesh_.volume(CellIndex(c)) *
+                              lights_.problem().emission(CellIndex(c), static_cast<int>(b));
+  }
+
+ private:
+  bool is_here(const Vec3& position) const {
+    const std::vector<CellPoint> cells = locator_.find(position);
+    return !cells.empty() && mesh_.region(cells.front().cell) == region_;
+  }
+  void add_surface(const SurfaceLight& light, RegionAccount& account) const {
+    for (std::size_t i = 0; i + 2 < light.triangles.size(); i += 3) {
+      const Vec3 &a = light.triangles[i], &b = light.triangles[i + 1], &c = light.triangles[i + 2];
+      if (!is_here((a + b + c) / 3)) continue;
+      const Vec3 area = (b - a).cross(c - a) / 2;
+      const double spread = projected(cone_, area.normalized()) * area.norm();
+      for (std::size_t n = 0; n < account.path.size(); ++n) account.emitted[n] += spread * light.radiance[n];
+    }
+  }
+  void add_point(const LightSource& source, RegionAccount& account) const {
+    const PointSource& point = *source.as_point();
+    const double part = !cone_ ? 1
+                               : integrate_over_cone(
+                                     *cone_, 1,
+                                     [&](const Vec3& travel, std::span<double> value) {
+                                       value[0] = point.intensity(point.images().front(), travel);
+                                     },
+                                     sum_tolerance, most_directions)
+                                     .values[0];
+    for (std::size_t b = 0; b < account.path.size(); ++b) account.emitted[b] += part * source.power()[b];
+  }
+
+  const LightSetup& lights_;
+  const TetrahedralMesh& mesh_;
+  CellLocator locator_;
+  int region_;
+  const std::optional<Cone>& cone_;
+};
+
+}  // namespace
+
+RegionAccount uncollided_account(const LightSetup& lights, const Solution& solution, int region,
+                                 const std::optional<Cone>& cone, int threads) {
+  const TetrahedralMesh& mesh = lights.problem().mesh();
+  RegionAccount account(lights.paths().bands());
+  if (lights.empty()) return account;
+  Emission(lights, region, cone).add_to(account);
+  std::vector<CellIndex> cells;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
+    if (mesh.region(CellIndex(c)) == region) cells.emplace_back(c);
+  const std::vector<SurfaceFace> surface = surface_of(mesh, region);
+  std::vector<RegionAccount> parts(cells.size() + surface.size(), RegionAccount(account.path.size()));
+  parallel_for(parts.size(), threads, 16, [&](std::size_t i) {
+    if (i < cells.size())
+      add_cell(lights, solution, cells[i], cone, parts[i]);
+    else
+      add_face(lights, surface[i - cells.size()], cone, parts[i]);
+    return true;
+  });
+  for (const RegionAccount& part : parts) account.add(part, 1);
+  return account;
+}
+
+}  // namespace etendue

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/error_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "solver/picture/picture.h"
+#include "solver/split/solve_rotated.h"
+#include "tests/solver/ordinates/sample_problems.h"
+
+namespace etendue {
+namespace {
+
+std::vector<CameraCase> cameras() {
+  CameraCase camera;
+  camera.camera.position = {0.45, -1.2, 0.6};
+  camera.camera.look_at = {0.5, 0.5, 0.5};
+  camera.camera.field_of_view = 40;
+  camera.camera.pixels = {24, 18};
+  camera.camera.errors = true;
+  return {camera};
+}
+
+/// What an error scene makes of each pixel.
+std::vector<double> layer(const RayRadiance& erring, const RayRadiance& scene) {
+  const Camera camera = cameras().front().camera;
+  std::vector<double> difference = take_picture(erring, camera, 1).radiance;
+  const std::vector<double> picture = take_picture(scene, camera, 1).radiance;
+  for (std::size_t i = 0; i < picture.size(); ++i) difference[i] = std::abs(difference[i] - picture[i]);
+  return difference;
+}
+
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+double smooth(const Vec3& p) { return 2 + std::sin(3 * p.x() + 1) * std::cos(2 * p.y()) + p.z() * p.z(); }
+Vec3 slope(const Vec3& p) {
+  return {3 * std::cos(3 * p.x() + 1) * std::cos(2 * p.y()),
+          -2 * std::sin(3 * p.x() + 1) * std::sin(2 * p.y()), 2 * p.z()};
+}
+
+/// A smooth fluence as discontinuous elements have it: its mean and slope in each cell.
+SavedState elements_of(const TetrahedralMesh& mesh) {
+  constexpr double near = 0.5854101966249685, far = 0.1381966011250105;  // a rule of degree 2
+  SavedState state;
+  state.bands = 1;
+  state.irradiance.assign(3 * static_cast<std::size_t>(mesh.boundary_face_count()), 0);
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const auto& v = mesh.vertices(CellIndex(c));
+    const Vec3 middle = mesh.centroid(CellIndex(c));
+    double mean = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      Vec3 point = Vec3::Zero();
+      for (std::size_t k = 0; k < 4; ++k) point += (k == i ? near : far) * mesh.point(VertexIndex(v[k]));
+      mean += smooth(point) / 4;
+    }
+    for (const std::int32_t vertex : v)
+      state.fluence.push_back(mean + slope(middle).dot(mesh.point(VertexIndex(vertex)) - middle));
+  }
+  return state;
+}
+
+/// Root mean squares over the picture: what the layer says, and what the picture of the elements is off by.
+struct SpaceError {
+  double estimated;
+  double true_one;
+};
+
+SpaceError space_error(double max_volume) {
+  const TetrahedralMesh mesh = cube_mesh(max_volume);
+  const Problem haze = uniform_problem(mesh, uniform_medium(1, 0.2, 1.5, 0), uniform_wall(1, 0, 0, 0));
+  const LightSetup lights(haze);
+  const DirectionSet directions = directions_product(2);
+  const SolveOptions options = tight_options();
+  const SavedState state = elements_of(mesh);
+  const RayRadiance scene(lights, directions, options, state, 1);
+  const ErrorScenes errors(cameras(), lights, directions, options, state, {});
+  EXPECT_EQ(errors.of_directions(), nullptr) << "nothing is known of them";
+  // The exact picture is that of a very fine sum along the rays.
+  const Camera camera = cameras().front().camera;
+  const CameraRays rays(camera);
+  std::vector<double> off = take_picture(scene, camera, 1).radiance;
+  for (int row = 0; row < camera.pixels[1]; ++row)
+    for (int column = 0; column < camera.pixels[0]; ++column) {
+      const CameraRay ray = rays.through(column + 0.5, row + 0.5);
+      const auto start = scene.enter(ray.origin, ray.direction);
+      double exact = 0;
+      constexpr double step = 1e-3;
+      for (double s = step / 2; start; s += step) {
+        const Vec3 point = start->position + s * ray.direction;
+        if ((point.array() < 0).any() || (point.array() > 1).any()) break;
+        exact += step * std::exp(-1.7 * s) * 1.5 / (4 * std::numbers::pi) * smooth(point);
+      }
+      off[static_cast<std::size_t>(row * camera.pixels[0] + column)] -= exact;
+    }
+  return {root_mean_square(layer(*errors.of_cells(), scene)), root_mean_square(off)};
+}
+
+// The layer of cells falls at the order of linear elements, as what it estimates does, and tells its size.
+TEST(ErrorScenes, ErrorOfCellsFollowsTheTrueOneAtOrderTwo) {
+  const SpaceError coarse = space_error(2e-2), middle = space_error(2e-2 / 8), fine = space_error(2e-2 / 64);
+  for (const SpaceError& error : {coarse, middle, fine}) {
+    EXPECT_GT(error.estimated, error.true_one / 2);
+    EXPECT_LT(error.estimated, 3 * error.true_one);
+  }
+  EXPECT_GT(std::log2(coarse.estimated / fine.estimated) / 2, 1.7);
+  EXPECT_GT(std::log2(coarse.true_one / fine.true_one) / 2, 1.7);
+}
+
+// The layer of directions bounds what pictures of the rotated sets differ by, one by one, as a standard error
+// does: and is zero where all of them agree.
+TEST(ErrorScenes, ErrorOfDirectionsBoundsTheSpreadOfRotations) {
+  const TetrahedralMesh mesh = cube_mesh(5e-3);
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    walls.push_back(uniform_wall(1, name == "xmin" ? 1 : 0, 0, 0));
+    walls.back().name = name;
+    walls.back().uncollided = Uncollided::no;
+  }
+  const Problem haze(mesh, {}, {uniform_medium(1, 0.2, 1, 0)}, walls);
+  const LightSetup lights(haze);
+  const std::vector<DirectionSet> sets = rotated_copies(directions_product(4), 8, 1);
+  std::vector<SavedState> states;
+  const SolveOptions options = tight_options();
+  const auto reader = [&](const DirectionSet&, const Solution& found, const AngularInput*) {
+    states.push_back(found.state);
+  };
+  const Solution mean = solve_rotated(lights, sets, options, {}, {}, reader);
+  const RayRadiance scene(lights, sets.front(), options, mean.state, 1);
+  const ErrorScenes errors(cameras(), lights, sets.front(), options, mean.state, mean.direction_error);
+  const std::vector<double> bound = layer(*errors.of_directions(), scene);
+  std::vector<double> sum(bound.size(), 0), squares(bound.size(), 0);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const RayRadiance one(lights, sets[i], options, states[i], 1);
+    const Picture picture = take_picture(one, cameras().front().camera, 1);
+    for (std::size_t p = 0; p < sum.size(); ++p) {
+      sum[p] += picture.radiance[p];
+      squares[p] += picture.radiance[p] * picture.radiance[p];
+    }
+  }
+  constexpr double count = 8;
+  std::vector<double> spread;
+  for (std::size_t p = 0; p < sum.size(); ++p) {
+    spread.push_back(
+        std::sqrt(std::max(0.0, squares[p] / count - std::pow(sum[p] / count, 2)) / (count - 1)));
+    EXPECT_LE(spread[p], bound[p] * 1.0001) << p;
+  }
+  EXPECT_GT(root_mean_square(spread), 0.1 * root_mean_square(bound)) << "it is no idle bound";
+
+  const Problem furnace = uniform_problem(mesh, uniform_medium(1, 0.2, 1, 0.6), uniform_wall(1, 3, 0, 0));
+  const LightSetup none(furnace);
+  const SolveOptions plain = tight_options();
+  const Solution constant = solve_rotated(none, {sets[0], sets[1]}, plain);
+  const RayRadiance hot(none, sets.front(), plain, constant.state, 1);
+  const ErrorScenes zero(cameras(), none, sets.front(), plain, constant.state, constant.direction_error);
+  EXPECT_LT(root_mean_square(layer(*zero.of_directions(), hot)), 1e-8);
+}
+
+}  // namespace
+}  // namespace etendue
