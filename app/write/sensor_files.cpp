@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "app/write/csv_field.h"
 #include "app/write/image_files.h"
@@ -73,8 +74,8 @@ std::string spectrum_csv(const RunResult& result, const SensorRow& row) {
   std::string table =
       "quantity,band,from_nm,to_nm,photon_energy_J,uncollided,collided,value,unit,per_nm,photons_per_s\n";
   const std::optional<SiScale> scale = si_scale(result.input.units.length, result.input.units.power);
-  const std::vector<double> photons = {Photometry(bands).photons_per_joule().begin(),
-                                       Photometry(bands).photons_per_joule().end()};
+  const Photometry photometry(bands);
+  const std::span<const double> photons = photometry.photons_per_joule();
   for (const SensorTableRow& value : radiant_rows(result, row)) {
     const auto b = static_cast<std::size_t>(std::ranges::find(bands.names, value.band) - bands.names.begin());
     const double width = std::abs(bands.edges[b + 1] - bands.edges[b]);

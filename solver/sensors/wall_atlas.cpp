@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -119,9 +120,8 @@ double packed_texel(std::vector<Chart>& charts, int side) {
 /// Fills in the texels of one chart.
 class Filler {
  public:
-  Filler(const WallSurface& surface, const TetrahedralMesh& mesh, WallAtlas& atlas)
-      : surface_(surface),
-        mesh_(mesh),
+  Filler(const TetrahedralMesh& mesh, WallAtlas& atlas)
+      : mesh_(mesh),
         atlas_(atlas),
         inside_(static_cast<std::size_t>(atlas.side) * static_cast<std::size_t>(atlas.side)) {}
 
@@ -190,7 +190,6 @@ class Filler {
     best = Best{depth, {face, weights, position}};
   }
 
-  const WallSurface& surface_;
   const TetrahedralMesh& mesh_;
   WallAtlas& atlas_;
   std::vector<std::optional<Best>> inside_;  ///< [row][column]
@@ -204,7 +203,7 @@ WallAtlas wall_atlas(const WallSurface& surface, const TetrahedralMesh& mesh, in
   atlas.side = side;
   atlas.texel = packed_texel(charts, side);
   atlas.coordinates.resize(surface.vertices.size());
-  Filler filler(surface, mesh, atlas);
+  Filler filler(mesh, atlas);
   for (const Chart& chart : charts) {
     filler.fill(chart);
     for (const std::size_t t : chart.triangles)
