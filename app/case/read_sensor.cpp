@@ -122,8 +122,10 @@ void check_polygon(Section& section, const std::vector<Vec3>& polygon) {
 }
 
 void read_polygon(Section& section, Sensor& sensor) {
-  if (section.has("polygon") == section.has("wall"))
-    return section.fault("polygon", "a flux goes through a polygon or through a wall; use one of the two");
+  if (section.has("polygon") && section.has("wall"))
+    return section.fault("wall", "beside a polygon (a flux goes through one thing); use one of the two");
+  if (!section.has("polygon") && !section.has("wall"))
+    return section.fault("polygon", "missing; use a list of corners, or the name of a wall");
   if (const TomlNode* corners = section.find("polygon")) {
     for (const auto& corner : corners->array()) sensor.polygon.push_back(to_vec3(*corner));
     check_polygon(section, sensor.polygon);

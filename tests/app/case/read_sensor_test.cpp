@@ -61,7 +61,7 @@ TEST(ReadSensor, NamesWhatIsMissing) {
             "slab.toml:7: sensor[0].position: missing; use a point of the domain\n"
             "slab.toml:7: sensor[0].normal: missing; use a vector to the side where light is measured");
   EXPECT_EQ(faults_of(sensor + "kind = \"flux\"\n"),
-            "slab.toml:7: sensor[0].polygon: missing; use a list of corners");
+            "slab.toml:7: sensor[0].polygon: missing; use a list of corners, or the name of a wall");
   EXPECT_EQ(faults_of(sensor + "kind = \"cone\"\nposition = [0, 0, 0]\ndirection = [1, 0, 0]\n"),
             "slab.toml:7: sensor[0].angle: missing; use the half angle of the cone in degrees");
 }
