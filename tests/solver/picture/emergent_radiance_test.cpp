@@ -37,10 +37,11 @@ std::map<double, double> chandrasekhar_h(double albedo) {
   return table;
 }
 
-/// A column between mirrors, `fineness` times as fine as layers that grow by a tenth from 1/20 to 1/2.
+/// A column between mirrors, `fineness` times as fine as layers that grow from 1/100 to 1/2: what shines has
+/// a logarithm at the surface, which equal cells would follow at less than order two.
 TetrahedralMesh column(double depth, int fineness) {
   std::vector<double> heights = {0};
-  for (double layer = 0.05; heights.back() < depth; layer = std::min(0.5, 1.1 * layer)) {
+  for (double layer = 0.01; heights.back() < depth; layer = std::min(0.5, 1.1 * layer)) {
     const double top = heights.back();
     for (int i = 1; i <= fineness; ++i) heights.push_back(top + layer * i / fineness);
   }
@@ -50,9 +51,17 @@ TetrahedralMesh column(double depth, int fineness) {
   });
 }
 
+/// Bright matter magnifies what an iteration leaves.
+SolveOptions converged() {
+  SolveOptions options;
+  options.tolerance = 1e-8;
+  return options;
+}
+
 struct HalfSpace {
   HalfSpace(double albedo, double emission, int fineness, std::vector<Light> suns = {})
-      : mesh(column(6 / std::sqrt(1 - albedo), fineness)),
+      // Twelve free paths let 6e-6 of a ray through; the bottom's cold is felt by e^-14 over 8 / sqrt(1 - w).
+      : mesh(column(std::max(12.0, 8 / std::sqrt(1 - albedo)), fineness)),
         problem(mesh, {}, {uniform_medium(1, 1 - albedo, albedo, emission)}, walls(), AngularSpace::sphere,
                 placed(std::move(suns))),
         directions(directions_double_gauss(8)),
@@ -89,7 +98,7 @@ struct HalfSpace {
   TetrahedralMesh mesh;
   Problem problem;
   DirectionSet directions;
-  SolveOptions options;
+  SolveOptions options = converged();
   LightSetup lights;
   Solution solution;
   RayRadiance scene;
@@ -118,13 +127,16 @@ std::array<double, 2> sunlit_errors(double albedo, int fineness) {
   return {largest_error(lit, albedo, 0, exact), largest_error(lit, albedo, 3, exact)};
 }
 
+/// Below this other errors than those of the cells are seen: the bottom's, the table's, the directions'.
+constexpr double not_of_cells = 3e-5;
+
 // Within 3e-4, and a third of that with cells half as thick.
 TEST(EmergentRadiance, OfAHotHalfSpaceIsExact) {
   for (const double albedo : {0.5, 0.9}) {
     ASSERT_GT(chandrasekhar_h(albedo).size(), 5U);
     const double coarse = glow_error(albedo, 1);
     EXPECT_LT(coarse, 3e-4) << albedo;
-    EXPECT_LT(glow_error(albedo, 2), coarse / 3) << albedo;
+    EXPECT_LT(glow_error(albedo, 2), std::max(coarse / 3, not_of_cells)) << albedo;
   }
 }
 
@@ -133,7 +145,7 @@ TEST(EmergentRadiance, OfAHalfSpaceInTheSunIsExact) {
     const auto coarse = sunlit_errors(albedo, 1), fine = sunlit_errors(albedo, 2);
     for (const std::size_t shafts : {0, 1}) {
       EXPECT_LT(coarse[shafts], 3e-4) << albedo << " " << shafts;
-      EXPECT_LT(fine[shafts], coarse[shafts] / 3) << albedo << " " << shafts;
+      EXPECT_LT(fine[shafts], std::max(coarse[shafts] / 3, not_of_cells)) << albedo << " " << shafts;
     }
   }
 }
