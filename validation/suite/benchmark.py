@@ -7,7 +7,8 @@ import pathlib
 import tomllib
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "benchmarks"
-KEYS = {"title", "group", "text", "source", "references", "quick", "not_yet", "run", "tolerance", "plot", "picture", "sketch"}
+KEYS = {"title", "group", "text", "source", "references", "quick", "not_yet", "run", "tolerance", "chance", "plot", "picture", "sketch"}
+CHANCE_KEYS = {"misses", "share", "reason"}
 RUN_KEYS = {"name", "case", "set", "when", "balance", "study", "for", "column", "width"}
 
 
@@ -26,6 +27,9 @@ class Benchmark:
         self.quick = self.data.get("quick", True)
         self.not_yet = self.data.get("not_yet", "")
         self.tolerances = self.data.get("tolerance", [])
+        # Of values with a random error, how many may miss, and by how much at most, of what is allowed.
+        self.chance = self.data.get("chance", {"misses": 0, "share": 1.0, "reason": ""})
+        self._check(self.chance, CHANCE_KEYS)
         self.plots = self.data.get("plot", [])
         self.pictures = self.data.get("picture", [])
         self.sketch = self.data.get("sketch", {})

@@ -34,7 +34,9 @@ class Outcome:
 
     @property
     def passed(self):
-        return not self.faults and not self.missed
+        chance = self.benchmark.chance
+        return (not self.faults and len(self.missed) <= chance["misses"]
+                and all(row.share <= chance["share"] for row in self.missed))
 
     @property
     def worst(self):
