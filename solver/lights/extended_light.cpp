@@ -5,19 +5,12 @@
 #include <cmath>
 
 #include "mesh/tetrahedra/sheet_faces.h"
+#include "mesh/tetrahedra/vertex_cells.h"
 #include "solver/lights/adaptive_points.h"
 #include "solver/lights/simplex_rules.h"
 
 namespace etendue {
 namespace {
-
-std::vector<CellIndex> cells_of_vertices(const TetrahedralMesh& mesh) {
-  std::vector<CellIndex> cells(static_cast<std::size_t>(mesh.vertex_count()), CellIndex(0));
-  for (std::int32_t c = mesh.cell_count() - 1; c >= 0; --c)
-    for (const std::int32_t v : mesh.vertices(CellIndex(c)))
-      cells[static_cast<std::size_t>(v)] = CellIndex(c);
-  return cells;
-}
 
 /// The sum of beams in one band.
 struct BeamSum {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/tetrahedra/vertex_cells.h"
+
 namespace etendue {
 namespace {
 
@@ -13,14 +15,6 @@ constexpr double per_sphere = 1 / (4 * std::numbers::pi);
 /// Part of the way to the cell's centroid from which a vertex of a flat light is looked at: in its own plane
 /// it is dark.
 constexpr double step_inside = 1e-6;
-
-std::vector<CellIndex> cells_of_vertices(const TetrahedralMesh& mesh) {
-  std::vector<CellIndex> cells(static_cast<std::size_t>(mesh.vertex_count()), CellIndex(0));
-  for (std::int32_t c = mesh.cell_count() - 1; c >= 0; --c)
-    for (const std::int32_t v : mesh.vertices(CellIndex(c)))
-      cells[static_cast<std::size_t>(v)] = CellIndex(c);
-  return cells;
-}
 
 bool dark(const LightBeams& beams) {
   for (std::size_t i = 0; i < beams.size(); ++i)
