@@ -49,9 +49,14 @@ constexpr double tolerance_of_cells = 1e-3, tolerance_of_faces = 1e-4;
 constexpr int divisions_of_cells = 2, divisions_of_faces = 5;
 /// Cells in and near a volume that shines are looked at point by point where they are thicker than this.
 constexpr double thick = 1;
+/// By how much the optical depth of the way may differ, between the corners of a cell, from that of their
+/// mean extinction. A tenth or so of it is what linear interpolation misses: the edge of a cloud is a kink.
+constexpr double even_depth = 0.05;
 /// How often a cell or face with a part in the shadow is divided.
 constexpr int divisions_in_shadow = 2;
 
+/// How finely the vertices of the mesh see a light.
+constexpr LightDetail detail_of_vertices{0.35, 0.03, 0.6, 0.9, TriangleRule::three_points};
 /// How finely walls see a light of which they see a part: to the sides of a box it sinks below the horizon.
 constexpr LightDetail wall_in_shadow{0.25, 0.03, 0.3, 0.9, TriangleRule::seven_points};
 /// Less than that is nothing, but its logarithm is a number.
@@ -76,6 +81,7 @@ struct ExtendedLight::Site {
   Vec3 centroid;
   double measure, size;
   Part whole;
+  bool matter;  ///< whether light is lost in it
 
   Vec3 position(const Barycentric& barycentric) const {
     Vec3 sum = Vec3::Zero();
@@ -105,7 +111,7 @@ ExtendedLight::ExtendedLight(const LightPaths& paths, const WideSource& source, 
 #pragma omp for schedule(dynamic, 64)
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
       const auto i = static_cast<std::size_t>(v);
-      seen_[i] = look({cells[i], mesh.point(VertexIndex(v))}, coarse_light, beams,
+      seen_[i] = look({cells[i], mesh.point(VertexIndex(v))}, detail_of_vertices, beams,
                       std::span(losses_).subspan(i * bands_, bands_));
     }
   }
@@ -133,7 +139,8 @@ ExtendedLight::Seen ExtendedLight::look(const PointInCell& here, LightDetail det
     if (all.fluence > 0) loss[b].visible = visible.fluence / all.fluence;
     if (!(visible.fluence > 0)) continue;
     const double transmittance = std::max(arrived.fluence / visible.fluence, least_transmittance);
-    loss[b].extinction = -std::log(transmittance) / (visible.way / visible.fluence);
+    loss[b].way = visible.way / visible.fluence;
+    loss[b].extinction = -std::log(transmittance) / loss[b].way;
     if (arrived.fluence > 0) loss[b].turn = arrived.flux / arrived.fluence - all.flux / all.fluence;
   }
   if (!any_light) return Seen::behind;
@@ -148,6 +155,17 @@ bool ExtendedLight::take_from_vertices(std::span<const std::int32_t> vertices,
     if (seen_[v] == Seen::by_side || (seen_[v] != Seen::all && !source_.is_soft())) return false;
     const auto first = losses_.begin() + static_cast<std::ptrdiff_t>(v * bands_);
     losses[i].assign(first, first + static_cast<std::ptrdiff_t>(bands_));
+  }
+  return true;
+}
+
+template <std::size_t corners>
+bool ExtendedLight::is_even(const std::array<std::vector<WayLoss>, corners>& losses) const {
+  for (std::size_t b = 0; b < bands_; ++b) {
+    double mean = 0;
+    for (const auto& corner : losses) mean += corner[b].extinction / static_cast<double>(corners);
+    for (const auto& corner : losses)
+      if (std::abs(corner[b].extinction - mean) * corner[b].way > even_depth) return false;
   }
   return true;
 }
@@ -239,14 +257,17 @@ template <std::size_t corners, class Deposit>
 void ExtendedLight::add(const Site<corners>& site, std::span<const std::int32_t> vertices, int divisions,
                         const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const {
   std::array<std::vector<WayLoss>, corners> losses;
-  if (take_from_vertices(vertices, losses) || look_inside(site, beams, losses))
+  const bool known = take_from_vertices(vertices, losses);
+  const bool uneven = known && site.matter && !source_.is_soft() && !is_even(losses);
+  if (!uneven && (known || look_inside(site, beams, losses)))
     add_lit(site, losses, divisions, deposit, beams, moments);
   else
     add_point_by_point(site, site.whole, site.measure, divisions_in_shadow, deposit, beams, moments);
 }
 
 void ExtendedLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const {
-  const Site<4> site{cell.index, cell.corners, cell.centroid, cell.volume, cell.size, whole_cell()};
+  const Site<4> site{cell.index, cell.corners, cell.centroid,     cell.volume,
+                     cell.size,  whole_cell(), cell.thickness > 0};
   const auto deposit = [](const Vec3&, const std::array<double, 4>& shape, double measure, std::size_t band,
                           const Arrived& light, NodalMoments& sum) {
     sum.add(shape, measure, band, light.fluence);
@@ -267,7 +288,7 @@ void ExtendedLight::add(FaceIndex face, LightBeams& beams, NodalMoments& moments
   const Vec3 normal = mesh.area_normal(face) / area;
   const auto& vertices = mesh.vertices(face);
   const int plane = paths_.mirrors().of(face);
-  Site<3> site{mesh.owner(face), {}, mesh.centroid(face), area, std::sqrt(2 * area), whole_face};
+  Site<3> site{mesh.owner(face), {}, mesh.centroid(face), area, std::sqrt(2 * area), whole_face, false};
   for (std::size_t i = 0; i < 3; ++i) site.corner[i] = mesh.point(VertexIndex(vertices[i]));
   const std::vector<double>& reflected = paths_.problem().wall(mesh.wall(face)).specular;
   LightBeams before(bands_);

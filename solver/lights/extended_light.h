@@ -17,12 +17,14 @@ struct WayLoss {
   double visible = 1;        ///< part of the clear fluence that nothing opaque stands before
   double extinction = 0;     ///< of the visible part, -ln(phi / phi_clear) over its mean length [1/length]
   Vec3 turn = Vec3::Zero();  ///< by how much the mean direction, net flux over fluence, differs from clear
+  double way = 0;            ///< mean length of the visible part [length]
 };
 
 /// Light of a source with an extent in cells and on walls. What would arrive in empty space needs no rays: it
 /// is integrated as finely as it varies. What media and obstacles leave of it is looked at from the vertices
-/// of the mesh, shared by the cells around them, and taken linear in a cell; near a surface that shines, from
-/// points of the cell itself; and in shadows from each point that is asked.
+/// of the mesh, shared by the cells around them, and taken linear in a cell; near a surface that shines
+/// from points of the cell itself; and in shadows, and in matter at the edge of a cloud, from each point that
+/// is asked.
 class ExtendedLight {
  public:
   ExtendedLight(const LightPaths& paths, const WideSource& source, int threads);
@@ -42,6 +44,9 @@ class ExtendedLight {
   template <std::size_t corners>
   bool take_from_vertices(std::span<const std::int32_t> vertices,
                           std::array<std::vector<WayLoss>, corners>& losses) const;
+  /// Whether losses vary so little between the corners that they are linear in between.
+  template <std::size_t corners>
+  bool is_even(const std::array<std::vector<WayLoss>, corners>& losses) const;
   /// False where a point is in the shadow.
   template <std::size_t corners>
   bool look_inside(const Site<corners>& site, LightBeams& beams,

@@ -60,49 +60,70 @@ TEST(FlatShape, ShinesAsItsPartsDo) {
   EXPECT_EQ(shape.from({5, 0, 0}, room).solid_angle, 0);
 }
 
+/// What stands in the room: a box under the lamp, and whether matter fills a ball only.
+struct Inside {
+  std::optional<double> crate;
+  bool cloud = false;
+};
+
 /// Part of the light of a lamp in the ceiling of a unit cube that is found again.
-double part_found(double max_volume, double extinction, const std::optional<double>& crate) {
+double part_found(double max_volume, double extinction, const Inside& inside) {
   Geometry geometry;
   BoxPrimitive room;
   room.region = "room";
   geometry.primitives.emplace_back(room);
-  if (crate) {
+  std::vector<double> volumes{max_volume};
+  std::vector<Medium> media{uniform_medium(1, inside.cloud ? 0 : extinction, 0, 0)};
+  if (inside.cloud) {
+    SpherePrimitive cloud;
+    cloud.region = "cloud";
+    cloud.center = {0.5, 0.5, 0.5};
+    cloud.radius = 0.3;
+    geometry.primitives.emplace_back(cloud);
+    volumes.push_back(max_volume);
+    media.push_back(uniform_medium(1, extinction, 0, 0));
+  }
+  if (inside.crate) {
     BoxPrimitive box;
-    box.min = {0.4, 0.4, 0.5 - *crate};
+    box.min = {0.4, 0.4, 0.5 - *inside.crate};
     box.max = {0.6, 0.6, 0.5};
     box.hole = true;
     box.name = "box";
     geometry.primitives.emplace_back(box);
   }
   geometry.patches.push_back({"lamp", {0.3, 0.3, 1}, {0.6, 0.7, 1}, {}});
-  const TetrahedralMesh mesh(tetrahedralize(arrange(geometry), {{max_volume}, 1.4, {}}));
+  const TetrahedralMesh mesh(tetrahedralize(arrange(geometry), {volumes, 1.4, {}}));
   std::vector<Wall> walls;
   for (const std::string& name : mesh.wall_names()) {
     walls.push_back(uniform_wall(1, name == "lamp" ? 3 : 0, 0, 0));
     if (name == "lamp") walls.back().uncollided = Uncollided::yes;
   }
-  const Problem problem(mesh, {}, {uniform_medium(1, extinction, 0, 0)}, walls);
+  const Problem problem(mesh, {}, media, walls);
   const LightSetup lights(problem);
   const UncollidedField field = uncollided_field(lights.paths(), lights.sources(), 1);
   double found = 0;
   for (std::size_t i = 0; i < field.fluence.size(); ++i)
-    found += extinction * field.fluence[i] * mesh.volumes()[i / 4] / 4;
+    found += problem.absorption()[i / 4] * field.fluence[i] * mesh.volumes()[i / 4] / 4;
   for (std::size_t i = 0; i < field.irradiance.size(); ++i)
     found += field.irradiance[i] * mesh.area(FaceIndex(static_cast<std::int64_t>(i / 3))) / 3;
   return found / (3 * std::numbers::pi * 0.3 * 0.4);
 }
 
-TEST(UncollidedField, OfALampInAWallReachesTheOtherWalls) {
-  EXPECT_NEAR(part_found(2e-3, 0, std::nullopt), 1, 1e-6);
-}
+TEST(UncollidedField, OfALampInAWallReachesTheOtherWalls) { EXPECT_NEAR(part_found(2e-3, 0, {}), 1, 1e-6); }
 
 TEST(UncollidedField, OfALampInAWallBalancesInAMedium) {
   for (const double extinction : {0.3, 1.5, 6.0})
-    EXPECT_NEAR(part_found(2e-3, extinction, std::nullopt), 1, 1e-3) << extinction;
+    EXPECT_NEAR(part_found(2e-3, extinction, {}), 1, 1e-3) << extinction;
 }
 
 TEST(UncollidedField, OfALampInAWallBalancesWithShadows) {
-  for (const double extinction : {0.0, 1.0}) EXPECT_NEAR(part_found(1e-3, extinction, 0.1), 1, 1e-3);
+  for (const double extinction : {0.0, 1.0}) EXPECT_NEAR(part_found(1e-3, extinction, {0.1}), 1, 1e-3);
+}
+
+// Behind the edge of a cloud the way through it grows like a square root, which is not linear in a cell:
+// taken from the vertices 1.7e-2 too much arrived.
+TEST(UncollidedField, OfALampInAWallBalancesWithACloud) {
+  EXPECT_NEAR(part_found(1e-3, 3, {std::nullopt, true}), 1, 2e-3);
 }
 
 }  // namespace
