@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """A look into a room: the walls in the light that leaves them, the medium as a translucent cloud."""
 
+import itertools
 import math
 
 import numpy
@@ -72,12 +73,54 @@ def facing_triangles(walls, eye):
 
 def smooth(surface, wall_of_point, values):
     """The mean of the values that meet in one place of one wall: hides the jumps between triangles, keeps those
-    between walls."""
-    points = vtk_to_numpy(surface.GetPoints().GetData())
-    keys = numpy.column_stack([points.round(7), wall_of_point])
-    _, group = numpy.unique(keys, axis=0, return_inverse=True)
+    between walls and where a sheet stands on a wall."""
+    group = joined_corners(surface, wall_of_point)
     count = numpy.bincount(group)
     return numpy.column_stack([(numpy.bincount(group, weights=v) / count)[group] for v in values.T])
+
+
+def joined_corners(surface, wall_of_point):
+    """[point] a number that corners have in common which meet in one place of one wall and are joined by edges on
+    which nothing stands."""
+    points = vtk_to_numpy(surface.GetPoints().GetData())
+    triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    _, place = numpy.unique(points.round(7), axis=0, return_inverse=True)
+    around = {}
+    for triangle in triangles:
+        for k in range(3):
+            ends = sorted(numpy.roll(triangle, -k)[1:], key=lambda i: place[i])
+            around.setdefault(tuple(place[ends]), []).append(Side(points, triangle, triangle[k], ends))
+    group = numpy.arange(len(points))
+
+    def root(i):
+        while group[i] != i:
+            i = group[i]
+        return i
+
+    for sides in around.values():
+        for a, b in itertools.combinations(sides, 2):
+            if wall_of_point[a.tip] == wall_of_point[b.tip] and not are_parted(a, b, sides):
+                for i, j in zip(a.ends, b.ends):
+                    group[root(i)] = root(j)
+    return numpy.unique([root(i) for i in range(len(points))], return_inverse=True)[1]
+
+
+class Side:
+    """A triangle as one of those around an edge."""
+
+    def __init__(self, points, triangle, tip, ends):
+        self.tip, self.ends = tip, ends
+        a, b, c = points[triangle]
+        normal = numpy.cross(c - a, b - a)  # corners stand counterclockwise outside of the room
+        self.inward = normal / numpy.linalg.norm(normal)
+        self.away = points[tip] - points[ends[0]]  # from the edge
+        self.size = numpy.linalg.norm(self.away)
+
+
+def are_parted(a, b, sides):
+    """Whether another triangle stands between the fronts of two that meet at an edge."""
+    return any(side is not a and side is not b and
+               all(front @ side.away > 1e-6 * side.size for front in (a.inward, b.inward)) for side in sides)
 
 
 def bright_point(radiance):

@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <tuple>
+
+#include "mesh/tetrahedra/flat_neighbours.h"
 
 namespace etendue {
 namespace {
-
-// Sine between normals, and distance relative to the size of the domain, of faces in one plane.
-constexpr double in_plane = 1e-9;
 
 TriangleCorners inward_triangle(const TetrahedralMesh& mesh, FaceIndex face) {
   TriangleCorners t;
@@ -37,35 +34,6 @@ void append_quarters(const TriangleCorners& t, double size, std::vector<Triangle
   append_quarters({ab, bc, ca}, size, parts);
 }
 
-/// Numbers planes: faces in the same one, to rounding, have the same number.
-class Planes {
- public:
-  explicit Planes(double size) : size_(size) {}
-
-  std::size_t number_of(const TriangleCorners& t) {
-    const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
-    const double offset = normal.dot(t[0]);
-    const auto same = [&](const Plane& plane) {
-      return normal.cross(plane.normal).norm() < in_plane && normal.dot(plane.normal) > 0 &&
-             std::abs(offset - plane.offset) < in_plane * size_;
-    };
-    // Neighbours in the list are mostly neighbours in space.
-    if (last_ < planes_.size() && same(planes_[last_])) return last_;
-    last_ = static_cast<std::size_t>(std::ranges::find_if(planes_, same) - planes_.begin());
-    if (last_ == planes_.size()) planes_.push_back({normal, offset});
-    return last_;
-  }
-
- private:
-  struct Plane {
-    Vec3 normal;
-    double offset;
-  };
-  double size_;
-  std::vector<Plane> planes_;
-  std::size_t last_ = 0;
-};
-
 /// The square of a grid in the plane of a triangle that its centre lies in.
 std::array<long, 2> square_of(const TriangleCorners& t, double size) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
@@ -76,50 +44,69 @@ std::array<long, 2> square_of(const TriangleCorners& t, double size) {
   return {std::lround(std::floor(center.dot(u) / size)), std::lround(std::floor(center.dot(v) / size))};
 }
 
-double domain_size(const TetrahedralMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& point : mesh.points()) box.extend(point);
-  return box.diagonal().norm();
-}
+/// Joins the faces that are small enough: from each one on, those beyond its edges.
+class JoinedFaces {
+ public:
+  JoinedFaces(const TetrahedralMesh& mesh, double size)
+      : mesh_(mesh), size_(size), beyond_(flat_neighbours(mesh)), taken_(beyond_.size()) {}
+
+  /// The faces of the patch that a face lies in; empty where it has been given already.
+  std::vector<std::int32_t> take(std::int32_t face) {
+    if (taken_[static_cast<std::size_t>(face)]) return {};
+    taken_[static_cast<std::size_t>(face)] = true;
+    std::vector<std::int32_t> patch = {face};
+    const auto square = square_of(inward_triangle(mesh_, FaceIndex(face)), size_);
+    for (std::size_t i = 0; i < patch.size(); ++i)
+      for (const std::int32_t next : beyond_[static_cast<std::size_t>(patch[i])]) {
+        if (next < 0 || taken_[static_cast<std::size_t>(next)]) continue;
+        const TriangleCorners triangle = inward_triangle(mesh_, FaceIndex(next));
+        if (mesh_.wall(FaceIndex(next)) != mesh_.wall(FaceIndex(face)) || longest_side(triangle) > size_ ||
+            square_of(triangle, size_) != square)
+          continue;
+        taken_[static_cast<std::size_t>(next)] = true;
+        patch.push_back(next);
+      }
+    return patch;
+  }
+
+ private:
+  const TetrahedralMesh& mesh_;
+  double size_;
+  std::vector<std::array<std::int32_t, 3>> beyond_;
+  std::vector<bool> taken_;
+};
 
 }  // namespace
 
 WallPatches wall_patches(const TetrahedralMesh& mesh, double size) {
   WallPatches result;
-  std::vector<std::vector<TriangleCorners>> triangles;  // [patch]
-  std::map<std::tuple<int, std::size_t, long, long>, std::size_t> joined;
-  Planes planes(domain_size(mesh));
-  const auto add = [&](int wall) {
-    triangles.emplace_back();
-    result.walls.push_back(wall);
-    return triangles.size() - 1;
+  result.of_faces.resize(static_cast<std::size_t>(mesh.boundary_face_count()));
+  const auto add = [&](FaceIndex face, std::vector<TriangleCorners> triangles) {
+    result.patches.emplace_back(std::move(triangles));
+    result.walls.push_back(mesh.wall(face));
+    return result.patches.size() - 1;
   };
-  for (int f = 0; f < mesh.boundary_face_count(); ++f) {
+  JoinedFaces joined(mesh, size);
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     const TriangleCorners whole = inward_triangle(mesh, face);
-    const int wall = mesh.wall(face);
-    std::vector<FacePart>& parts = result.of_faces.emplace_back();
-    if (size > 0 && longest_side(whole) > size) {
-      std::vector<TriangleCorners> quarters;
-      append_quarters(whole, size, quarters);
-      for (const TriangleCorners& quarter : quarters) {
-        parts.push_back({add(wall), 1.0 / static_cast<double>(quarters.size())});
-        triangles.back().push_back(quarter);
-      }
-      continue;
-    }
-    std::size_t patch = 0;
-    if (size > 0) {
-      const auto [i, j] = square_of(whole, size);
-      const auto [place, is_new] = joined.try_emplace({wall, planes.number_of(whole), i, j}, 0);
-      patch = place->second = is_new ? add(wall) : place->second;
+    std::vector<TriangleCorners> quarters;
+    if (size > 0) append_quarters(whole, size, quarters);
+    if (quarters.size() > 1) {
+      for (const TriangleCorners& quarter : quarters)
+        result.of_faces[face.at()].push_back(
+            {add(face, {quarter}), 1.0 / static_cast<double>(quarters.size())});
+    } else if (size > 0) {
+      std::vector<TriangleCorners> triangles;
+      const std::vector<std::int32_t> faces = joined.take(f);
+      for (const std::int32_t each : faces) triangles.push_back(inward_triangle(mesh, FaceIndex(each)));
+      for (const std::int32_t each : faces)
+        result.of_faces[static_cast<std::size_t>(each)].push_back({result.patches.size(), 1});
+      if (!faces.empty()) add(face, std::move(triangles));
     } else {
-      patch = add(wall);
+      result.of_faces[face.at()].push_back({add(face, {whole}), 1});
     }
-    triangles[patch].push_back(whole);
-    parts.push_back({patch, 1});
   }
-  for (std::vector<TriangleCorners>& patch : triangles) result.patches.emplace_back(std::move(patch));
   return result;
 }
 

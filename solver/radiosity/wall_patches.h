@@ -22,8 +22,8 @@ struct WallPatches {
 };
 
 /// With size 0 each boundary face is a patch. Else faces whose longest side exceeds it are cut in four until
-/// none does, and smaller ones are joined where they lie on one wall, in one plane and in one square of a
-/// grid with that side [length].
+/// none does, and smaller ones are joined where they lie on one wall, in one square of a grid with that side
+/// [length], and are flat_neighbours(): no patch passes under a sheet.
 WallPatches wall_patches(const TetrahedralMesh& mesh, double size);
 
 /// All triangles of patches, one after the other.

@@ -6,6 +6,7 @@
 
 #include "mesh/geometry/arrangement.h"
 #include "mesh/geometry/sheet_shape.h"
+#include "mesh/tetrahedra/flat_neighbours.h"
 #include "mesh/tetrahedra/red_refinement.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 #include "mesh/tetrahedra/tetrahedralize.h"
@@ -87,6 +88,29 @@ TEST(Sheet, EndsOnWallsAndOnOtherSheets) {
   expect_side(mesh, "board.back", 1, -Vec3::UnitX());
   expect_side(mesh, "cross.front", 0.75, Vec3::UnitY());
   expect_side(mesh, "cross.back", 0.75, -Vec3::UnitY());
+}
+
+TEST(Sheet, PartsTheFloorAtItsFootAndNothingElse) {
+  const TetrahedralMesh mesh = meshed(room({rectangle({1, 0.5, 0}, {1, 1.5, 1}, "board")}));
+  const std::vector<std::array<std::int32_t, 3>> beyond = flat_neighbours(mesh);
+  double foot = 0, rim = 0;  // length of the edges across which a face has no neighbour
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& a = mesh.point(VertexIndex(mesh.vertices(face)[i == 0 ? 1 : 0]));
+      const Vec3& b = mesh.point(VertexIndex(mesh.vertices(face)[i == 2 ? 1 : 2]));
+      if (const std::int32_t next = beyond[face.at()][i]; next >= 0) {
+        EXPECT_NEAR(
+            (mesh.area_normal(face).normalized() - mesh.area_normal(FaceIndex(next)).normalized()).norm(), 0,
+            1e-12);
+        continue;
+      }
+      const bool on_floor = mesh.centroid(face).z() < 1e-12;
+      (on_floor && a.x() == 1 && b.x() == 1 ? foot : rim) += (b - a).norm();
+    }
+  }
+  EXPECT_NEAR(foot, 2 * 1, 1e-12);                 // from both sides
+  EXPECT_NEAR(rim, 6 * 4 * 2 + 2 * 4 * 1, 1e-12);  // of the sides of the room, and of both of the board
 }
 
 TEST(Sheet, OutsideAndInHolesIsNothing) {

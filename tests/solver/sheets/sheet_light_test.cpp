@@ -125,6 +125,20 @@ TEST(SheetLight, FurnaceDoesNotSeeTheSheet) {
   EXPECT_LT(largest_deviation(by_radiosity(clear).irradiance, pi * u), 1e-8);
 }
 
+// Else the light on one side of a sheet's foot would come out on the other.
+TEST(SheetLight, PatchesEndAtTheFootOfASheet) {
+  const TetrahedralMesh mesh = room_with_sheet({0.6, 0, 0}, {0.6, 1, 0.5}, 0.01);
+  int of_floor = 0;
+  for (const FlatPatch& patch : wall_patches(mesh, 1).patches) {
+    if (patch.normal().z() < 0.5) continue;
+    ++of_floor;
+    for (const TriangleCorners& triangle : patch.triangles())
+      for (const Vec3& corner : triangle)
+        EXPECT_GE((corner.x() - 0.6) * (patch.centroid().x() - 0.6), -1e-12);
+  }
+  EXPECT_EQ(of_floor, 2);
+}
+
 TEST(SheetLight, EachSideHasItsOwnReflectance) {
   const Problem problem =
       room(with_table(), haze, {{"floor", {1, 0}}, {"top", {0, 0.25}}, {"under", {0, 0.75}}});
