@@ -13,6 +13,8 @@ constexpr double one_plane = 1e-6;
 constexpr std::size_t most_shapes = 6, most_sides = 24;
 /// Chords of the unit sphere up to which a rule of degree 5 sees a mean distance.
 constexpr double largest_side = 0.9;
+/// An eye that is so near to the plane, in units of the size, lies in it but for rounding.
+constexpr double in_plane = 1e-10;
 /// Sides that turn by less than this lie in one line.
 constexpr double straight = 1e-9;
 
@@ -79,6 +81,7 @@ FlatShape::FlatShape(std::span<const Triangle> triangles) : sides_(outline(trian
   for (const Triangle& triangle : triangles) area += area_vector(triangle);
   normal_ = area.normalized();
   join(sides_);
+  for (const Side& side : sides_) size_ = std::max(size_, (side.first - sides_.front().first).norm());
 }
 
 // The solid angle is the sum of those of the triangles between the sides and any point of the plane, each
@@ -87,7 +90,7 @@ FlatShape::View FlatShape::from(const Vec3& eye, std::vector<SolidAnglePoint>& p
   const Vec3 apex = sides_.front().first - eye;
   const double height = -normal_.dot(apex);
   View view;
-  if (height <= 0) return view;
+  if (height <= in_plane * size_) return view;
   double seen = 0, way = 0;
   for (const auto& [first, second] : sides_) {
     const Vec3 a = first - eye, b = second - eye;

@@ -36,6 +36,7 @@ class FlatShape {
 
  private:
   Vec3 normal_;
+  double size_ = 0;                           ///< [length]
   std::vector<std::pair<Vec3, Vec3>> sides_;  ///< counterclockwise about the normal
 };
 

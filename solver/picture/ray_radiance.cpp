@@ -53,6 +53,7 @@ struct RayRadiance::Stretch {
   Vec3 from;
   Vec3 direction;
   const RayView& view;
+  bool wall_is_diffuse = true;  ///< the one at its end
 
   Vec3 travel() const { return -direction; }
   Vec3 at(double distance) const { return from + distance * direction; }
@@ -124,7 +125,7 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
   double way = 0;
   for (int i = 0; i < most_mirrors; ++i) {
     const RayEnd end = walk(at, towards, work);
-    const Stretch stretch{at.position, towards, view};
+    const Stretch stretch{at.position, towards, view, i > 0 || view.first_wall_diffuse};
     if (view.lights_shown) add_flat_lights(stretch, end.distance, work, radiance);
     add_cells(stretch, work, radiance);
     add_wall(*end.wall, end.point, stretch, work, radiance);
@@ -139,6 +140,15 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
              (towards - first->towards).norm() < same_place && end_series(*first, work, radiance))
       return;
   }
+}
+
+RayRadiance::DiffuseWall RayRadiance::diffuse_wall(const PointInCell& start, const Vec3& direction,
+                                                   std::span<const double> irradiance,
+                                                   Workspace& work) const {
+  const RayEnd end = walk(start, direction, work);
+  DiffuseWall wall{end.distance, std::vector<double>(bands_, 0)};
+  walls_.add_reflected(*end.wall, end.point, walls_.joined(), irradiance, wall.radiance);
+  return wall;
 }
 
 std::vector<double> RayRadiance::weights_left(const Workspace& work) const {
@@ -247,8 +257,9 @@ void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const Stretch& str
   const int number = problem_.mesh().wall(face);
   const Wall& wall = problem_.wall(number);
   std::fill(work.at_point.begin(), work.at_point.end(), 0.0);
-  walls_.add_reflected(face, point, view.brought != nullptr ? *view.brought : walls_.joined(), work.beams,
-                       work.at_point);
+  if (stretch.wall_is_diffuse)
+    walls_.add_reflected(face, point, view.brought != nullptr ? *view.brought : walls_.joined(), work.beams,
+                         work.at_point);
   for (std::size_t b = 0; b < bands_; ++b) {
     const double rest = std::exp(-work.depth_rest[b]);
     double emitted = rest;

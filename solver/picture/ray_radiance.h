@@ -18,7 +18,8 @@ namespace etendue {
 struct RayView {
   int shafts = 0;                           ///< as in Camera
   const WallIrradiance* brought = nullptr;  ///< what directions brought to the walls; null: as joined
-  bool lights_shown = true;                 ///< else only what is scattered and reflected, and other emission
+  bool first_wall_diffuse = true;  ///< else the wall that the ray meets first reflects as a mirror alone
+  bool lights_shown = true;        ///< else only what is scattered and reflected, and other emission
 };
 
 /// The radiance that comes to a point along a ray, from a saved solution:
@@ -67,6 +68,15 @@ class RayRadiance {
   /// Writes the radiance [band] that arrives at `start` from where the unit vector `direction` points.
   void along(const PointInCell& start, const Vec3& direction, const RayView& view, Workspace& work,
              std::span<double> radiance) const;
+
+  /// The distance to the wall that `direction` points to, and the radiance [band] that it reflects diffusely
+  /// at that point, where the lights bring it `irradiance` [band]. Mirrors are not followed.
+  struct DiffuseWall {
+    double distance;
+    std::vector<double> radiance;
+  };
+  DiffuseWall diffuse_wall(const PointInCell& start, const Vec3& direction,
+                           std::span<const double> irradiance, Workspace& work) const;
 
   const Problem& problem() const { return problem_; }
 

@@ -89,15 +89,21 @@ void WallLight::add_reflected(FaceIndex face, const Vec3& point, const WallIrrad
                               LightBeams& beams, std::span<double> radiance) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   if (std::all_of(wall.diffuse.begin(), wall.diffuse.end(), [](double value) { return value == 0; })) return;
+  const Vec3 outwards = problem_.mesh().area_normal(face).normalized();
+  std::vector<double> irradiance(bands_, 0);
+  add_light({problem_.mesh().owner(face), point}, outwards, beams, irradiance);
+  add_reflected(face, point, brought, irradiance, radiance);
+}
+
+void WallLight::add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought,
+                              std::span<const double> irradiance, std::span<double> radiance) const {
+  const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   const std::array<double, 3> weights = barycentric(problem_.mesh(), face, point);
   const double half_range = brought.half_range[face.at()];
   for (std::size_t i = 0; i < 3 && half_range > 0; ++i)
     for (std::size_t b = 0; b < bands_; ++b)
       radiance[b] +=
           wall.diffuse[b] / half_range * weights[i] * brought.values[(face.at() * 3 + i) * bands_ + b];
-  const Vec3 outwards = problem_.mesh().area_normal(face).normalized();
-  std::vector<double> irradiance(bands_, 0);
-  add_light({problem_.mesh().owner(face), point}, outwards, beams, irradiance);
   for (std::size_t b = 0; b < bands_; ++b)
     radiance[b] += wall.diffuse[b] * std::numbers::inv_pi * irradiance[b];
 }

@@ -43,6 +43,10 @@ class WallLight {
   void add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought, LightBeams& beams,
                      std::span<double> radiance) const;
 
+  /// The same where the lights are known to bring `irradiance` [band] to the point.
+  void add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought,
+                     std::span<const double> irradiance, std::span<double> radiance) const;
+
   /// Adds the irradiance [band] of the lights at a point of a cell, on the side that light with w.n > 0
   /// meets.
   void add_light(const PointInCell& point, const Vec3& normal, LightBeams& beams,

@@ -21,6 +21,9 @@ using std::numbers::pi;
 /// Estimated relative error at which no more rays are sent.
 constexpr double sum_tolerance = 1e-6;
 
+/// A point lies on a wall that is so near, in units of the size of the mesh.
+constexpr double on_wall = 1e-9;
+
 using Quantity = RadiometricQuantity;
 
 std::size_t value_count(const Sensor& sensor) {
@@ -78,18 +81,28 @@ void add_to(std::vector<double>& sum, const std::vector<double>& values, double 
 
 }  // namespace
 
+double SensorReader::on_wall_within(const TetrahedralMesh& mesh) {
+  Vec3 low = mesh.points().front(), high = low;
+  for (const Vec3& point : mesh.points()) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  return on_wall * (high - low).norm();
+}
+
 Vec3 grid_point(const Sensor& sensor, int i, int j) {
   return sensor.position + (i + 0.5) / sensor.count[0] * sensor.sides[0] +
          (j + 0.5) / sensor.count[1] * sensor.sides[1];
 }
 
 SensorReader::AtPoint SensorReader::radiance(const PointInCell& place, const Vec3& looking,
-                                             RayRadiance::Workspace& work) const {
+                                             RayRadiance::Workspace& work, WallSeen wall) const {
   const std::size_t bands = scene_.bands();
+  const bool diffuse = wall == WallSeen::whole;
   AtPoint found{std::vector<double>(bands), std::vector<double>(bands), std::vector<double>(bands, 0)};
-  scene_.along(place, looking, {.lights_shown = false}, work, found.collided);
+  scene_.along(place, looking, {.first_wall_diffuse = diffuse, .lights_shown = false}, work, found.collided);
   if (lights_.empty()) return found;
-  scene_.along(place, looking, {.lights_shown = true}, work, found.uncollided);
+  scene_.along(place, looking, {.first_wall_diffuse = diffuse, .lights_shown = true}, work, found.uncollided);
   for (std::size_t b = 0; b < bands; ++b) found.uncollided[b] -= found.collided[b];
   return found;
 }
@@ -122,7 +135,8 @@ SensorReader::AtPoint SensorReader::fluence(const PointInCell& place, const Sens
 // Lights with an extent are seen by the rays; those without are beams, which no ray meets.
 std::vector<SensorReader::AtPoint> SensorReader::over_cone(const PointInCell& place, const Cone& cone,
                                                            std::span<const Vec3> normals, int rays,
-                                                           RayRadiance::Workspace& work) const {
+                                                           RayRadiance::Workspace& work,
+                                                           WallSeen wall) const {
   const std::size_t bands = scene_.bands();
   const auto weight = [](const Vec3& normal, const Vec3& looking) {
     return normal.isZero() ? 1 : std::max(0.0, normal.dot(looking));
@@ -131,7 +145,7 @@ std::vector<SensorReader::AtPoint> SensorReader::over_cone(const PointInCell& pl
   const ConeIntegrals seen = integrate_over_cone(
       cone, 2 * bands * normals.size(),
       [&](const Vec3& looking, std::span<double> values) {
-        const AtPoint here = radiance(place, looking, work);
+        const AtPoint here = radiance(place, looking, work, wall);
         for (std::size_t i = 0; i < normals.size(); ++i)
           for (std::size_t b = 0; b < bands; ++b) {
             values[2 * i * bands + b] = weight(normals[i], looking) * here.uncollided[b];
@@ -223,11 +237,18 @@ std::vector<SensorReader::AtPoint> SensorReader::both_sides(const FluxPoint& poi
   return {before, irradiance(point.place, normals[1], sensor.rays, work)};
 }
 
-// The wall as it is seen at no distance, mirrors and all.
+// The wall as it is seen at no distance, mirrors and all; what it reflects diffusely is the same in all
+// directions, and of the lights as exact as their irradiance.
 SensorReader::AtPoint SensorReader::exitance(const PointInCell& place, const Vec3& inwards, int rays,
                                              RayRadiance::Workspace& work) const {
   const std::array<Vec3, 1> normal = {-inwards};
-  return over_cone(place, {-inwards, pi / 2}, normal, rays, work).front();
+  const Cone half{-inwards, pi / 2};
+  const std::vector<double> lit = direct_.at(place, inwards).irradiance;
+  const RayRadiance::DiffuseWall wall = scene_.diffuse_wall(place, -inwards, lit, work);
+  if (wall.distance > on_wall_) return over_cone(place, half, normal, rays, work).front();
+  AtPoint sent = over_cone(place, half, normal, rays, work, WallSeen::without_diffuse).front();
+  add_to(sent.collided, wall.radiance, pi);
+  return sent;
 }
 
 void SensorReader::read_flux(const Sensor& sensor, const Locate& locate, int threads,

@@ -21,7 +21,7 @@ class SensorReader {
  public:
   /// The arguments must outlive it.
   SensorReader(const LightSetup& lights, const RayRadiance& scene)
-      : scene_(scene), lights_(lights), direct_(lights) {}
+      : scene_(scene), lights_(lights), direct_(lights), on_wall_(on_wall_within(scene.problem().mesh())) {}
 
   /// `locate` finds a cell that holds a point; where there is none, a grid has no numbers (NaN) and nothing
   /// flows through a polygon. Other sensors must stand in a cell. A polygon is cut into triangles about its
@@ -31,6 +31,7 @@ class SensorReader {
   SensorReading read(const Sensor& sensor, const Locate& locate, int threads) const;
 
  private:
+  static double on_wall_within(const TetrahedralMesh& mesh);
   struct AtPoint {
     std::vector<double> uncollided, collided, error;
   };
@@ -41,11 +42,15 @@ class SensorReader {
   AtPoint exitance(const PointInCell& place, const Vec3& inwards, int rays,
                    RayRadiance::Workspace& work) const;
   AtPoint fluence(const PointInCell& place, const Sensor& sensor, RayRadiance::Workspace& work) const;
-  AtPoint radiance(const PointInCell& place, const Vec3& looking, RayRadiance::Workspace& work) const;
+  /// How the wall counts that a ray meets first.
+  enum class WallSeen { whole, without_diffuse };
+  AtPoint radiance(const PointInCell& place, const Vec3& looking, RayRadiance::Workspace& work,
+                   WallSeen wall = WallSeen::whole) const;
   /// Integrals over a cone, times the cosine to each of the normals where it is positive; a normal of zero
   /// stands for the integral itself.
   std::vector<AtPoint> over_cone(const PointInCell& place, const Cone& cone, std::span<const Vec3> normals,
-                                 int rays, RayRadiance::Workspace& work) const;
+                                 int rays, RayRadiance::Workspace& work,
+                                 WallSeen wall = WallSeen::whole) const;
   /// A point of a rule on a polygon or a wall, and the area that it stands for.
   struct FluxPoint {
     PointInCell place;
@@ -64,6 +69,7 @@ class SensorReader {
   const RayRadiance& scene_;
   const LightSetup& lights_;
   LightIrradiance direct_;
+  double on_wall_;  ///< a point that is so near lies on a wall [length]
 };
 
 }  // namespace etendue

@@ -60,6 +60,18 @@ TEST(FlatShape, ShinesAsItsPartsDo) {
   EXPECT_EQ(shape.from({5, 0, 0}, room).solid_angle, 0);
 }
 
+// On its own surface it is not seen, whatever rounding makes of the height: on the outline too, between whose
+// ends the eye would look along opposite directions.
+TEST(FlatShape, IsNotSeenFromItsPlane) {
+  const FlatShape shape(frame());
+  for (const double height : {1e-17, 3e-16, 1e-13})
+    for (const Vec3& eye : {Vec3(0, -1, height), Vec3(1, 0.3, height), Vec3(0.7, 0.7, height)}) {
+      std::vector<SolidAnglePoint> room;
+      EXPECT_EQ(shape.from(eye, room).solid_angle, 0);
+      EXPECT_TRUE(room.empty()) << "no rule was asked for";
+    }
+}
+
 /// What stands in the room: a box under the lamp, and whether matter fills a ball only.
 struct Inside {
   std::optional<double> crate;

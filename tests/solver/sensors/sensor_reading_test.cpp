@@ -129,7 +129,7 @@ TEST(SensorReader, CountsWhatGoesThroughAWallInAFurnace) {
 }
 
 // A ceiling of radiance 5 sends 5 pi; the floor sends back half of what it gets, a tenth of all as a mirror:
-// what it reflects of the ceiling is looked for by the rays of a picture, within 1e-3.
+// beside mirrors the irradiance is a sum of beams, and of the image rays see the edges, within 1e-3.
 TEST(SensorReader, KeepsWhatWallsGetAndSendApart) {
   const TetrahedralMesh mesh = box();
   std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
