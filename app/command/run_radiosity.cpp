@@ -31,10 +31,39 @@ std::vector<ProbeRow> probes_of(const Case& input, const Problem& problem, const
   return rows;
 }
 
+SavedState state_to_look_at(const RadiosityRoom& room, const RadiosityScene& scene) {
+  const Problem& problem = scene.lights.problem();
+  const TetrahedralMesh& mesh = problem.mesh();
+  std::vector<bool> followed;
+  for (std::size_t w = 0; w < problem.walls().size(); ++w)
+    followed.push_back(scene.lights.has_wall(static_cast<int>(w)));
+  std::vector<double> half_range;
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    half_range.push_back(scene.directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
+  return room.state(followed, half_range);
+}
+
+/// Of light that matter scatters, which there is none of here.
+void check_views_of_radiosity(const Case& input) {
+  std::vector<Fault> faults;
+  for (const SensorCase& sensor : input.sensors)
+    if (sensor.sensor.kind == SensorKind::region)
+      faults.push_back(fault_at(sensor.origin, "",
+                                "the account of a region in a run by radiosity, which has no directions of "
+                                "light to count; use solve.method = \"auto\""));
+  for (const CameraCase& camera : input.cameras)
+    if (camera.camera.errors)
+      faults.push_back(fault_at(camera.origin, "",
+                                "errors = true in a run by radiosity (its layers are of light that matter "
+                                "scatters, and there is none); take it out"));
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
 }  // namespace
 
 void check_for_radiosity(const Case& input, const Problem& problem) {
   refuse_for_radiosity(problem);
+  check_views_of_radiosity(input);
   if (input.exact)
     throw InputError(
         fault_at(input.exact->origin, "",
@@ -66,9 +95,11 @@ std::string radiosity_memory_text(const RadiosityMemory& memory) {
                      memory.kept ? "kept" : "made anew in each pass");
 }
 
-RadiosityRun run_radiosity(const Case& input, const Problem& problem, const CellLocator& locator, int threads,
-                           std::ostream& out, const std::function<bool()>& interrupted) {
-  const RadiosityOptions options = radiosity_options(input, threads);
+RadiosityRun run_radiosity(const RadiosityScene& scene, std::ostream& out,
+                           const std::function<bool()>& interrupted) {
+  const Case& input = scene.input;
+  const Problem& problem = scene.lights.problem();
+  const RadiosityOptions options = radiosity_options(input, scene.threads);
   out << "form factors" << std::flush;
   RadiosityRoom room(problem, options);
   out << fmt::format(" in {:.3g} s\n", room.report().factor_seconds) << std::flush;
@@ -78,8 +109,9 @@ RadiosityRun run_radiosity(const Case& input, const Problem& problem, const Cell
       room.fields_on_walls(state.irradiance, run.passes.emplace_back());
     return !interrupted();
   });
+  run.solution.state = state_to_look_at(room, scene);
   run.report = room.report();
-  run.probes = probes_of(input, problem, locator, room.light(rays_to_a_patch));
+  run.probes = probes_of(input, problem, scene.locator, room.light(rays_to_a_patch));
   return run;
 }
 

@@ -8,6 +8,8 @@
 #include "app/case/case.h"
 #include "app/write/results.h"
 #include "mesh/tetrahedra/cell_locator.h"
+#include "solver/angle/direction_set.h"
+#include "solver/lights/light_setup.h"
 #include "solver/radiosity/solve_radiosity.h"
 
 namespace etendue {
@@ -28,8 +30,17 @@ RadiosityOptions radiosity_options(const Case& input, int threads);
 /// What the matrix takes, as a line.
 std::string radiosity_memory_text(const RadiosityMemory& memory);
 
-/// Solves a case. Says on `out` what it does.
-RadiosityRun run_radiosity(const Case& input, const Problem& problem, const CellLocator& locator, int threads,
-                           std::ostream& out, const std::function<bool()>& interrupted);
+/// What a run by radiosity looks at.
+struct RadiosityScene {
+  const Case& input;
+  const LightSetup& lights;  ///< followed along rays by pictures and sensors
+  const DirectionSet& directions;
+  const CellLocator& locator;
+  int threads;
+};
+
+/// Solves a case. Says on `out` what it does. The state of the solution is that of RadiosityRoom.
+RadiosityRun run_radiosity(const RadiosityScene& scene, std::ostream& out,
+                           const std::function<bool()>& interrupted);
 
 }  // namespace etendue

@@ -18,6 +18,8 @@ SolveOptions options_of_run(const Case& input, const std::filesystem::path& resu
   if (threads) options.threads = *threads;
   if (options.threads == 0)
     options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  // Of directions alone do probes decide what was kept.
+  if (input.radiosity) return options;
   const std::optional<Case> saved = case_of_results(results, {});
   options.meters = place_probes(saved ? saved->probes : input.probes, mesh, CellLocator(mesh));
   return options;

@@ -88,6 +88,7 @@ Solution RadiosityRoom::solve(const RadiosityObserver& observer) {
   report_.bounces = state.bounces;
   report_.passes = state.passes;
   report_.solve_seconds = seconds_since(start);
+  irradiance_ = state.irradiance;
   exitance_ = asked.emission;
   for (std::size_t i = 0; i < exitance_.size(); ++i)
     exitance_[i] += asked.reflectance[i] * state.irradiance[i];
@@ -131,6 +132,34 @@ void RadiosityRoom::fields_on_walls(const std::vector<double>& irradiance, Solut
 }
 
 WallLightField RadiosityRoom::light(int rays) const { return {*exchange_, exitance_, bands_, rays}; }
+
+// Straight from these walls, H_j = sum over k of G_jk E_k / A_j.
+std::vector<double> RadiosityRoom::irradiance_of(const std::vector<bool>& walls) const {
+  std::vector<double> emission = equation().emission;
+  for (std::size_t i = 0; i < emission.size(); ++i)
+    if (!walls[static_cast<std::size_t>(patches_.walls[i / bands_])]) emission[i] = 0;
+  std::vector<double> irradiance = exchange_->times(emission, bands_);
+  for (std::size_t i = 0; i < irradiance.size(); ++i)
+    irradiance[i] /= exchange_->patches()[i / bands_].area();
+  return irradiance;
+}
+
+SavedState RadiosityRoom::state(const std::vector<bool>& followed, std::span<const double> half_range) const {
+  std::vector<double> rest = irradiance_;
+  if (std::ranges::count(followed, true) > 0) {
+    const std::vector<double> straight = irradiance_of(followed);
+    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= straight[i];
+  }
+  Solution walls;
+  fields_on_walls(rest, walls);
+  SavedState state;
+  state.bands = static_cast<int>(bands_);
+  state.fluence.assign(static_cast<std::size_t>(problem_.mesh().cell_count()) * 4 * bands_, 0);
+  state.irradiance = std::move(walls.irradiance);
+  for (std::size_t i = 0; i < state.irradiance.size(); ++i)
+    state.irradiance[i] *= half_range[i / (3 * bands_)] / pi;
+  return state;
+}
 
 // The P1 field that takes the values at the four points of the rule: the projection on P1 by that rule.
 void RadiosityRoom::fill_cells(Solution& fields) const {

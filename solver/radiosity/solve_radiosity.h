@@ -3,8 +3,10 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "solver/ordinates/saved_state.h"
 #include "solver/ordinates/solution.h"
 #include "solver/problem/problem.h"
 #include "solver/radiosity/factor_checks.h"
@@ -52,11 +54,16 @@ class RadiosityRoom {
   void fields_on_walls(const std::vector<double>& irradiance, Solution& fields) const;
   /// The field at points, of the state that was solved last; `rays` look at each patch from a point.
   WallLightField light(int rays) const;
+  /// The state that was solved last as rays of pictures and sensors look at it: what walls receive, but for
+  /// what comes straight from the walls that are `followed` [wall] along rays as lights. Nothing scatters, so
+  /// the fluence is none. It is divided by `half_range` [boundary face] to be reflected.
+  SavedState state(const std::vector<bool>& followed, std::span<const double> half_range) const;
 
  private:
   RadiosityEquation equation() const;
   RadiosityState solve(const RadiosityEquation& equation, const RadiosityObserver& observer) const;
   void fill_cells(Solution& fields) const;
+  std::vector<double> irradiance_of(const std::vector<bool>& walls) const;
 
   const Problem& problem_;
   RadiosityOptions options_;
@@ -64,7 +71,8 @@ class RadiosityRoom {
   WallPatches patches_;
   std::unique_ptr<ExchangeMatrix> exchange_;
   RadiosityReport report_;
-  std::vector<double> exitance_;  ///< [patch][band] of the solution
+  std::vector<double> irradiance_;  ///< [patch][band] of the solution
+  std::vector<double> exitance_;    ///< [patch][band] of the solution
 };
 
 /// Throws InputError that names all in a problem that radiosity does not know: matter that scatters, absorbs
