@@ -8,8 +8,8 @@
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/lights/point_source.h"
 #include "solver/parallel/parallel_for.h"
-#include "solver/sensors/polygon_points.h"
 #include "solver/sensors/region_surface.h"
+#include "solver/sensors/simplex_cubature.h"
 
 namespace etendue {
 namespace {
@@ -20,11 +20,10 @@ using std::numbers::pi;
 constexpr double sum_tolerance = 1e-9;
 constexpr int most_directions = 20000;
 
-/// Faces are cut into this many parts squared, of three points each.
-constexpr int parts_of_side = 2;
-
-/// Points on the edge of a cell's lattice of points that stand for equal parts.
-constexpr int cell_lattice = 3;
+/// Of sums over a face or a cell: estimated error, and points of a light that is a single beam. Of wide
+/// lights the edges of a cone lie elsewhere for each of many beams, so fewer will do.
+constexpr double part_tolerance = 1e-3;
+constexpr std::size_t most_points = 1000, most_beams = 4000;
 
 bool holds(const std::optional<Cone>& cone, const Vec3& travel) { return !cone || cone->holds(travel); }
 
@@ -47,33 +46,32 @@ const LightSource* light_of_wall(const LightSetup& lights, int wall) {
   return found == lights.sources().rend() ? nullptr : found->get();
 }
 
-/// Points spread evenly in a cell.
-std::vector<Vec3> points_in(const TetrahedralMesh& mesh, CellIndex cell) {
-  std::array<Vec3, 4> v;
-  for (std::size_t k = 0; k < 4; ++k) v[k] = mesh.point(VertexIndex(mesh.vertices(cell)[k]));
-  std::vector<Vec3> points;
-  const auto part = [](int i) { return (i + 0.25) / cell_lattice; };
-  for (int i = 0; i < cell_lattice; ++i)
-    for (int j = 0; i + j < cell_lattice; ++j)
-      for (int k = 0; i + j + k < cell_lattice; ++k)
-        points.push_back(part(i) * v[0] + part(j) * v[1] + part(k) * v[2] +
-                         part(cell_lattice - 1 - i - j - k) * v[3]);
-  return points;
+/// So many points that their beams are not too many.
+SimplexEffort effort_at(const LightSetup& lights, const PointInCell& place) {
+  const std::size_t beams = std::max<std::size_t>(1, beams_at(lights, place).size());
+  return {part_tolerance, std::min(most_beams / beams, most_points)};
 }
 
 /// [band] the part of the fluence in a cell that travels within the cone.
 std::vector<double> share_of(const LightSetup& lights, CellIndex cell, const Cone& cone) {
-  std::vector<double> all(lights.paths().bands(), 0), within(all);
-  for (const Vec3& point : points_in(lights.problem().mesh(), cell)) {
-    const LightBeams beams = beams_at(lights, {cell, point});
-    for (std::size_t n = 0; n < beams.size(); ++n)
-      for (std::size_t b = 0; b < all.size(); ++b) {
-        all[b] += beams.fluence(n)[b];
-        if (cone.holds(beams.direction(n))) within[b] += beams.fluence(n)[b];
-      }
-  }
-  for (std::size_t b = 0; b < all.size(); ++b) within[b] = all[b] > 0 ? within[b] / all[b] : 0;
-  return within;
+  const TetrahedralMesh& mesh = lights.problem().mesh();
+  const std::size_t bands = lights.paths().bands();
+  std::array<Vec3, 4> corners;
+  for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.point(VertexIndex(mesh.vertices(cell)[k]));
+  const std::vector<double> sums = integrate_over_simplex(
+      corners, 2 * bands,
+      [&](const Vec3& point, std::span<double> values) {
+        const LightBeams beams = beams_at(lights, {cell, point});
+        for (std::size_t n = 0; n < beams.size(); ++n)
+          for (std::size_t b = 0; b < bands; ++b) {
+            values[b] += beams.fluence(n)[b];
+            if (cone.holds(beams.direction(n))) values[bands + b] += beams.fluence(n)[b];
+          }
+      },
+      effort_at(lights, {cell, mesh.centroid(cell)}));
+  std::vector<double> share(bands, 0);
+  for (std::size_t b = 0; b < bands; ++b) share[b] = sums[b] > 0 ? sums[bands + b] / sums[b] : 0;
+  return share;
 }
 
 void add_cell(const LightSetup& lights, const Solution& solution, CellIndex cell,
@@ -112,14 +110,23 @@ void add_face(const LightSetup& lights, const SurfaceFace& part, const std::opti
   const LightSource* own = part.outside ? nullptr : light_of_wall(lights, mesh.wall(part.face));
   std::vector<Vec3> corners;
   for (const std::int32_t v : mesh.vertices(part.face)) corners.push_back(mesh.point(VertexIndex(v)));
-  for (const PolygonPoint& point : polygon_points(corners, parts_of_side)) {
-    const LightBeams beams = beams_at(lights, {part.inside, point.position}, own);
-    for (std::size_t n = 0; n < beams.size(); ++n) {
-      if (!holds(cone, beams.direction(n))) continue;
-      const double across = point.area * part.area.normalized().dot(beams.direction(n));
-      for (std::size_t b = 0; b < bands; ++b)
-        (across > 0 ? account.flowing_out : account.flowing_in)[b] += std::abs(across) * beams.fluence(n)[b];
-    }
+  const Vec3 outwards = part.area.normalized();
+  // [out, in][band]
+  const std::vector<double> flows = integrate_over_simplex(
+      corners, 2 * bands,
+      [&](const Vec3& point, std::span<double> values) {
+        const LightBeams beams = beams_at(lights, {part.inside, point}, own);
+        for (std::size_t n = 0; n < beams.size(); ++n) {
+          if (!holds(cone, beams.direction(n))) continue;
+          const double across = outwards.dot(beams.direction(n));
+          for (std::size_t b = 0; b < bands; ++b)
+            values[(across > 0 ? 0 : bands) + b] += std::abs(across) * beams.fluence(n)[b];
+        }
+      },
+      effort_at(lights, {part.inside, mesh.centroid(part.inside)}));
+  for (std::size_t b = 0; b < bands; ++b) {
+    account.flowing_out[b] += flows[b];
+    account.flowing_in[b] += flows[bands + b];
   }
   if (own == nullptr) return;
   const double inwards = projected(cone, -part.area.normalized()) * part.area.norm();
