@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "solver/angle/directional_kernel.h"
-#include "solver/ordinates/kernel_places.h"
+#include "solver/angle/kernel_places.h"
 
 namespace etendue {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "solver/angle/directional_kernel.h"
 #include "solver/angle/kernel_formula.h"
-#include "solver/ordinates/kernel_places.h"
+#include "solver/angle/kernel_places.h"
 
 namespace etendue {
 namespace {

@@ -74,7 +74,7 @@ double leaf_projection(LeafAngles angles, const Vec3& direction) {
   if (angles == LeafAngles::spherical) return 0.5;
   // The projection has a kink where the leaf is seen edge-on: one rule on each side of it.
   const double kink = std::acos(std::sqrt(std::max(0.0, 1 - direction.z() * direction.z())));
-  const GaussRule rule = unit_rule(inclinations);
+  static const GaussRule rule = unit_rule(inclinations);
   double sum = 0;
   for (const auto& [from, to] : {std::pair(0.0, kink), std::pair(kink, pi / 2)})
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {

@@ -34,6 +34,7 @@ void add_in_polar_frame(const LightPaths& paths, const PointSource& source, cons
                         NodalMoments& moments);
 
 /// Adds the light of any source by looking at it from points of the cell.
-void add_by_points(const LightSource& source, const LitCell& cell, LightBeams& beams, NodalMoments& moments);
+void add_by_points(const LightPaths& paths, const LightSource& source, const LitCell& cell, LightBeams& beams,
+                   NodalMoments& moments);
 
 }  // namespace etendue

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "mesh/base/index.h"
 #include "mesh/base/vec3.h"
 
 namespace etendue {
@@ -17,7 +19,9 @@ struct EmitterPart {
   std::array<Vec3, 4> corners;  ///< of a triangle three
   std::vector<double>
       brightness;  ///< [band] radiance [power/(length^2 sr)] or emission [power/(length^3 sr)]
-  std::vector<double> extinction = {};  ///< [band] inside of a tetrahedron [1/length]
+  /// [band] inside of a tetrahedron, in the mean over directions [1/length]
+  std::vector<double> extinction = {};
+  std::optional<CellIndex> cell = {};  ///< that a tetrahedron is
 };
 
 enum class EmitterShape { triangles, tetrahedra };

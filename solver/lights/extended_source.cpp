@@ -113,7 +113,9 @@ void ExtendedSource::add_tetrahedron(const View& view, const EmitterPart& part, 
       const std::span<double> fluence = view.open_way(paths_, point.direction, in, out - in, beams);
       if (fluence.empty()) continue;
       for (std::size_t band = 0; band < fluence.size(); ++band) {
-        const double extinction = view.sight == Sight::clear ? 0 : part.extinction[band];
+        double extinction = view.sight == Sight::clear ? 0 : part.extinction[band];
+        if (extinction > 0 && part.cell && !paths_.matter().empty())
+          extinction = paths_.extinction(*part.cell, band, -point.direction);
         fluence[band] *= attenuated_way(extinction, out - in).constant;
       }
       scale(fluence, part.brightness, point.weight);

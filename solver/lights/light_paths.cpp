@@ -26,6 +26,7 @@ LightPaths::LightPaths(const Problem& problem)
       bands_(static_cast<std::size_t>(problem.band_count())),
       rays_(problem.mesh()),
       mirrors_(problem),
+      matter_(problem),
       extinction_(extinction_of(problem)) {}
 
 double LightPaths::largest_extinction(CellIndex cell) const {
@@ -35,6 +36,12 @@ double LightPaths::largest_extinction(CellIndex cell) const {
 
 RayEnd LightPaths::walk(const PointInCell& from, const Vec3& direction, double length,
                         std::span<double> depth) const {
+  if (!matter_.empty()) {
+    const RayMatter::View light = matter_.view(-direction);
+    return rays_.walk(from.cell, from.position, direction, length, [&](CellIndex cell, double part) {
+      for (std::size_t b = 0; b < bands_; ++b) depth[b] += matter_.at(cell, b, light).extinction() * part;
+    });
+  }
   if (bands_ > 1)
     return rays_.walk(from.cell, from.position, direction, length, [&](CellIndex cell, double part) {
       const double* extinction = &extinction_[cell.at() * bands_];

@@ -7,6 +7,7 @@
 
 #include "mesh/tetrahedra/ray_mesh.h"
 #include "solver/lights/mirror_images.h"
+#include "solver/lights/ray_matter.h"
 #include "solver/problem/problem.h"
 
 namespace etendue {
@@ -34,8 +35,16 @@ class LightPaths {
   const MirrorPlanes& mirrors() const { return mirrors_; }
   const RayMesh& rays() const { return rays_; }
   std::size_t bands() const { return bands_; }
+  /// What depends on the direction.
+  const RayMatter& matter() const { return matter_; }
+  /// In the mean over directions [1/length].
   double extinction(CellIndex cell, std::size_t band) const { return extinction_[cell.at() * bands_ + band]; }
   double largest_extinction(CellIndex cell) const;
+  /// Of light that travels in this direction [1/length].
+  double extinction(CellIndex cell, std::size_t band, const Vec3& travel) const {
+    return matter_.empty() ? extinction(cell, band)
+                           : matter_.at(cell, band, matter_.view(travel)).extinction();
+  }
 
   /// Transmittance [band] of the way from a point along a unit direction of this length, reflected by exactly
   /// these mirrors, their reflectances included. False where something opaque stands before its end; a wall
@@ -55,6 +64,7 @@ class LightPaths {
   std::size_t bands_;
   RayMesh rays_;
   MirrorPlanes mirrors_;
+  RayMatter matter_;
   std::vector<double> extinction_;  ///< [cell][band] [1/length]
 };
 

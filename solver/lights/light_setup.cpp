@@ -37,6 +37,7 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
 
 EmitterPart part_of_cell(const Problem& problem, const LightPaths& paths, CellIndex cell) {
   EmitterPart part;
+  part.cell = cell;
   for (std::size_t i = 0; i < 4; ++i)
     part.corners[i] = problem.mesh().point(VertexIndex(problem.mesh().vertices(cell)[i]));
   part.brightness = values_of_cell(problem, cell, &Problem::emission);
@@ -64,14 +65,6 @@ std::vector<EmitterPart> parts_of(const SurfaceLight& light) {
   return parts;
 }
 
-bool has_directional_band(const Medium& medium) {
-  for (int band = 0; band < static_cast<int>(medium.directional.size()); ++band)
-    if (medium.is_directional(band)) return true;
-  for (int band = 0; band < static_cast<int>(medium.absorption_by_direction.size()); ++band)
-    if (medium.absorbs_by_direction(band)) return true;
-  return false;
-}
-
 }  // namespace
 
 LightSetup::LightSetup(const Problem& problem)
@@ -83,11 +76,11 @@ LightSetup::LightSetup(const Problem& problem)
     refuse_all("in flatland", "a set on the sphere");
     return;
   }
-  if (std::any_of(problem.media().begin(), problem.media().end(), has_directional_band)) {
-    refuse_all("beside leaves, flakes, a kernel or absorption by direction, which rays do not see",
-               "uncollided = \"auto\" or false");
-    return;
-  }
+  for (int region = 0; region < static_cast<int>(problem.media().size()); ++region)
+    if (const std::string reason = reason_unseen(problem, region); !reason.empty()) {
+      refuse_all("beside " + reason, "uncollided = \"auto\" or false, leaves, flakes or another formula");
+      return;
+    }
   add_lights();
   add_regions();
   add_walls();

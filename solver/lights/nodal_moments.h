@@ -13,9 +13,13 @@ namespace etendue {
 /// and the nodal values of their projection on these.
 class NodalMoments {
  public:
-  /// `components`: 4 for fluence and net flux, 1 for an irradiance.
+  /// `components`: 4 for fluence and net flux, with `absorbed` and `collided` 6; 1 for an irradiance.
   NodalMoments(std::size_t nodes, std::size_t components, std::size_t bands)
       : nodes_(nodes), components_(components), bands_(bands), values_(nodes * components * bands, 0) {}
+
+  /// Components beside fluence and net flux: power densities of light that is absorbed and that scatters.
+  static constexpr std::size_t absorbed = 4, collided = 5;
+  std::size_t components() const { return components_; }
 
   void clear() { values_.assign(values_.size(), 0); }
   void add(const NodalMoments& other) {

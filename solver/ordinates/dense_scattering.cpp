@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "solver/angle/kernel_formula.h"
+#include "solver/angle/kernel_places.h"
 #include "solver/ordinates/directional_absorption.h"
-#include "solver/ordinates/kernel_places.h"
 #include "solver/ordinates/processor_timer.h"
 
 namespace etendue {

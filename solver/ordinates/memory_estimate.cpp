@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/angle/kernel_places.h"
 #include "solver/angle/spherical_harmonics.h"
 #include "solver/ordinates/directional_emission.h"
 #include "solver/ordinates/gmres.h"
-#include "solver/ordinates/kernel_places.h"
 #include "solver/ordinates/positive_iteration.h"
 #include "solver/ordinates/scattering_plan.h"
 #include "solver/ordinates/solve.h"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "solver/angle/harmonics.h"
-#include "solver/ordinates/kernel_places.h"
+#include "solver/angle/kernel_places.h"
 #include "solver/ordinates/sweep_kernel.h"
 
 namespace etendue {

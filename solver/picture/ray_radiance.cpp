@@ -197,7 +197,7 @@ void RayRadiance::add_part(const Stretch& stretch, const Workspace::Part& part, 
     const AttenuatedWay way = attenuated_way(extinction, part.length);
     radiance[b] += work.factor[b] * std::exp(-work.depth_rest[b]) *
                    (near * way.constant + (far - near) * way.linear / part.length);
-    const double whole = lights_.paths().extinction(part.cell, b);
+    const double whole = lights_.paths().extinction(part.cell, b, stretch.travel());
     if (is_light)
       radiance[b] += work.factor[b] * std::exp(-work.depth[b]) *
                      problem_.emission(part.cell, static_cast<int>(b)) *
@@ -242,8 +242,8 @@ void RayRadiance::add_flat_lights(const Stretch& stretch, double length, Workspa
         double depth = work.depth[band];
         for (const Workspace::Part& part : work.parts)
           if (part.from < distance)
-            depth +=
-                lights_.paths().extinction(part.cell, band) * std::min(part.length, distance - part.from);
+            depth += lights_.paths().extinction(part.cell, band, stretch.travel()) *
+                     std::min(part.length, distance - part.from);
         radiance[band] += work.factor[band] * std::exp(-depth) * surface->radiance[band];
       }
       break;  // a flat light is passed once, on an edge of its triangles too

@@ -8,6 +8,7 @@
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/lights/point_source.h"
 #include "solver/parallel/parallel_for.h"
+#include "solver/problem/cell_rule.h"
 #include "solver/sensors/region_surface.h"
 #include "solver/sensors/simplex_cubature.h"
 
@@ -74,20 +75,52 @@ std::vector<double> share_of(const LightSetup& lights, CellIndex cell, const Con
   return share;
 }
 
+/// [band] what the light in a cell meets on its way in the mean, of what travels within the cone.
+std::vector<PathCoefficients> coefficients_of(const LightSetup& lights, CellIndex cell,
+                                              const std::optional<Cone>& cone) {
+  const RayMatter& matter = lights.paths().matter();
+  std::vector<PathCoefficients> mean(lights.paths().bands()), sum(mean);
+  std::vector<double> light(mean.size(), 0);
+  const RayMatter::View any = matter.view(Vec3::UnitZ());
+  for (std::size_t b = 0; b < mean.size(); ++b) mean[b] = matter.at(cell, b, any);
+  if (!matter.depends_on_direction(lights.problem().mesh().region(cell))) return mean;
+  const TetrahedralMesh& mesh = lights.problem().mesh();
+  std::array<Vec3, 4> corners;
+  for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.point(VertexIndex(mesh.vertices(cell)[k]));
+  for (const CellRulePoint& node : cell_rule()) {
+    const Vec3 point = point_at(node.barycentric, corners);
+    const LightBeams beams = beams_at(lights, {cell, point});
+    for (std::size_t n = 0; n < beams.size(); ++n) {
+      if (!holds(cone, beams.direction(n))) continue;
+      const RayMatter::View view = matter.view(beams.direction(n));
+      for (std::size_t b = 0; b < mean.size(); ++b) {
+        const PathCoefficients here = matter.at(cell, b, view);
+        const double fluence = node.weight * beams.fluence(n)[b];
+        light[b] += fluence;
+        sum[b].absorption += here.absorption * fluence;
+        sum[b].scattering += here.scattering * fluence;
+      }
+    }
+  }
+  for (std::size_t b = 0; b < mean.size(); ++b)
+    if (light[b] > 0) mean[b] = {sum[b].absorption / light[b], sum[b].scattering / light[b]};
+  return mean;
+}
+
 void add_cell(const LightSetup& lights, const Solution& solution, CellIndex cell,
               const std::optional<Cone>& cone, RegionAccount& account) {
   const Problem& problem = lights.problem();
   const std::size_t bands = lights.paths().bands();
   const std::vector<double> share = cone ? share_of(lights, cell, *cone) : std::vector<double>(bands, 1);
+  const std::vector<PathCoefficients> coefficients = coefficients_of(lights, cell, cone);
   for (std::size_t b = 0; b < bands; ++b) {
     double fluence = 0;
     for (std::size_t i = 0; i < 4; ++i)
       fluence += solution.lights.fluence[(cell.at() * 4 + i) * bands + b] / 4;
     const double path = problem.mesh().volume(cell) * fluence * share[b];
-    const auto band = static_cast<int>(b);
     account.path[b] += path;
-    account.absorbed[b] += problem.absorption(cell, band) * path;
-    account.scattered_out[b] += problem.scattering(cell, band) * path;
+    account.absorbed[b] += coefficients[b].absorption * path;
+    account.scattered_out[b] += coefficients[b].scattering * path;
   }
 }
 

@@ -15,7 +15,8 @@ namespace etendue {
 ///     s_m = sigma_s phi p(w_m.w') / sum over n of w_n p(w_n.w'),
 ///
 /// with the exact phase function p, divided by its sum over the set so that the scattered power is sigma_s
-/// phi, and tilted so that its net flux is that of p; and at walls the
+/// phi, and tilted so that its net flux is that of p; where matter depends on the directions themselves, with
+/// its kernel k(w' -> w_m) in place of p and the integral of sigma_s(w') over the light; and at walls the
 /// radiance that is diffusely reflected, (diffuse / pi_h) E.
 ///
 /// The direction w' of the light enters by its distribution at the vertices; phi is the P1 projection.
@@ -34,13 +35,19 @@ class FirstCollision : public AngularInput {
 
  private:
   void tabulate(const LightSetup& lights, int threads);
+  void tabulate_phase(const LightSource& source, const PhaseFunction& phase, int threads,
+                      std::vector<double>& table) const;
+  /// Which of a source's tables a region and band have; -1 where all directions are alike.
+  int table_of(int region, std::size_t band) const;
 
   const Problem& problem_;
   const UncollidedField& field_;
   const DirectionSet& directions_;
   PhaseList phases_;
-  std::vector<std::vector<double>> scattered_;  ///< [source * phases + phase] [ordinate][vertex] [1/sr]
-  std::vector<double> half_range_;              ///< [boundary face] [sr]
+  const RayMatter& matter_;
+  /// [source * tables + table] [ordinate][vertex] [1/sr]: of phase functions, then of kinds of matter
+  std::vector<std::vector<double>> scattered_;
+  std::vector<double> half_range_;  ///< [boundary face] [sr]
 };
 
 }  // namespace etendue

@@ -64,6 +64,16 @@ void add_exitance(const LightSetup& lights, const UncollidedField& field, Soluti
   }
 }
 
+/// What a cell absorbs and scatters where something depends on the direction.
+void add_cell(const UncollidedField& field, const TetrahedralMesh& mesh, CellIndex cell, std::size_t band,
+              UncollidedBalance& balance) {
+  const std::size_t bands = field.absorbed.size() / mesh.volumes().size();
+  balance.absorbed += mesh.volume(cell) * field.absorbed[cell.at() * bands + band];
+  for (const std::vector<double>& collided : field.collided_by_source)
+    for (std::size_t i = 0; i < 4; ++i)
+      balance.collided += mesh.volume(cell) * collided[(cell.at() * 4 + i) * bands + band] / 4;
+}
+
 /// Powers of the uncollided light.
 std::vector<UncollidedBalance> balance_of(const LightSetup& lights, const UncollidedField& field) {
   const Problem& problem = lights.problem();
@@ -75,6 +85,10 @@ std::vector<UncollidedBalance> balance_of(const LightSetup& lights, const Uncoll
     for (const auto& source : lights.sources()) balance.sent += source->power()[b];
     for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
       double fluence = 0;
+      if (!field.absorbed.empty()) {
+        add_cell(field, mesh, CellIndex(c), b, balance);
+        continue;
+      }
       for (std::size_t i = 0; i < 4; ++i)
         fluence += field.fluence[(static_cast<std::size_t>(c) * 4 + i) * bands + b] / 4;
       fluence *= mesh.volume(CellIndex(c));
@@ -169,6 +183,7 @@ Solution UncollidedLight::solve_rest(const DirectionSet& directions, const Direc
     solution.lights.exact_walls.push_back(lights_.has_wall(static_cast<int>(w)));
   add(solution.fluence, field_.fluence);
   add(solution.net_flux, field_.net_flux);
+  if (!field_.absorbed.empty()) add(solution.absorbed, field_.absorbed);
   add(solution.irradiance, field_.irradiance);
   add_meters(lights_, options, solution);
   solution.negative = negative_census(solution.fluence, lights_.paths().bands());

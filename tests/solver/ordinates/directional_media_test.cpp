@@ -9,8 +9,8 @@
 #include <string>
 
 #include "solver/angle/dense_kernel.h"
+#include "solver/angle/kernel_places.h"
 #include "solver/measure/balance.h"
-#include "solver/ordinates/kernel_places.h"
 #include "solver/ordinates/solve.h"
 #include "tests/solver/ordinates/sample_problems.h"
 

@@ -5,7 +5,7 @@
 
 #include <array>
 #include <cmath>
-#include <string>
+#include <memory>
 
 #include "mesh/base/errors.h"
 #include "solver/measure/balance.h"
@@ -142,18 +142,61 @@ TEST(FirstCollision, SendsTheLightOfAWallForwardBesideIt) {
   EXPECT_GT(seen, 0);
 }
 
-TEST(LightSetup, RefusesALampBesideLeaves) {
+Medium leaves() {
+  Medium medium = uniform_medium(1, 0.35, 0.65, 0);
+  medium.directional = {LeafCanopy{LeafAngles::planophile, 0.4, 0.25}};
+  return medium;
+}
+
+TEST(SolveSplit, BalancesBesideLeaves) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
-  Medium leaves = uniform_medium(1, 0.3, 0.2, 0, PhaseIsotropic{});
-  leaves.directional = {LeafCanopy{LeafAngles::horizontal, 0.2, 0.2}};
-  const Problem problem = with_lamp(mesh, leaves, uniform_wall(1, 0, 0, 0));
-  try {
-    const LightSetup lights(problem);
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("a light beside leaves, flakes, a kernel"), std::string::npos)
-        << error.what();
+  const Problem problem = with_lamp(mesh, leaves(), uniform_wall(1, 0, 0.5, 0));
+  const LightSetup lights(problem);
+  const Solution solution = solve_split(lights, directions_ldfe_sq(1), tight_options());
+  EXPECT_TRUE(solution.converged());
+  EXPECT_NEAR(solution.lights.balance[0].residual, 0, 1e-4);
+  EXPECT_NEAR(balances(problem, solution)[0].residual, solution.lights.balance[0].residual, 1e-9);
+}
+
+TEST(SolveSplit, KeepsThePowerOfWhatLeavesScatter) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const Problem problem = with_lamp(mesh, leaves(), uniform_wall(1, 0, 0, 0));
+  const LightSetup lights(problem);
+  const UncollidedField field = uncollided_field(lights.paths(), lights.sources(), 1);
+  const DirectionSet directions = directions_ldfe_sq(1);
+  const FirstCollision source(lights, field, directions, 2);
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    EXPECT_TRUE(source.depends_on_direction(CellIndex(c)));
+    std::vector<double> sum(4, 0);
+    for (std::int32_t m = 0; m < directions.count(); ++m) {
+      std::vector<double> values(4, 0);
+      source.add_source(OrdinateIndex(m), CellIndex(c), values);
+      for (std::size_t i = 0; i < 4; ++i) sum[i] += directions.weight(OrdinateIndex(m)) * values[i];
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double expected = field.collided_by_source[0][static_cast<std::size_t>(c) * 4 + i];
+      EXPECT_NEAR(sum[i], expected, 1e-12 * std::abs(expected));
+    }
   }
+}
+
+// Round flakes are isotropic scattering, and so are kernels that say so.
+TEST(SolveSplit, FindsTheSameForAllWaysToSayIsotropic) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  Medium ordinary = uniform_medium(1, 0.4, 0.6, 0), round = ordinary, kernel = ordinary;
+  ordinary.choice = {{ScatteringBackend::dense}};
+  round.directional = {MicroFlakes{Vec3::UnitZ(), 1, 1, 0.6}};
+  KernelFormula formula;
+  formula.formula = std::make_shared<Expression>("0.6/(4*pi)", kernel_variables());
+  kernel.directional = {formula};
+  const auto fluence = [&](const Medium& medium) {
+    const Problem problem = with_lamp(mesh, medium, uniform_wall(1, 0, 0.2, 0));
+    const LightSetup lights(problem);
+    return solve_split(lights, directions_ldfe_sq(1), tight_options()).fluence;
+  };
+  const std::vector<double> expected = fluence(ordinary);
+  for (const std::vector<double>& found : {fluence(round), fluence(kernel)})
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-8);
 }
 
 // In a box of mirrors all light is absorbed at last.

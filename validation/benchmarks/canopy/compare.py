@@ -10,13 +10,16 @@ AREA = 2.0
 
 
 def compare(runs):
-    canopy = runs["case"]
+    return rows_of(runs["case"], "") + rows_of(runs["sun"], "sun: ")
+
+
+def rows_of(canopy, prefix):
     found = []
     for band, (r, t) in LEAVES.items():
         sent = canopy.wall("sky", "outgoing", band)
         for name, wall, exact in (("R", "sky", reflected(r, t)), ("T", "ground", transmitted(r, t))):
             if exact:
-                found.append(Row(f"{name}, {band}", canopy.wall(wall, "incoming", band) / sent, exact))
+                found.append(Row(f"{prefix}{name}, {band}", canopy.wall(wall, "incoming", band) / sent, exact))
     return found
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/ordinates/kernel_places.h"
+#include "solver/angle/kernel_places.h"
 
 #include <cmath>
 #include <map>

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// What light meets in one direction [1/length].
+struct PathCoefficients {
+  double absorption = 0;
+  double scattering = 0;
+  double extinction() const { return absorption + scattering; }
+};
+
+/// Absorption and scattering of a ray of light in its own direction, where they depend on it: leaves, flakes,
+/// kernels by formula, and absorption by formula. What a direction meets of a density of 1 is one number for
+/// each kind of matter; a formula that depends on the place too is asked in each cell, for its mean there.
+/// May be used by several threads at a time.
+class RayMatter {
+ public:
+  /// The problem must outlive it.
+  explicit RayMatter(const Problem& problem);
+  ~RayMatter();
+
+  /// Whether nothing depends on the direction.
+  bool empty() const { return empty_; }
+  /// Whether something does in a region.
+  bool depends_on_direction(int region) const { return by_direction_[static_cast<std::size_t>(region)] != 0; }
+
+  /// What depends on the direction alone.
+  struct View {
+    Vec3 travel;                          ///< unit
+    std::vector<PathCoefficients> kinds;  ///< [kind] for a density of 1
+    std::vector<double> absorption;       ///< [formula] that does not depend on the place
+  };
+  View view(const Vec3& travel) const;
+  PathCoefficients at(CellIndex cell, std::size_t band, const View& view) const;
+
+  /// Matter that scatters so, each kind once.
+  std::size_t kind_count() const { return kinds_.size(); }
+  const DirectionalScattering& scattering(int kind) const;
+  /// Which of them a region and band have; -1: none.
+  int kind_of(int region, std::size_t band) const {
+    return entries_[static_cast<std::size_t>(region) * bands_ + band].kind;
+  }
+
+ private:
+  struct Kind;
+  struct Formula;
+  struct Entry {
+    int kind = -1;
+    int formula = -1;
+    bool is_extinction = false;  ///< the formula, of which scattering is a part
+  };
+  int number_of(const DirectionalScattering& scattering);
+
+  const Problem& problem_;
+  std::size_t bands_;
+  bool empty_ = true;
+  std::vector<char> by_direction_;  ///< [region]
+  std::vector<Entry> entries_;      ///< [region][band]
+  std::vector<std::unique_ptr<Kind>> kinds_;
+  std::vector<std::unique_ptr<Formula>> formulas_;
+};
+
+/// Why rays do not know what a medium does to light of directions that are no ordinates; empty where they do.
+std::string reason_unseen(const Problem& problem, int region);
+
+}  // namespace etendue
