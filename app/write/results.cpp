@@ -56,6 +56,7 @@ WrittenResults write_results(const RunResult& result) {
   add_sensor_files(result, folder);
   folder.add_text("walls.csv", walls_csv(result));
   folder.add_text("regions.csv", regions_csv(result));
+  if (result.radiosity) folder.add_text("form_factors.csv", form_factors_csv(result));
   if (result.radiosity && !result.radiosity->bounces.empty())
     folder.add_text("passes.csv", passes_csv(result));
   if (!result.passes.empty()) add_passes(result, folder);

@@ -100,6 +100,16 @@ std::string passes_csv(const RunResult& result) {
   return table;
 }
 
+std::string form_factors_csv(const RunResult& result) {
+  const std::vector<std::string>& walls = result.problem.mesh().wall_names();
+  std::string table = "from,to,factor\n";
+  for (std::size_t a = 0; a < walls.size(); ++a)
+    for (std::size_t b = 0; b < walls.size(); ++b)
+      add_row(table, "{},{},{}", csv_field(walls[a]), csv_field(walls[b]),
+              result.radiosity->wall_factors[a * walls.size() + b]);
+  return table;
+}
+
 std::string positivity_csv(const RunResult& result) {
   const std::vector<std::string>& bands = result.problem.bands().names;
   std::string table = "ordinate,wx,wy,wz,weight,band,cells,failed,smallest,moved\n";

@@ -17,6 +17,9 @@ std::string history_csv(const RunResult& result);  ///< sweep,band,residual
 /// pass,band,exitant,incident,deposit: powers of the passes of radiosity.
 std::string passes_csv(const RunResult& result);
 
+/// from,to,factor: form factors of whole walls.
+std::string form_factors_csv(const RunResult& result);
+
 /// What keeping values positive met, ordinate by ordinate.
 std::string positivity_csv(const RunResult& result);
 

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <numbers>
 
+#include "solver/radiosity/wall_factors.h"
+
 namespace etendue {
 namespace {
 
@@ -43,6 +45,7 @@ RadiosityRoom::RadiosityRoom(const Problem& problem, const RadiosityOptions& opt
   exchange_ =
       std::make_unique<ExchangeMatrix>(patches_.patches, options.rays, options.threads, options.largest_kept);
   report_.checks = check_and_close(*exchange_, closed);
+  report_.wall_factors = factors_of_walls(*exchange_, patches_, problem.mesh().wall_names().size());
   report_.patches = exchange_->size();
   const auto [smallest, largest] = std::ranges::minmax(patches_.patches, {}, &FlatPatch::area);
   report_.smallest_area = smallest.area();

@@ -33,6 +33,7 @@ struct RadiosityReport {
   bool convex = false;                         ///< nothing can stand between patches
   bool kept = true;                            ///< the matrix, and not made anew in each pass
   FactorChecks checks;
+  std::vector<double> wall_factors;  ///< [wall][wall] see factors_of_walls()
   std::vector<Bounce> bounces;
   int passes = 0;
   double factor_seconds = 0, solve_seconds = 0, field_seconds = 0;

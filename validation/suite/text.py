@@ -33,6 +33,16 @@ def relative(judged):
     return f"{row.difference:+.2g}" if row.relative is None else f"{100 * row.relative:+.2g} %"
 
 
+def effort(summary):
+    """What the method of a run did."""
+    if summary["method"] == "photons":
+        return f"{summary['photons']['histories']:,.0f} photons"
+    if summary["method"] == "radiosity":
+        return f"{summary['radiosity']['patches']:,} patches"
+    return (f"{summary['directions']:,} directions ({summary['direction_set']['set']}), "
+            f"{max(summary['sweeps'])} sweeps")
+
+
 def run_lines(outcome):
     """What was run, and what it cost."""
     found = []
@@ -41,8 +51,7 @@ def run_lines(outcome):
             found.append(f"{name}: a study, {result.seconds:.0f} s")
             continue
         s = result.summary
-        found.append(f"{name}: {s['cells']:,} cells, {s['directions']:,} directions ({s['direction_set']['set']}), "
-                     f"{len(s['bands'])} band{'s' if len(s['bands']) > 1 else ''}, {max(s['sweeps'])} sweeps, "
+        found.append(f"{name}: {s['cells']:,} cells, {len(s['bands'])} band{'s' if len(s['bands']) > 1 else ''}, {effort(s)}, "
                      f"{s['seconds']['total']:.1f} s, {s['peak_memory'] / 2 ** 20:.0f} MiB")
     return found
 

@@ -54,10 +54,11 @@ TEST(RunRadiosity, WritesWhatOtherMethodsWriteWithItsChecks) {
   const Outcome outcome =
       etendue_says({"run", folder.file(), "--output", folder.results(), "--set", "radiosity.passes=2"});
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
-  EXPECT_EQ(ScratchFolder::names_in(folder.results()),
-            (std::vector<std::string>{"fields.vtu", "history.csv", "passes.csv", "probes.csv", "regions.csv",
-                                      "solution.vtu", "summary.json", "walls.csv", "walls.vtp",
-                                      "walls.vtp.series", "walls_pass1.vtp", "walls_pass2.vtp"}));
+  EXPECT_EQ(
+      ScratchFolder::names_in(folder.results()),
+      (std::vector<std::string>{"fields.vtu", "form_factors.csv", "history.csv", "passes.csv", "probes.csv",
+                                "regions.csv", "solution.vtu", "summary.json", "walls.csv", "walls.vtp",
+                                "walls.vtp.series", "walls_pass1.vtp", "walls_pass2.vtp"}));
   EXPECT_TRUE(has(outcome.out, "A_j F_jk = A_k F_kj")) << outcome.out;
   EXPECT_TRUE(has(outcome.out, "patches: ")) << outcome.out;
   const json summary = summary_in(folder.results());
@@ -65,6 +66,10 @@ TEST(RunRadiosity, WritesWhatOtherMethodsWriteWithItsChecks) {
   EXPECT_TRUE(summary["converged"]);
   EXPECT_LT(summary["radiosity"]["row_sum_error_closed"].get<double>(), 1e-11);
   for (const json& balance : summary["balance"]) EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-7);
+  const std::string factors = text_of(folder.path() / "results/form_factors.csv");
+  double opposite = 0;
+  ASSERT_EQ(std::sscanf(factors.c_str() + factors.find("floor,zmax,"), "floor,zmax,%lf", &opposite), 1);
+  EXPECT_NEAR(opposite, 0.199824895698, 1e-6);
   const json series = json::parse(text_of(folder.path() / "results/walls.vtp.series"));
   EXPECT_EQ(series["files"][1]["name"], "walls_pass2.vtp");
 }

@@ -74,6 +74,27 @@ TEST(SolveRadiosity, FactorsOfACubeMeetTheirChecks) {
   EXPECT_GT(report.checks.row_sum, 0);
 }
 
+// A_a F_ab = A_b F_ba, and rows sum to one: with a crate in the room too.
+TEST(SolveRadiosity, FactorsOfWallsAreReciprocalAndClosed) {
+  const TetrahedralMesh mesh = room_with_crate(0.1);
+  const Problem problem = empty_room(mesh, 0.5, "zmin");
+  const RadiosityRoom room(problem, options_of(0.5, RadiosityMethod::gathering));
+  const std::vector<double>& factors = room.report().wall_factors;
+  const std::size_t walls = mesh.wall_names().size();
+  ASSERT_EQ(factors.size(), walls * walls);
+  std::vector<double> area(walls, 0);
+  for (std::size_t p = 0; p < room.patches().patches.size(); ++p)
+    area[static_cast<std::size_t>(room.patches().walls[p])] += room.patches().patches[p].area();
+  for (std::size_t a = 0; a < walls; ++a) {
+    double sum = 0;
+    for (std::size_t b = 0; b < walls; ++b) {
+      sum += factors[a * walls + b];
+      EXPECT_NEAR(area[a] * factors[a * walls + b], area[b] * factors[b * walls + a], 1e-12);
+    }
+    EXPECT_NEAR(sum, 1, 1e-10);
+  }
+}
+
 // All walls have the same radiosity: then so has every point, and nothing flows.
 TEST(SolveRadiosity, AFurnaceIsEvenInside) {
   const TetrahedralMesh mesh = cube_mesh(0.05);
