@@ -54,6 +54,7 @@ std::vector<TableDeclaration> make_tables() {
            "of its own, finer than that of the rest: less of ray effects for the price of one sweep."},
       {.path = "space", .help = "The discretisation in space."},
       {.path = "solve", .help = "The iteration."},
+      {.path = "photon_map", .help = "What the cameras of solve.method = \"photons\" see (docs/photons.md)."},
       {.path = "radiosity", .help = "Of solve.method = \"radiosity\" (docs/radiosity.md)."},
       {.path = "exact",
        .help = "What the answer is: the source and what enters at the walls follow from it. Nothing else may "

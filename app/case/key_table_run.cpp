@@ -166,6 +166,22 @@ std::vector<KeyDeclaration> run_keys() {
        {.help = "A `solution.vtu` of the same mesh and case to start from; what is solved and written may "
                 "differ."}},
 
+      {"photon_map",
+       "hits",
+       number,
+       {.default_value = "1e6",
+        .range = {.lowest = 1, .highest = largest_hits},
+        .help = "Kept in each band on walls, and as many where light is scattered, at most; `solve.photons` "
+                "histories are walked for them at most. A hit takes 108 bytes at most."}},
+      {"photon_map",
+       "neighbours",
+       integer,
+       {.default_value = "100",
+        .range = {.lowest = 2, .highest = 100000},
+        .help =
+            "Nearest hits that are a place's light: its error is 1/sqrt(neighbours), and it is blurred over "
+            "what they take."}},
+
       {"radiosity",
        "patch_size",
        number,

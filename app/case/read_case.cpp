@@ -49,6 +49,7 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
     if (wall.beam) result.lights.push_back(*wall.beam);
   read_space(top.section("space"), result.solve);
   read_solve(top.section("solve"), file.parent_path(), result);
+  read_photon_map(top.section("photon_map"), result);
   read_radiosity(top.section("radiosity"), top.section("solve").text("method") == "radiosity", result);
   if (top.has("exact")) read_exact(top.section("exact"), result);
   result.probes = read_probes(top);

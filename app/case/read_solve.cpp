@@ -130,6 +130,14 @@ void read_radiosity(Section radiosity, bool chosen, Case& result) {
   if (chosen) result.radiosity = read;
 }
 
+void read_photon_map(Section map, Case& result) {
+  const double hits = map.number("hits");
+  const int neighbours = map.integer("neighbours");
+  if (!result.photons) return;
+  result.photons->map_hits = hits;
+  result.photons->map_neighbours = neighbours;
+}
+
 void read_solve(Section solve, const std::filesystem::path& case_folder, Case& result) {
   SolveOptions& options = result.solve;
   const std::string method = solve.text("method");

@@ -80,17 +80,16 @@ void check_views(const std::vector<CameraCase>& cameras, const std::vector<Senso
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const RayRadiance& scene,
-                    const ErrorScenes& error_scenes, int threads, const std::filesystem::path& directory,
-                    ProgressStyle progress, std::ostream& out, const std::function<bool()>& interrupted) {
-  out << fmt::format("pictures: {}\n", BandColor(input.bands).rule());
+bool write_pictures(const PictureOrder& order, const TakePicture& take, const AddErrors& add) {
+  std::ostream& out = order.out;
+  out << fmt::format("pictures: {}\n", BandColor(order.input.bands).rule());
   std::vector<NamedPicture> pictures;
-  for (const CameraCase& camera : cameras) {
+  for (const CameraCase& camera : order.cameras) {
     const Clock::time_point begun = Clock::now();
-    PictureProgress display(progress, camera.name, out);
-    Picture picture = take_picture(scene, camera.camera, threads, [&](double share) {
+    PictureProgress display(order.progress, camera.name, out);
+    Picture picture = take(camera.camera, [&](double share) {
       display.show(share, seconds_since(begun));
-      return !interrupted();
+      return !order.interrupted();
     });
     display.finish();
     if (!picture.whole) return false;
@@ -100,14 +99,24 @@ bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, c
     if (is_black(picture))
       out << fmt::format("  the picture {} is black: nothing that the camera looks at shines\n", camera.name);
     pictures.push_back({camera, std::move(picture), {}});
-    if (camera.camera.errors && !add_errors(error_scenes, threads, interrupted, pictures.back()))
-      return false;
+    if (camera.camera.errors && !add(pictures.back())) return false;
   }
-  const std::vector<std::string> names = add_pictures(directory, input, pictures);
-  out << "written to " << directory.string() << ":";
+  const std::vector<std::string> names = add_pictures(order.directory, order.input, pictures);
+  out << "written to " << order.directory.string() << ":";
   for (const std::string& name : names) out << " " << name;
   out << std::endl;
   return true;
+}
+
+bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const RayRadiance& scene,
+                    const ErrorScenes& error_scenes, int threads, const std::filesystem::path& directory,
+                    ProgressStyle progress, std::ostream& out, const std::function<bool()>& interrupted) {
+  return write_pictures(
+      {input, cameras, directory, progress, out, interrupted},
+      [&](const Camera& camera, const PictureObserver& observer) {
+        return take_picture(scene, camera, threads, observer);
+      },
+      [&](NamedPicture& picture) { return add_errors(error_scenes, threads, interrupted, picture); });
 }
 
 }  // namespace etendue

@@ -18,6 +18,24 @@ namespace etendue {
 void check_views(const std::vector<CameraCase>& cameras, const std::vector<SensorCase>& sensors,
                  const Problem& problem);
 
+using TakePicture = std::function<Picture(const Camera& camera, const PictureObserver& observer)>;
+/// Adds what a picture is off by; false where it was interrupted.
+using AddErrors = std::function<bool(NamedPicture& picture)>;
+
+/// What is needed beside a scene to take pictures and to write them.
+struct PictureOrder {
+  const Case& input;
+  const std::vector<CameraCase>& cameras;
+  const std::filesystem::path& directory;
+  ProgressStyle progress = ProgressStyle::none;
+  std::ostream& out;
+  const std::function<bool()>& interrupted;
+};
+
+/// Takes the cameras' pictures, whatever they see, and writes them into a directory, with progress. False
+/// where `interrupted` said so: then no picture was written.
+bool write_pictures(const PictureOrder& order, const TakePicture& take, const AddErrors& add_errors);
+
 /// Takes the cameras' pictures and writes them into a directory, with progress. False where `interrupted`
 /// said so: then no picture was written.
 bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const RayRadiance& scene,

@@ -3,13 +3,18 @@
 
 #include <algorithm>
 
+#include "app/case/build.h"
+#include "app/command/begun_run.h"
 #include "app/command/commands.h"
 #include "app/command/interruption.h"
+#include "app/command/memory.h"
+#include "app/command/photon_pictures.h"
 #include "app/command/pictures.h"
 #include "app/command/progress.h"
 #include "app/command/saved_scene.h"
 #include "app/command/verbose_log.h"
 #include "app/write/output_folder.h"
+#include "solver/photons/photon_mesh.h"
 
 namespace etendue {
 namespace {
@@ -40,6 +45,31 @@ std::vector<CameraCase> chosen_cameras(const RenderRequest& request, const Case&
   return chosen;
 }
 
+ExitCode outcome(bool done, std::ostream& err) {
+  if (done) return ExitCode::done;
+  err << "interrupted: no picture was written\n";
+  return ExitCode::interrupted;
+}
+
+/// Pictures by photons: nothing of the results is needed, since the same histories are walked again.
+ExitCode render_by_photons(const RenderRequest& request, Case input, const std::vector<CameraCase>& cameras,
+                           Interruption& interruption, std::ostream& out, std::ostream& err) {
+  if (request.threads) input.solve.threads = *request.threads;
+  const TetrahedralMesh mesh = build_mesh(input, verbose_log(request, err));
+  const Problem problem = build_problem(input, mesh);
+  refuse_for_photons(problem);
+  check_photon_cameras(cameras, problem);
+  const int threads = thread_count(input);
+  out << check_memory(estimate_photon_map_memory(input, problem, threads), mesh, problem.band_count());
+  interruption.note_the_first();
+  const std::filesystem::path directory = request.output.value_or(request.results);
+  const std::function<bool()> interrupted = [&] { return interruption.noted(); };
+  return outcome(write_photon_pictures(
+                     {input, cameras, directory, resolved_style(request.progress, out), out, interrupted},
+                     problem, CellLocator(mesh), threads),
+                 err);
+}
+
 }  // namespace
 
 ExitCode render_results(const RenderRequest& request, std::ostream& out, std::ostream& err) {
@@ -48,6 +78,7 @@ ExitCode render_results(const RenderRequest& request, std::ostream& out, std::os
   const std::vector<CameraCase> cameras = chosen_cameras(request, input);
   const std::filesystem::path directory = request.output.value_or(request.results);
   check_output_directory(directory);
+  if (input.photons) return render_by_photons(request, std::move(input), cameras, interruption, out, err);
   const SavedScene saved(std::move(input), request.results, "render", request.threads,
                          verbose_log(request, err));
   check_views(cameras, {}, saved.problem);
@@ -57,9 +88,7 @@ ExitCode render_results(const RenderRequest& request, std::ostream& out, std::os
   const bool done =
       write_pictures(saved.input, cameras, scene, errors, saved.options.threads, directory,
                      resolved_style(request.progress, out), out, [&] { return interruption.noted(); });
-  if (done) return ExitCode::done;
-  err << "interrupted: no picture was written\n";
-  return ExitCode::interrupted;
+  return outcome(done, err);
 }
 
 }  // namespace etendue

@@ -3,6 +3,7 @@
 
 #include "app/command/begun_run.h"
 #include "app/command/memory.h"
+#include "app/command/photon_pictures.h"
 #include "app/command/photon_text.h"
 #include "app/command/probes.h"
 #include "app/command/progress.h"
@@ -14,17 +15,17 @@ namespace etendue {
 ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& err,
                         const ResultReader& reader) {
   check_for_photons(run.input, run.problem);
+  check_photon_cameras(run.input.cameras, run.problem);
   const CellLocator locator(run.problem.mesh());
   place_probes(run.input.probes, run.problem.mesh(), locator);
   const int threads = thread_count(run.input);
   out << fmt::format("photons; bands: {}; threads: {}\n", run.problem.band_count(), threads)
-      << check_memory(estimate_photon_memory(run.problem, threads), run.problem.mesh(),
-                      run.problem.band_count())
+      << check_memory(estimate_photon_memory(run.problem, threads) +
+                          estimate_photon_map_memory(run.input, run.problem, threads),
+                      run.problem.mesh(), run.problem.band_count())
       << std::flush;
   if (!run.input.sensors.empty())
     out << "  photons read no sensors in this version: those of the case do nothing here\n";
-  if (!run.input.cameras.empty())
-    out << "  photons take no pictures in this version: the cameras of the case do nothing here\n";
   run.interruption.note_the_first();
   const ProgressStyle style = resolved_style(run.request.progress, out);
   PhotonRun found = run_photons({run.input, run.problem, locator, threads, style}, out,
@@ -35,6 +36,11 @@ ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& er
   const WrittenResults written = write_results(result);
   out << photons_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
       << errors_text(result) << closing_text(result, written);
+  if (!run.input.cameras.empty() && !run.interruption.noted()) {
+    const std::function<bool()> interrupted = [&] { return run.interruption.noted(); };
+    write_photon_pictures({run.input, run.input.cameras, run.input.output.directory, style, out, interrupted},
+                          run.problem, locator, threads);
+  }
   if (reader) reader(result);
   return conclude(result, run.interruption.noted(), err);
 }

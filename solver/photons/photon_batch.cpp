@@ -9,6 +9,8 @@ namespace {
 
 // Relative to the weight at the start. Survivors weigh ten times as much.
 constexpr double roulette = 1e-3;
+// Of a photon map: hits of even weight say more than as many of which most weigh little (Jensen 2001).
+constexpr double roulette_of_hits = 0.1;
 // Starts that are made at a time.
 constexpr std::size_t chunk = 4096;
 
@@ -48,6 +50,30 @@ PhotonBatches::Outcome PhotonBatches::walk(std::uint64_t first, std::size_t coun
   complete_fields(problem_, outcome.fields);
   outcome.seconds = processor_seconds() - start;
   return outcome;
+}
+
+PhotonBatches::Hits PhotonBatches::hits(int number, std::uint64_t first, std::size_t count) const {
+  const Band& band = *bands_[static_cast<std::size_t>(number)];
+  Hits hits;
+  if (band.sources.power() == 0) return hits;
+  std::size_t walls = 4 * chunk, matter = 4 * chunk;
+  for (std::size_t done = 0; done < count;) {
+    const std::size_t now = std::min(chunk, count - done), old_walls = hits.walls.size(),
+                      old_matter = hits.matter.size();
+    hits.walls.resize(old_walls + walls);
+    hits.matter.resize(old_matter + matter);
+    HitRooms rooms{{hits.walls.data() + old_walls, walls, 0}, {hits.matter.data() + old_matter, matter, 0}};
+    const std::vector<PhotonStart> starts = band.sources.starts(seed_, {first, count}, done, now);
+    kernels_.record(band.mesh.view(), {starts, first + done, seed_, roulette_of_hits}, rooms);
+    const bool fits = rooms.walls.count <= walls && rooms.matter.count <= matter;
+    hits.walls.resize(old_walls + (fits ? rooms.walls.count : 0));
+    hits.matter.resize(old_matter + (fits ? rooms.matter.count : 0));
+    walls = std::max(walls, rooms.walls.count);
+    matter = std::max(matter, rooms.matter.count);
+    // Else they are walked again, with room enough.
+    if (fits) done += now;
+  }
+  return hits;
 }
 
 }  // namespace etendue

@@ -26,6 +26,14 @@ class PhotonBatches {
   /// they are alike, so is their noise. May be called by several threads at a time.
   Outcome walk(std::uint64_t first, std::size_t count) const;
 
+  /// Where the same histories of one band met walls that scatter light, and where they were scattered. May be
+  /// called by several threads at a time.
+  struct Hits {
+    std::vector<PhotonHit> walls;
+    std::vector<PhotonHit> matter;
+  };
+  Hits hits(int band, std::uint64_t first, std::size_t count) const;
+
   double power(int band) const { return bands_[static_cast<std::size_t>(band)]->sources.power(); }
 
  private:

@@ -148,6 +148,7 @@ struct Forward {
     add(sums + 8, moments * photon.w[1]);
     add(sums + 12, moments * photon.w[2]);
   }
+  ETENDUE_PHOTON_MEMBER void collide(const Photon&, bool) {}
   ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
                                     const Four& coordinate) {
     double* sums = tally.faces + 4 * static_cast<std::ptrdiff_t>(face);
@@ -160,6 +161,32 @@ struct Forward {
   }
 };
 
+struct Recording {
+  HitRooms& rooms;
+
+  ETENDUE_PHOTON_MEMBER void expect(const PhotonSceneView& scene, std::int32_t cell) {
+    fetch(scene.cells + cell, sizeof(PhotonCell));
+  }
+  ETENDUE_PHOTON_MEMBER void pass(const Photon&, const PhotonCell&, const Four&, double) {}
+  ETENDUE_PHOTON_MEMBER void collide(const Photon& photon, bool scatters) {
+    if (scatters) keep(photon, photon.cell, rooms.matter);
+  }
+  ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
+                                    const Four&) {
+    if (wall.diffuse > 0) keep(photon, face, rooms.walls);
+  }
+  ETENDUE_PHOTON_MEMBER static void keep(const Photon& photon, std::int32_t place, HitRoom& room) {
+    if (room.count++ >= room.room) return;
+    PhotonHit& hit = room.hits[room.count - 1];
+    for (int axis = 0; axis < 3; ++axis) {
+      hit.position[axis] = photon.x[axis];
+      hit.direction[axis] = static_cast<float>(photon.w[axis]);
+    }
+    hit.weight = static_cast<float>(photon.weight);
+    hit.place = place;
+  }
+};
+
 struct Backward {
   double score = 0;
 
@@ -169,6 +196,7 @@ struct Backward {
   ETENDUE_PHOTON_MEMBER void pass(const Photon&, const PhotonCell& cell, const Four&, double weighted) {
     score += cell.emission * weighted;
   }
+  ETENDUE_PHOTON_MEMBER void collide(const Photon&, bool) {}
   ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t, const PhotonFace& wall, const Four&) {
     score += wall.radiance * photon.weight;
   }
@@ -215,6 +243,7 @@ ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, P
   const std::int32_t across = cell.across[way.exit];
   if (cell.scattering > 0) {
     const double rest = photon.depth - way.length * cell.scattering;
+    score.collide(photon, scatters);
     photon.turn(scene, cell.deflection, scatters, rest > 0 ? rest : 0);
     counts.collisions += scatters;
   }
@@ -276,6 +305,12 @@ PhotonCounts follow_all(const PhotonSceneView& scene, const HistoryRange& range,
                                [&](std::uint64_t) -> Forward& { return score; });
 }
 
+PhotonCounts record_all(const PhotonSceneView& scene, const HistoryRange& range, HitRooms& rooms) {
+  Recording score{rooms};
+  return walk<walked_together>(scene, range, RandomUse::flight,
+                               [&](std::uint64_t) -> Recording& { return score; });
+}
+
 PhotonCounts collect_all(const PhotonSceneView& scene, const HistoryRange& range, double* scores) {
   Backward* score = reinterpret_cast<Backward*>(scores);
   for (std::uint64_t i = 0; i < range.starts.size(); ++i) scores[i] = 0;
@@ -285,6 +320,8 @@ PhotonCounts collect_all(const PhotonSceneView& scene, const HistoryRange& range
 
 }  // namespace
 
-PhotonKernels ETENDUE_PHOTON_KERNEL_NAME() { return {ETENDUE_PHOTON_KERNEL_ISA, follow_all, collect_all}; }
+PhotonKernels ETENDUE_PHOTON_KERNEL_NAME() {
+  return {ETENDUE_PHOTON_KERNEL_ISA, follow_all, record_all, collect_all};
+}
 
 }  // namespace etendue

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace etendue {
@@ -66,6 +67,25 @@ struct PhotonStart {
 struct PhotonTally {
   double* cells;
   double* faces;
+};
+
+/// A photon where it met a wall, or where it scattered, as it came there.
+struct PhotonHit {
+  double position[3];
+  float direction[3];  ///< unit, of travel
+  float weight;        ///< 1 at the start
+  std::int32_t place;  ///< boundary face or cell
+};
+
+/// Where hits are kept; those that find no room are counted too.
+struct HitRoom {
+  PhotonHit* hits = nullptr;
+  std::size_t room = 0;
+  std::size_t count = 0;
+};
+struct HitRooms {
+  HitRoom walls;   ///< those walls that reflect otherwise than as mirrors
+  HitRoom matter;  ///< where light is scattered
 };
 
 struct PhotonCounts {

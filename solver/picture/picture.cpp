@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/picture/picture.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <mutex>
 
 #include "solver/parallel/parallel_for.h"
@@ -11,48 +13,56 @@ namespace etendue {
 namespace {
 
 /// One pixel: rays through the middles of equal squares.
-void add_rays(const RayRadiance& scene, const Camera& camera, const CameraRays& rays, int column, int row,
-              const RayView& view, RayRadiance::Workspace& work, std::span<double> pixel) {
+void add_rays(const RayLook& look, const Camera& camera, const CameraRays& rays, int column, int row,
+              std::span<double> pixel) {
   const int side = static_cast<int>(std::lround(std::sqrt(camera.samples)));
   std::vector<double> radiance(pixel.size());
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) {
-      const CameraRay ray = rays.through(column + (i + 0.5) / side, row + (j + 0.5) / side);
-      const auto start = scene.enter(ray.origin, ray.direction);
-      if (!start) continue;
-      scene.along(*start, ray.direction, view, work, radiance);
+      std::fill(radiance.begin(), radiance.end(), 0.0);
+      look(rays.through(column + (i + 0.5) / side, row + (j + 0.5) / side), radiance);
       for (std::size_t b = 0; b < pixel.size(); ++b) pixel[b] += radiance[b] / (side * side);
     }
 }
 
 }  // namespace
 
-Picture take_picture(const RayRadiance& scene, const Camera& camera, int threads,
-                     const PictureObserver& observer) {
+Picture take_picture(std::size_t bands, const std::function<RayLook()>& make_look, const Camera& camera,
+                     int threads, const PictureObserver& observer) {
   const CameraRays rays(camera);
-  const WallIrradiance gathered = gather(scene, camera.gather, threads);
-  const RayView view{camera.shafts, camera.gather > 0 ? &gathered : nullptr};
   const int columns = camera.pixels[0], lines = camera.pixels[1];
-  Picture picture{camera.pixels, scene.bands(), {}};
-  picture.radiance.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(lines) * picture.bands,
-                          0);
+  Picture picture{camera.pixels, bands, {}};
+  picture.radiance.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(lines) * bands, 0);
   int done = 0;
   std::mutex observing;
-  const auto take_row = [&](std::size_t row, RayRadiance::Workspace& work) {
+  const auto take_row = [&](std::size_t row, const RayLook& look) {
     for (int column = 0; column < columns; ++column)
-      add_rays(scene, camera, rays, column, static_cast<int>(row), view, work,
-               std::span(picture.radiance)
-                   .subspan((row * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)) *
-                                picture.bands,
-                            picture.bands));
+      add_rays(
+          look, camera, rays, column, static_cast<int>(row),
+          std::span(picture.radiance)
+              .subspan((row * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)) * bands,
+                       bands));
     const std::lock_guard<std::mutex> lock(observing);
     ++done;
     return !observer || observer(static_cast<double>(done) / lines);
   };
-  parallel_for(
-      static_cast<std::size_t>(lines), threads, 1, [&] { return RayRadiance::Workspace(scene); }, take_row);
+  parallel_for(static_cast<std::size_t>(lines), threads, 1, make_look, take_row);
   picture.whole = done == lines;
   return picture;
+}
+
+Picture take_picture(const RayRadiance& scene, const Camera& camera, int threads,
+                     const PictureObserver& observer) {
+  const WallIrradiance gathered = gather(scene, camera.gather, threads);
+  const RayView view{camera.shafts, camera.gather > 0 ? &gathered : nullptr};
+  const auto make_look = [&]() -> RayLook {
+    return [&, work = std::make_shared<RayRadiance::Workspace>(scene)](const CameraRay& ray,
+                                                                       std::span<double> radiance) {
+      if (const auto start = scene.enter(ray.origin, ray.direction))
+        scene.along(*start, ray.direction, view, *work, radiance);
+    };
+  };
+  return take_picture(scene.bands(), make_look, camera, threads, observer);
 }
 
 }  // namespace etendue

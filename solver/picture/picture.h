@@ -28,6 +28,14 @@ struct Picture {
 /// Called now and then with the share of the picture that is done; false stops it.
 using PictureObserver = std::function<bool(double)>;
 
+/// Writes the radiance [band] that a camera sees along a ray; each thread has one of its own.
+using RayLook = std::function<void(const CameraRay& ray, std::span<double> radiance)>;
+
+/// Takes a picture of whatever the makers of looks see: the mean over a grid of rays in each pixel. The same
+/// bits for any number of threads.
+Picture take_picture(std::size_t bands, const std::function<RayLook()>& make_look, const Camera& camera,
+                     int threads, const PictureObserver& observer);
+
 /// Takes a picture: the mean of the radiance over a grid of rays in each pixel. What no ray meets is dark.
 /// The same bits for any number of threads.
 Picture take_picture(const RayRadiance& radiance, const Camera& camera, int threads,

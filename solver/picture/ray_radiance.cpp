@@ -7,6 +7,7 @@
 
 #include "solver/angle/gauss_legendre.h"
 #include "solver/lights/attenuation.h"
+#include "solver/picture/lit_triangle.h"
 
 namespace etendue {
 namespace {
@@ -67,8 +68,7 @@ RayRadiance::RayRadiance(const LightSetup& lights, const DirectionSet& direction
       collided_(lights, directions, options, state),
       once_(lights, threads),
       walls_(lights, directions, state, options.order == SpaceOrder::linear ? 3 : 1),
-      locator_(problem_.mesh()),
-      boundary_(problem_.mesh()) {
+      entry_(problem_.mesh()) {
   find_dark_cells();
 }
 
@@ -91,14 +91,6 @@ void RayRadiance::find_dark_cells() {
              problem_.emission(CellIndex(c), b) == 0;
     is_void_.push_back(dark ? 1 : 0);
   }
-}
-
-std::optional<PointInCell> RayRadiance::enter(const Vec3& origin, const Vec3& direction) const {
-  const std::vector<CellPoint> cells = locator_.find(origin);
-  if (!cells.empty()) return PointInCell{cells.front().cell, origin};
-  const std::optional<BoundaryEntry> entry = boundary_.first_entry(origin, direction);
-  if (!entry) return std::nullopt;
-  return PointInCell{problem_.mesh().owner(entry->face), entry->point};
 }
 
 RayEnd RayRadiance::walk(const PointInCell& from, const Vec3& direction, Workspace& work) const {
@@ -229,24 +221,16 @@ void RayRadiance::add_flat_lights(const Stretch& stretch, double length, Workspa
   for (const Light& light : problem_.lights()) {
     const auto* surface = std::get_if<SurfaceLight>(&light.kind);
     if (surface == nullptr) continue;
-    for (std::size_t i = 0; i + 2 < surface->triangles.size(); i += 3) {
-      const Vec3 a = surface->triangles[i] - stretch.from, b = surface->triangles[i + 1] - stretch.from,
-                 c = surface->triangles[i + 2] - stretch.from;
-      const double u = stretch.direction.dot(b.cross(c)), v = stretch.direction.dot(c.cross(a)),
-                   w = stretch.direction.dot(a.cross(b));
-      // Seen from the side that shines the corners stand counterclockwise, so the ray has all edges alike.
-      if (!(u <= 0 && v <= 0 && w <= 0 && u + v + w < 0)) continue;
-      const double distance = a.dot(b.cross(c)) / (u + v + w);
-      if (!(distance > 0 && distance <= length)) continue;
-      for (std::size_t band = 0; band < bands_; ++band) {
-        double depth = work.depth[band];
-        for (const Workspace::Part& part : work.parts)
-          if (part.from < distance)
-            depth += lights_.paths().extinction(part.cell, band, stretch.travel()) *
-                     std::min(part.length, distance - part.from);
-        radiance[band] += work.factor[band] * std::exp(-depth) * surface->radiance[band];
-      }
-      break;  // a flat light is passed once, on an edge of its triangles too
+    const std::optional<double> distance =
+        distance_to_front(surface->triangles, stretch.from, stretch.direction);
+    if (!distance || *distance > length) continue;
+    for (std::size_t band = 0; band < bands_; ++band) {
+      double depth = work.depth[band];
+      for (const Workspace::Part& part : work.parts)
+        if (part.from < *distance)
+          depth += lights_.paths().extinction(part.cell, band, stretch.travel()) *
+                   std::min(part.length, *distance - part.from);
+      radiance[band] += work.factor[band] * std::exp(-depth) * surface->radiance[band];
     }
   }
 }

@@ -6,10 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "mesh/tetrahedra/boundary_tree.h"
-#include "mesh/tetrahedra/cell_locator.h"
 #include "solver/picture/collided_source.h"
 #include "solver/picture/once_scattered.h"
+#include "solver/picture/ray_entry.h"
 #include "solver/picture/wall_light.h"
 
 namespace etendue {
@@ -63,7 +62,9 @@ class RayRadiance {
 
   /// A point of a cell where the ray starts, or where it comes in through the back of a wall; empty where it
   /// meets nothing.
-  std::optional<PointInCell> enter(const Vec3& origin, const Vec3& direction) const;
+  std::optional<PointInCell> enter(const Vec3& origin, const Vec3& direction) const {
+    return entry_.enter(origin, direction);
+  }
 
   /// Writes the radiance [band] that arrives at `start` from where the unit vector `direction` points.
   void along(const PointInCell& start, const Vec3& direction, const RayView& view, Workspace& work,
@@ -105,8 +106,7 @@ class RayRadiance {
   CollidedSource collided_;
   OnceScattered once_;
   WallLight walls_;
-  CellLocator locator_;
-  BoundaryTree boundary_;
+  RayEntry entry_;
   std::vector<char> is_void_;  ///< [cell] neither takes nor gives light
 };
 

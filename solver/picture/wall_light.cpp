@@ -8,54 +8,10 @@
 namespace etendue {
 namespace {
 
-/// Faces around a vertex lie in one plane where the cosine between them is within this of 1: what one plane
-/// receives is continuous, and jumps at edges.
-constexpr double flat = 1e-9;
-
 /// Transmittances to a light that differ by more show where each ray ends.
 constexpr double uneven = 0.1;
 
-/// Parts of the area that the point cuts off with the edges.
-std::array<double, 3> barycentric(const TetrahedralMesh& mesh, FaceIndex face, const Vec3& point) {
-  std::array<Vec3, 3> to;
-  for (std::size_t i = 0; i < 3; ++i) to[i] = mesh.point(VertexIndex(mesh.vertices(face)[i])) - point;
-  const Vec3 whole = (to[1] - to[0]).cross(to[2] - to[0]);
-  std::array<double, 3> part;
-  for (std::size_t i = 0; i < 3; ++i)
-    part[i] = to[(i + 1) % 3].cross(to[(i + 2) % 3]).dot(whole) / whole.squaredNorm();
-  return part;
-}
-
-/// [vertex] the corners of boundary faces that meet there.
-std::vector<std::vector<WallCorner>> corners_at_vertices(const TetrahedralMesh& mesh) {
-  std::vector<std::vector<WallCorner>> corners(static_cast<std::size_t>(mesh.vertex_count()));
-  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
-    for (std::size_t i = 0; i < 3; ++i)
-      corners[static_cast<std::size_t>(mesh.vertices(FaceIndex(f))[i])].push_back({FaceIndex(f), i});
-  return corners;
-}
-
 }  // namespace
-
-std::vector<std::vector<WallCorner>> corners_by_plane(const TetrahedralMesh& mesh) {
-  std::vector<std::vector<WallCorner>> planes;
-  for (const std::vector<WallCorner>& corners : corners_at_vertices(mesh)) {
-    const std::size_t first = planes.size();
-    for (const WallCorner& corner : corners) {
-      const Vec3 normal = mesh.area_normal(corner.face).normalized();
-      const auto same = [&](const std::vector<WallCorner>& plane) {
-        return normal.dot(mesh.area_normal(plane.front().face).normalized()) > 1 - flat;
-      };
-      const auto plane =
-          std::find_if(planes.begin() + static_cast<std::ptrdiff_t>(first), planes.end(), same);
-      if (plane == planes.end())
-        planes.push_back({corner});
-      else
-        plane->push_back(corner);
-    }
-  }
-  return planes;
-}
 
 WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, const SavedState& state,
                      std::size_t face_nodes)
@@ -65,24 +21,7 @@ WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, c
     joined_.half_range.push_back(directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
   if (state.irradiance.size() != joined_.half_range.size() * face_nodes * bands_)
     throw InputError("the saved state is not of this kind (another mesh or other elements)");
-  join(state, face_nodes);
-}
-
-// Clément (1975): the mean, weighted by area, over the faces of one plane around a vertex.
-void WallLight::join(const SavedState& state, std::size_t face_nodes) {
-  const TetrahedralMesh& mesh = problem_.mesh();
-  joined_.values.assign(joined_.half_range.size() * 3 * bands_, 0);
-  for (const std::vector<WallCorner>& plane : corners_by_plane(mesh))
-    for (std::size_t b = 0; b < bands_; ++b) {
-      double area = 0, sum = 0;
-      for (const WallCorner& corner : plane) {
-        const std::size_t node = corner.face.at() * face_nodes + (face_nodes == 3 ? corner.node : 0);
-        area += mesh.area(corner.face);
-        sum += mesh.area(corner.face) * state.irradiance[node * bands_ + b];
-      }
-      for (const WallCorner& corner : plane)
-        joined_.values[(corner.face.at() * 3 + corner.node) * bands_ + b] = sum / area;
-    }
+  joined_.values = joined_on_planes(mesh, state.irradiance, face_nodes, bands_);
 }
 
 void WallLight::add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought,

@@ -7,6 +7,7 @@
 #include "solver/angle/direction_set.h"
 #include "solver/lights/light_setup.h"
 #include "solver/ordinates/saved_state.h"
+#include "solver/picture/wall_corners.h"
 
 namespace etendue {
 
@@ -21,14 +22,6 @@ struct WallIrradiance {
   std::vector<double> values;      ///< [boundary face][3][band] [power/length^2]
   std::vector<double> half_range;  ///< [boundary face] what it is divided by to be reflected [sr]
 };
-
-/// The corners of boundary faces around each vertex that lie in one plane, plane by plane: what a plane
-/// receives is continuous, and jumps at edges.
-struct WallCorner {
-  FaceIndex face;
-  std::size_t node;
-};
-std::vector<std::vector<WallCorner>> corners_by_plane(const TetrahedralMesh& mesh);
 
 /// The radiance that walls send back.
 class WallLight {
@@ -56,7 +49,6 @@ class WallLight {
   const WallIrradiance& joined() const { return joined_; }
 
  private:
-  void join(const SavedState& state, std::size_t face_nodes);
   bool is_penumbra(const LightSource& source, const PointInCell& point, const LightBeams& seen) const;
 
   const LightSetup& lights_;

@@ -13,6 +13,7 @@ using test::CaseFolder;
 using test::etendue_says;
 using test::Outcome;
 using test::ScratchFolder;
+using test::small_case;
 using test::text_of;
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -95,6 +96,38 @@ TEST(RunPhotons, GivesNothingForSweepsToStartFrom) {
                                         "--set", "solve.initial=\"" + folder.results() + "/solution.vtu\""});
   EXPECT_EQ(outcome.code, ExitCode::input_error);
   EXPECT_TRUE(has(outcome.err, "is a solution by photons, and sweeps cannot go on from it")) << outcome.err;
+}
+
+const std::string camera = R"(
+[[camera]]
+name = "front"
+position = [0.5, -1.5, 0.5]
+look_at = [0.5, 0.5, 0.5]
+pixels = [12, 8]
+)";
+
+TEST(RunPhotons, TakesPicturesFromItsMapAndRenderTakesThemAgain) {
+  const CaseFolder folder(small_case() + camera);
+  const Outcome run = etendue_says(by_photons(folder, folder.results(), {"--set", "photon_map.hits=20000"}));
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  EXPECT_TRUE(has(run.out, "photon map: ")) << run.out;
+  EXPECT_TRUE(has(run.out, "picture front: 12 x 8 pixels, 1 ray each")) << run.out;
+  EXPECT_FALSE(has(run.out, "is black")) << run.out;
+  const std::filesystem::path results = folder.results();
+  const std::string exr = text_of(results / "front.exr");
+  std::filesystem::remove(results / "front.exr");
+  for (const char* threads : {"1", "3"}) {
+    const Outcome render = etendue_says({"render", folder.results(), "--threads", threads});
+    ASSERT_EQ(render.code, ExitCode::done) << render.err;
+    EXPECT_EQ(text_of(results / "front.exr"), exr) << threads;
+  }
+}
+
+TEST(RunPhotons, RefusesErrorsOfPictures) {
+  const CaseFolder folder(small_case() + camera + "errors = true\n");
+  const Outcome outcome = etendue_says(by_photons(folder, folder.results()));
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "photon_map.neighbours")) << outcome.err;
 }
 
 }  // namespace
