@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "solver/angle/unit_rule.h"
 #include "solver/lights/attenuation.h"
 #include "solver/lights/solid_angle.h"
 #include "solver/problem/cell_rule.h"
@@ -93,7 +94,8 @@ class PointsOfCell {
                      NodalMoments& sum) {
     const RayMatter::View view = matter_.view(beams_.direction(beam));
     for (std::size_t b = 0; b < beams_.bands(); ++b)
-      add_losses(barycentric, measure, matter_.at(cell_.index, b, view), b, beams_.fluence(beam)[b], sum);
+      add_losses(barycentric, measure, matter_.at(cell_.index, b, view, cell_.position(barycentric)), b,
+                 beams_.fluence(beam)[b], sum);
   }
 
   const RayMatter& matter_;
@@ -103,12 +105,58 @@ class PointsOfCell {
   NodalMoments& moments_;
 };
 
-/// What light that travels in a direction meets in a cell, [band].
-void coefficients_along(const LightPaths& paths, CellIndex cell, const Vec3& travel,
-                        std::vector<PathCoefficients>& coefficients) {
-  const RayMatter& matter = paths.matter();
-  const RayMatter::View view = matter.empty() ? RayMatter::View{} : matter.view(travel);
-  for (std::size_t b = 0; b < coefficients.size(); ++b) coefficients[b] = matter.at(cell, b, view);
+/// Light of a point on its way through a cell from `in` to `out` along a direction.
+struct Way {
+  Vec3 entry;
+  Vec3 direction;
+  double length;
+  std::array<double, 4> shape;  ///< at the entry
+  std::array<double, 4> rise;   ///< of the shape functions along the way [1/length]
+};
+
+/// Adds the integrals of the shape functions over the way of light of a power per solid angle.
+void add_values(const Way& way, const std::array<double, 4>& value, std::size_t band, NodalMoments& moments) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    moments.at(i, 0, band) += value[i];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      moments.at(i, 1 + axis, band) += value[i] * way.direction[static_cast<Eigen::Index>(axis)];
+  }
+}
+
+void add_even_way(const Way& way, const PathCoefficients& coefficients, std::size_t band, double sent,
+                  NodalMoments& moments) {
+  const AttenuatedWay attenuated = attenuated_way(coefficients.extinction(), way.length);
+  std::array<double, 4> value;
+  for (std::size_t i = 0; i < 4; ++i)
+    value[i] = sent * (way.shape[i] * attenuated.constant + way.rise[i] * attenuated.linear);
+  add_values(way, value, band, moments);
+  add_losses(value, 1, coefficients, band, 1, moments);
+}
+
+/// Optical thickness over which five nodes integrate what falls off exponentially to 1e-9.
+constexpr double thickness_of_panel = 1;
+
+/// Where coefficients rise from one end to the other the optical depth is a square in the length, and its
+/// integrals are done by Gauss's rule.
+void add_uneven_way(const Way& way, const PathCoefficients& from, const PathCoefficients& to,
+                    std::size_t band, double sent, NodalMoments& moments) {
+  static const GaussRule rule = unit_rule(5);
+  const double first = from.extinction(), rise = to.extinction() - first;
+  const double thickness = std::max(first, first + rise) * way.length;
+  const int panels = std::clamp(static_cast<int>(std::ceil(thickness / thickness_of_panel)), 1, 64);
+  for (int panel = 0; panel < panels; ++panel)
+    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+      const double t = (panel + rule.nodes[k]) / panels, s = t * way.length;
+      const double arrives =
+          sent * rule.weights[k] * way.length / panels * std::exp(-s * (first + t * rise / 2));
+      std::array<double, 4> value;
+      for (std::size_t i = 0; i < 4; ++i) value[i] = arrives * (way.shape[i] + way.rise[i] * s);
+      add_values(way, value, band, moments);
+      add_losses(value, 1,
+                 {from.absorption + t * (to.absorption - from.absorption),
+                  from.scattering + t * (to.scattering - from.scattering)},
+                 band, 1, moments);
+    }
 }
 
 void add_image(const LightPaths& paths, const PointSource& source, const PointSource::Image& image,
@@ -116,9 +164,9 @@ void add_image(const LightPaths& paths, const PointSource& source, const PointSo
   const std::array<Vec3, 4> gradients = shape_gradients(cell);
   std::array<Vec3, 4> corners = cell.corners;
   for (Vec3& corner : corners) corner -= image.position;
-  const std::size_t bands = paths.bands();
-  std::vector<double> transmittance(bands);
-  std::vector<PathCoefficients> coefficients(bands);
+  const RayMatter& matter = paths.matter();
+  const bool uneven = matter.varies(cell.index);
+  std::vector<double> transmittance(paths.bands());
   std::vector<SolidAnglePoint> points;
   for (const Wedge& wedge : wedges_of(corners)) {
     points.clear();
@@ -131,19 +179,17 @@ void add_image(const LightPaths& paths, const PointSource& source, const PointSo
       if (intensity == 0 || (in > 0 && !paths.transmit({cell.index, entry}, -point.direction, in,
                                                        image.mirrors, transmittance)))
         continue;
-      const std::array<double, 4> shape = shape_at(cell, gradients, entry);
-      coefficients_along(paths, cell.index, point.direction, coefficients);
-      for (std::size_t b = 0; b < bands; ++b) {
-        const AttenuatedWay way = attenuated_way(coefficients[b].extinction(), out - in);
+      Way way{entry, point.direction, out - in, shape_at(cell, gradients, entry), {}};
+      for (std::size_t i = 0; i < 4; ++i) way.rise[i] = gradients[i].dot(point.direction);
+      const RayMatter::View view = matter.empty() ? RayMatter::View{} : matter.view(point.direction);
+      for (std::size_t b = 0; b < paths.bands(); ++b) {
         const double sent = source.power()[b] * intensity * transmittance[b];
-        std::array<double, 4> value;
-        for (std::size_t i = 0; i < 4; ++i) {
-          value[i] = sent * (shape[i] * way.constant + gradients[i].dot(point.direction) * way.linear);
-          moments.at(i, 0, b) += value[i];
-          for (std::size_t axis = 0; axis < 3; ++axis)
-            moments.at(i, 1 + axis, b) += value[i] * point.direction[static_cast<Eigen::Index>(axis)];
-        }
-        add_losses(value, 1, coefficients[b], b, 1, moments);
+        if (uneven)
+          add_uneven_way(way, matter.at(cell.index, b, view, entry),
+                         matter.at(cell.index, b, view, image.position + out * point.direction), b, sent,
+                         moments);
+        else
+          add_even_way(way, matter.at(cell.index, b, view), b, sent, moments);
       }
     }
   }

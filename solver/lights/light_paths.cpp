@@ -38,8 +38,13 @@ RayEnd LightPaths::walk(const PointInCell& from, const Vec3& direction, double l
                         std::span<double> depth) const {
   if (!matter_.empty()) {
     const RayMatter::View light = matter_.view(-direction);
+    double reached = 0;
     return rays_.walk(from.cell, from.position, direction, length, [&](CellIndex cell, double part) {
-      for (std::size_t b = 0; b < bands_; ++b) depth[b] += matter_.at(cell, b, light).extinction() * part;
+      // What is linear has its mean in the middle.
+      const Vec3 middle = from.position + (reached + part / 2) * direction;
+      for (std::size_t b = 0; b < bands_; ++b)
+        depth[b] += matter_.at(cell, b, light, middle).extinction() * part;
+      reached += part;
     });
   }
   if (bands_ > 1)

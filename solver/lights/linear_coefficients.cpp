@@ -11,7 +11,8 @@ namespace {
 
 bool varies_in(const Medium& medium, std::size_t band) {
   const auto b = static_cast<int>(band);
-  const bool kernel = medium.is_directional(b) && !std::holds_alternative<LeafCanopy>(medium.directional[band]) &&
+  const bool kernel = medium.is_directional(b) &&
+                      !std::holds_alternative<LeafCanopy>(medium.directional[band]) &&
                       !std::holds_alternative<MicroFlakes>(medium.directional[band]);
   if (kernel || medium.absorbs_by_direction(b)) return false;
   return !medium.absorption[band].is_constant() || !medium.scattering[band].is_constant();

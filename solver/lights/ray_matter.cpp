@@ -161,6 +161,8 @@ struct RayMatter::Formula {
 RayMatter::RayMatter(const Problem& problem)
     : problem_(problem),
       bands_(static_cast<std::size_t>(problem.band_count())),
+      linear_(problem),
+      empty_(linear_.empty()),
       by_direction_(problem.media().size(), 0),
       entries_(problem.media().size() * bands_) {
   for (std::size_t region = 0; region < problem.media().size(); ++region) {
@@ -205,7 +207,20 @@ RayMatter::View RayMatter::view(const Vec3& travel) const {
 
 PathCoefficients RayMatter::at(CellIndex cell, std::size_t band, const View& view) const {
   const auto b = static_cast<int>(band);
-  PathCoefficients here{problem_.absorption(cell, b), problem_.scattering(cell, b)};
+  return turned({problem_.absorption(cell, b), problem_.scattering(cell, b)}, cell, band, view);
+}
+
+PathCoefficients RayMatter::at(CellIndex cell, std::size_t band, const View& view, const Vec3& point) const {
+  if (!linear_.varies(cell)) return at(cell, band, view);
+  const auto b = static_cast<int>(band);
+  const PathCoefficients here{
+      std::max(0.0, problem_.absorption(cell, b) + linear_.absorption(cell, band, point)),
+      std::max(0.0, problem_.scattering(cell, b) + linear_.scattering(cell, band, point))};
+  return turned(here, cell, band, view);
+}
+
+PathCoefficients RayMatter::turned(PathCoefficients here, CellIndex cell, std::size_t band,
+                                   const View& view) const {
   const Entry& entry = entries_[static_cast<std::size_t>(problem_.mesh().region(cell)) * bands_ + band];
   if (entry.kind >= 0) {
     const Kind& kind = *kinds_[static_cast<std::size_t>(entry.kind)];

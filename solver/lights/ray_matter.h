@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/lights/linear_coefficients.h"
 #include "solver/problem/problem.h"
 
 namespace etendue {
@@ -16,7 +17,8 @@ struct PathCoefficients {
   double extinction() const { return absorption + scattering; }
 };
 
-/// Absorption and scattering of a ray of light in its own direction, where they depend on it: leaves, flakes,
+/// Absorption and scattering as a ray of light sees them: linear in cells where a formula of the place gives
+/// them, and in its own direction where they depend on it: leaves, flakes,
 /// kernels by formula, and absorption by formula. What a direction meets of a density of 1 is one number for
 /// each kind of matter; a formula that depends on the place too is asked in each cell, for its mean there.
 /// May be used by several threads at a time.
@@ -26,8 +28,10 @@ class RayMatter {
   explicit RayMatter(const Problem& problem);
   ~RayMatter();
 
-  /// Whether nothing depends on the direction.
+  /// Whether nothing depends on the direction, and nothing varies in cells.
   bool empty() const { return empty_; }
+  /// Whether coefficients vary in a cell.
+  bool varies(CellIndex cell) const { return linear_.varies(cell); }
   /// Whether something does in a region.
   bool depends_on_direction(int region) const { return by_direction_[static_cast<std::size_t>(region)] != 0; }
 
@@ -38,7 +42,10 @@ class RayMatter {
     std::vector<double> absorption;       ///< [formula] that does not depend on the place
   };
   View view(const Vec3& travel) const;
+  /// In the mean over a cell.
   PathCoefficients at(CellIndex cell, std::size_t band, const View& view) const;
+  /// At a point of it.
+  PathCoefficients at(CellIndex cell, std::size_t band, const View& view, const Vec3& point) const;
 
   /// Matter that scatters so, each kind once.
   std::size_t kind_count() const { return kinds_.size(); }
@@ -60,6 +67,9 @@ class RayMatter {
 
   const Problem& problem_;
   std::size_t bands_;
+  PathCoefficients turned(PathCoefficients here, CellIndex cell, std::size_t band, const View& view) const;
+
+  LinearCoefficients linear_;
   bool empty_ = true;
   std::vector<char> by_direction_;  ///< [region]
   std::vector<Entry> entries_;      ///< [region][band]

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/lights/uncollided_field.h"
 
+#include <array>
 #include <optional>
+#include <span>
 
 #include "solver/lights/cell_light.h"
 #include "solver/lights/extended_light.h"
 #include "solver/lights/face_light.h"
 #include "solver/lights/vertex_losses.h"
+#include "solver/problem/cell_rule.h"
 
 namespace etendue {
 namespace {
@@ -25,42 +28,69 @@ void add_cell(const LightPaths& paths, const LightSource& source,
   add_by_points(paths, source, cell, beams, moments);
 }
 
+/// The product of the fluence in a cell, [4][band], with what it meets at the corners, linear between them.
+NodalMoments losses_of(const LitCell& cell, const VertexLosses& vertices, std::span<const double> fluence) {
+  const std::size_t bands = fluence.size() / 4;
+  NodalMoments moments(4, 6, bands);
+  for (std::size_t b = 0; b < bands; ++b) {
+    std::array<PathCoefficients, 4> corner;
+    for (std::size_t i = 0; i < 4; ++i) corner[i] = vertices.at(cell.index, i, b);
+    for (const CellRulePoint& point : cell_rule()) {
+      double light = 0;
+      PathCoefficients here;
+      for (std::size_t i = 0; i < 4; ++i) {
+        light += point.barycentric[i] * fluence[i * bands + b];
+        here.absorption += point.barycentric[i] * corner[i].absorption;
+        here.scattering += point.barycentric[i] * corner[i].scattering;
+      }
+      const double measure = point.weight * cell.volume * light;
+      moments.add(point.barycentric, measure, b, here.absorption, NodalMoments::absorbed);
+      moments.add(point.barycentric, measure, b, here.scattering, NodalMoments::collided);
+    }
+  }
+  return moments;
+}
+
 /// Adds what is absorbed and scatters of a source's light in a cell.
 void add_losses(const LightPaths& paths, const LitCell& cell, const std::optional<VertexLosses>& vertices,
-                const NodalMoments& moments, std::size_t source, UncollidedField& field) {
-  const int region = paths.problem().mesh().region(cell.index);
-  const bool integrated = paths.matter().depends_on_direction(region) && !vertices;
+                const NodalMoments& integrated, std::size_t source, UncollidedField& field) {
+  const std::size_t bands = paths.bands();
+  const RayMatter& matter = paths.matter();
+  const std::span<const double> fluence =
+      std::span(field.by_source[source]).subspan(cell.index.at() * 4 * bands, 4 * bands);
+  const std::span<double> collided =
+      std::span(field.collided_by_source[source]).subspan(cell.index.at() * 4 * bands, 4 * bands);
+  double* absorbed = &field.absorbed[cell.index.at() * bands];
+  if (matter.depends_on_direction(paths.problem().mesh().region(cell.index)) || matter.varies(cell.index)) {
+    const NodalMoments moments = vertices ? losses_of(cell, *vertices, fluence) : integrated;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t b = 0; b < bands; ++b) {
+        collided[i * bands + b] = moments.nodal(i, NodalMoments::collided, b, cell.volume);
+        absorbed[b] += moments.at(i, NodalMoments::absorbed, b) / cell.volume;
+      }
+    return;
+  }
   const RayMatter::View any;  // asked only where directions are alike
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t b = 0; b < paths.bands(); ++b) {
-      const std::size_t node = (cell.index.at() * 4 + i) * paths.bands() + b;
-      double& collided = field.collided_by_source[source][node];
-      double& absorbed = field.absorbed[cell.index.at() * paths.bands() + b];
-      if (integrated) {
-        collided = moments.nodal(i, NodalMoments::collided, b, cell.volume);
-        absorbed += moments.at(i, NodalMoments::absorbed, b) / cell.volume;
-        continue;
-      }
-      const PathCoefficients here = paths.matter().depends_on_direction(region)
-                                        ? vertices->at(cell.index, i, b)
-                                        : paths.matter().at(cell.index, b, any);
-      collided = here.scattering * field.by_source[source][node];
-      absorbed += here.absorption * field.by_source[source][node] / 4;
+    for (std::size_t b = 0; b < bands; ++b) {
+      const PathCoefficients here = matter.at(cell.index, b, any);
+      collided[i * bands + b] = here.scattering * fluence[i * bands + b];
+      absorbed[b] += here.absorption * fluence[i * bands + b] / 4;
     }
 }
 
 void add_cells(const LightPaths& paths, const LightSource& source,
                const std::optional<ExtendedLight>& extended, int threads, UncollidedField& field) {
-  const bool by_direction = !paths.matter().empty();
+  const bool with_losses = !paths.matter().empty();
   std::optional<VertexLosses> vertices;
-  if (by_direction && extended) vertices.emplace(paths, source, threads);
+  if (with_losses && extended) vertices.emplace(paths, source, threads);
   std::vector<double>& fluence = field.by_source.back();
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::size_t bands = paths.bands();
 #pragma omp parallel num_threads(threads)
   {
     LightBeams beams(bands);
-    NodalMoments moments(4, by_direction ? 6 : 4, bands);
+    NodalMoments moments(4, with_losses ? 6 : 4, bands);
 #pragma omp for schedule(dynamic, 64)
     for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
       const LitCell cell(paths, CellIndex(c));
@@ -73,7 +103,7 @@ void add_cells(const LightPaths& paths, const LightSource& source,
           for (std::size_t axis = 0; axis < 3; ++axis)
             field.net_flux[(node * 3 + axis) * bands + b] += moments.nodal(i, 1 + axis, b, cell.volume);
         }
-      if (by_direction) add_losses(paths, cell, vertices, moments, field.by_source.size() - 1, field);
+      if (with_losses) add_losses(paths, cell, vertices, moments, field.by_source.size() - 1, field);
     }
   }
 }

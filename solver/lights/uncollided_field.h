@@ -15,8 +15,8 @@ struct UncollidedField {
   std::vector<double> fluence;                 ///< [cell][4][band] their sum
   std::vector<double> net_flux;                ///< [cell][4][3][band]
   std::vector<double> irradiance;              ///< [boundary face][3][band]
-  // Where something in the problem depends on the direction of light; else empty, and both are coefficients
-  // times fluence.
+  // Where something in the problem depends on the direction of light or varies in cells; else empty, and both
+  // are coefficients times fluence.
   std::vector<std::vector<double>> collided_by_source;  ///< [source][cell][4][band] [power/length^3]
   std::vector<double> absorbed;                         ///< [cell][band] [power/length^3]
 };

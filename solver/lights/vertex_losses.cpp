@@ -37,13 +37,13 @@ VertexLosses::VertexLosses(const LightPaths& paths, const LightSource& source, i
 PathCoefficients VertexLosses::at(CellIndex cell, std::size_t corner, std::size_t band) const {
   const Problem& problem = paths_.problem();
   const auto vertex = static_cast<std::size_t>(problem.mesh().vertices(cell)[corner]);
-  // In a vertex that is itself the light all directions are alike.
-  if (beams_[vertex].empty())
-    return {problem.absorption(cell, static_cast<int>(band)),
-            problem.scattering(cell, static_cast<int>(band))};
+  const Vec3& place = problem.mesh().points()[vertex];
+  // In a vertex that is itself the light all directions are alike, as they are in most matter.
+  if (beams_[vertex].empty() || !paths_.matter().depends_on_direction(problem.mesh().region(cell)))
+    return paths_.matter().at(cell, band, paths_.matter().view(Vec3::UnitZ()), place);
   PathCoefficients mean;
   for (const Beam& beam : beams_[vertex]) {
-    const PathCoefficients here = paths_.matter().at(cell, band, beam.view);
+    const PathCoefficients here = paths_.matter().at(cell, band, beam.view, place);
     mean.absorption += beam.share[band] * here.absorption;
     mean.scattering += beam.share[band] * here.scattering;
   }

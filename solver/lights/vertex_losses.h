@@ -7,14 +7,14 @@
 
 namespace etendue {
 
-/// What light of a source that comes from many directions meets in matter that depends on them: the mean over
-/// the directions in which it comes to the vertices.
+/// What light of a source that comes from many directions meets at the corners of cells: in matter that
+/// depends on the direction the mean over those in which it comes to them.
 class VertexLosses {
  public:
   /// The paths must outlive it.
   VertexLosses(const LightPaths& paths, const LightSource& source, int threads);
 
-  /// At a corner of a cell whose region depends on the direction.
+  /// At a corner of a cell.
   PathCoefficients at(CellIndex cell, std::size_t corner, std::size_t band) const;
 
  private:

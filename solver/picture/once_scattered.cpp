@@ -158,7 +158,7 @@ void OnceScattered::add_at(const PointInCell& point, const Vec3& travel, LightBe
     }
     for (std::size_t b = 0; b < beams.bands(); ++b) {
       const int way = way_of(region, b);
-      values[b] += matter_.at(point.cell, b, view).scattering * beams.fluence(i)[b] *
+      values[b] += matter_.at(point.cell, b, view, point.position).scattering * beams.fluence(i)[b] *
                    (way < 0 ? per_sphere : turned[static_cast<std::size_t>(way)]);
     }
   }

@@ -83,7 +83,7 @@ std::vector<PathCoefficients> coefficients_of(const LightSetup& lights, CellInde
   std::vector<double> light(mean.size(), 0);
   const RayMatter::View any = matter.view(Vec3::UnitZ());
   for (std::size_t b = 0; b < mean.size(); ++b) mean[b] = matter.at(cell, b, any);
-  if (!matter.depends_on_direction(lights.problem().mesh().region(cell))) return mean;
+  if (!matter.depends_on_direction(lights.problem().mesh().region(cell)) && !matter.varies(cell)) return mean;
   const TetrahedralMesh& mesh = lights.problem().mesh();
   std::array<Vec3, 4> corners;
   for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.point(VertexIndex(mesh.vertices(cell)[k]));
@@ -94,7 +94,7 @@ std::vector<PathCoefficients> coefficients_of(const LightSetup& lights, CellInde
       if (!holds(cone, beams.direction(n))) continue;
       const RayMatter::View view = matter.view(beams.direction(n));
       for (std::size_t b = 0; b < mean.size(); ++b) {
-        const PathCoefficients here = matter.at(cell, b, view);
+        const PathCoefficients here = matter.at(cell, b, view, point);
         const double fluence = node.weight * beams.fluence(n)[b];
         light[b] += fluence;
         sum[b].absorption += here.absorption * fluence;

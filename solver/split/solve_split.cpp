@@ -9,6 +9,7 @@
 
 #include "solver/lights/beam_source.h"
 #include "solver/lights/sky_source.h"
+#include "solver/ordinates/node_means.h"
 #include "solver/split/first_collision.h"
 #include "solver/split/once_collided.h"
 
@@ -64,7 +65,14 @@ void add_exitance(const LightSetup& lights, const UncollidedField& field, Soluti
   }
 }
 
-/// What a cell absorbs and scatters where something depends on the direction.
+/// [cell][band] absorption times the mean fluence [power/length^3].
+std::vector<double> absorbed_power(const Problem& problem, const std::vector<double>& fluence) {
+  std::vector<double> absorbed = node_means(fluence, 4, static_cast<std::size_t>(problem.band_count()));
+  for (std::size_t i = 0; i < absorbed.size(); ++i) absorbed[i] *= problem.absorption()[i];
+  return absorbed;
+}
+
+/// What a cell absorbs and scatters where something depends on the direction or varies in it.
 void add_cell(const UncollidedField& field, const TetrahedralMesh& mesh, CellIndex cell, std::size_t band,
               UncollidedBalance& balance) {
   const std::size_t bands = field.absorbed.size() / mesh.volumes().size();
@@ -181,9 +189,12 @@ Solution UncollidedLight::solve_rest(const DirectionSet& directions, const Direc
   add_lights_inside(lights_, solution);
   for (std::size_t w = 0; w < lights_.problem().walls().size(); ++w)
     solution.lights.exact_walls.push_back(lights_.has_wall(static_cast<int>(w)));
+  if (!field_.absorbed.empty()) {
+    if (solution.absorbed.empty()) solution.absorbed = absorbed_power(lights_.problem(), solution.fluence);
+    add(solution.absorbed, field_.absorbed);
+  }
   add(solution.fluence, field_.fluence);
   add(solution.net_flux, field_.net_flux);
-  if (!field_.absorbed.empty()) add(solution.absorbed, field_.absorbed);
   add(solution.irradiance, field_.irradiance);
   add_meters(lights_, options, solution);
   solution.negative = negative_census(solution.fluence, lights_.paths().bands());
