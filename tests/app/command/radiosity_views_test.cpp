@@ -9,45 +9,19 @@
 #include <numbers>
 #include <sstream>
 
+#include "tests/app/command/empty_cube.h"
 #include "tests/app/command/small_case.h"
 
 namespace etendue {
 namespace {
 
 using test::CaseFolder;
+using test::empty_cube;
 using test::etendue_says;
 using test::Outcome;
 using test::text_of;
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-/// A cube without matter: a bright floor, red side walls.
-std::string empty_cube() {
-  return R"(title = "Empty"
-[mesh]
-edge_length = 0.5
-[[mesh.box]]
-region = "air"
-min = [0, 0, 0]
-max = [1, 1, 1]
-walls = { zmin = "floor" }
-[bands]
-names = ["red", "green"]
-[media.air]
-[walls.floor]
-radiance = [1, 0.5]
-diffuse = 0.2
-[walls."*"]
-diffuse = [0.8, 0.3]
-[solve]
-method = "radiosity"
-tolerance = 1e-8
-[[probe]]
-name = "up"
-points = [[0.5, 0.5, 0.5], [0.5, 0.5, 0]]
-normal = [0, 0, -1]
-)";
-}
 
 std::vector<float> pixels_of(const std::filesystem::path& exr, const std::string& channel) {
   Imf::InputFile file(exr.c_str());
