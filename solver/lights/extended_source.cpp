@@ -112,10 +112,12 @@ void ExtendedSource::add_tetrahedron(const View& view, const EmitterPart& part, 
       const double in = wedge.way_in(point.direction), out = wedge.way_out(point.direction);
       const std::span<double> fluence = view.open_way(paths_, point.direction, in, out - in, beams);
       if (fluence.empty()) continue;
+      const RayMatter::View light =
+          view.sight == Sight::clear ? RayMatter::View{} : paths_.matter().view(-point.direction);
       for (std::size_t band = 0; band < fluence.size(); ++band) {
         double extinction = view.sight == Sight::clear ? 0 : part.extinction[band];
         if (extinction > 0 && part.cell && !paths_.matter().empty())
-          extinction = paths_.extinction(*part.cell, band, -point.direction);
+          extinction = paths_.extinction(*part.cell, band, light);
         fluence[band] *= attenuated_way(extinction, out - in).constant;
       }
       scale(fluence, part.brightness, point.weight);

@@ -40,10 +40,9 @@ class LightPaths {
   /// In the mean over directions [1/length].
   double extinction(CellIndex cell, std::size_t band) const { return extinction_[cell.at() * bands_ + band]; }
   double largest_extinction(CellIndex cell) const;
-  /// Of light that travels in this direction [1/length].
-  double extinction(CellIndex cell, std::size_t band, const Vec3& travel) const {
-    return matter_.empty() ? extinction(cell, band)
-                           : matter_.at(cell, band, matter_.view(travel)).extinction();
+  /// Of light that travels as a view of matter() says [1/length].
+  double extinction(CellIndex cell, std::size_t band, const RayMatter::View& light) const {
+    return matter_.empty() ? extinction(cell, band) : matter_.at(cell, band, light).extinction();
   }
 
   /// Transmittance [band] of the way from a point along a unit direction of this length, reflected by exactly

@@ -115,15 +115,11 @@ double MapRadiance::along(const PointInCell& start, const Vec3& direction, int b
 // Lights inside of the domain stand in nobody's way: all that the stretch passes are seen.
 double MapRadiance::add_flat_lights(const Stretch& stretch, double length, const Workspace& work) const {
   double radiance = 0;
-  for (const Light& light : problem_.lights()) {
-    const auto* surface = std::get_if<SurfaceLight>(&light.kind);
-    if (surface == nullptr) continue;
-    const std::optional<double> distance =
-        distance_to_front(surface->triangles, stretch.from, stretch.direction);
-    if (!distance || *distance > length) continue;
+  for (const auto& [surface, distance] :
+       lights_passed(problem_.lights(), stretch.from, stretch.direction, length)) {
     double depth = 0, reached = 0;
     for (const auto& [cell, part] : work.parts) {
-      if (reached < *distance) depth += extinction(cell, stretch.band) * std::min(part, *distance - reached);
+      if (reached < distance) depth += extinction(cell, stretch.band) * std::min(part, distance - reached);
       reached += part;
     }
     radiance += std::exp(-depth) * surface->radiance[static_cast<std::size_t>(stretch.band)];

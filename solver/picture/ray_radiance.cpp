@@ -54,6 +54,7 @@ struct RayRadiance::Stretch {
   Vec3 from;
   Vec3 direction;
   const RayView& view;
+  RayMatter::View light;        ///< what light that comes along it meets
   bool wall_is_diffuse = true;  ///< the one at its end
 
   Vec3 travel() const { return -direction; }
@@ -117,7 +118,8 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
   double way = 0;
   for (int i = 0; i < most_mirrors; ++i) {
     const RayEnd end = walk(at, towards, work);
-    const Stretch stretch{at.position, towards, view, i > 0 || view.first_wall_diffuse};
+    const Stretch stretch{at.position, towards, view, lights_.paths().matter().view(-towards),
+                          i > 0 || view.first_wall_diffuse};
     if (view.lights_shown) add_flat_lights(stretch, end.distance, work, radiance);
     add_cells(stretch, work, radiance);
     add_wall(*end.wall, end.point, stretch, work, radiance);
@@ -189,7 +191,7 @@ void RayRadiance::add_part(const Stretch& stretch, const Workspace::Part& part, 
     const AttenuatedWay way = attenuated_way(extinction, part.length);
     radiance[b] += work.factor[b] * std::exp(-work.depth_rest[b]) *
                    (near * way.constant + (far - near) * way.linear / part.length);
-    const double whole = lights_.paths().extinction(part.cell, b, stretch.travel());
+    const double whole = lights_.paths().extinction(part.cell, b, stretch.light);
     if (is_light)
       radiance[b] += work.factor[b] * std::exp(-work.depth[b]) *
                      problem_.emission(part.cell, static_cast<int>(b)) *
@@ -218,21 +220,16 @@ void RayRadiance::add_shafts(const Stretch& stretch, const Workspace::Part& part
 // Lights inside of the domain stand in nobody's way: all that the stretch passes are seen.
 void RayRadiance::add_flat_lights(const Stretch& stretch, double length, Workspace& work,
                                   std::span<double> radiance) const {
-  for (const Light& light : problem_.lights()) {
-    const auto* surface = std::get_if<SurfaceLight>(&light.kind);
-    if (surface == nullptr) continue;
-    const std::optional<double> distance =
-        distance_to_front(surface->triangles, stretch.from, stretch.direction);
-    if (!distance || *distance > length) continue;
+  for (const auto& [surface, distance] :
+       lights_passed(problem_.lights(), stretch.from, stretch.direction, length))
     for (std::size_t band = 0; band < bands_; ++band) {
       double depth = work.depth[band];
       for (const Workspace::Part& part : work.parts)
-        if (part.from < *distance)
-          depth += lights_.paths().extinction(part.cell, band, stretch.travel()) *
-                   std::min(part.length, *distance - part.from);
+        if (part.from < distance)
+          depth += lights_.paths().extinction(part.cell, band, stretch.light) *
+                   std::min(part.length, distance - part.from);
       radiance[band] += work.factor[band] * std::exp(-depth) * surface->radiance[band];
     }
-  }
 }
 
 void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
