@@ -18,8 +18,7 @@ std::vector<KeyDeclaration> sensor_keys();   ///< sensors
 
 namespace key_range {
 
-inline constexpr double largest_count = 1e9;  // fits an int
-inline constexpr double largest_hits = 1e9;
+inline constexpr double largest_count = 1e9;       // fits an int
 inline constexpr double largest_histories = 1e15;  // a double counts them exactly
 inline constexpr Range positive{.lowest = 0, .lowest_excluded = true};
 inline constexpr Range not_negative{.lowest = 0};

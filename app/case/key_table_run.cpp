@@ -170,7 +170,7 @@ std::vector<KeyDeclaration> run_keys() {
        "hits",
        number,
        {.default_value = "1e6",
-        .range = {.lowest = 1, .highest = largest_hits},
+        .range = {.lowest = 1, .highest = largest_count},
         .help = "Kept in each band on walls, and as many where light is scattered, at most; `solve.photons` "
                 "histories are walked for them at most. A hit takes 108 bytes at most."}},
       {"photon_map",

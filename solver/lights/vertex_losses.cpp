@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/lights/vertex_losses.h"
 
+#include "mesh/tetrahedra/vertex_cells.h"
 #include "solver/lights/vertex_light.h"
 
 namespace etendue {
 
 VertexLosses::VertexLosses(const LightPaths& paths, const LightSource& source, int threads) : paths_(paths) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
-  std::vector<std::int32_t> cell_of(static_cast<std::size_t>(mesh.vertex_count()), -1);
-  for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
-    if (paths.matter().depends_on_direction(mesh.region(CellIndex(c))))
-      for (const std::int32_t v : mesh.vertices(CellIndex(c))) cell_of[static_cast<std::size_t>(v)] = c;
+  const std::vector<std::int32_t> cell_of = wanted_cells_of_vertices(
+      mesh, [&](CellIndex cell) { return paths.matter().depends_on_direction(mesh.region(cell)); });
   beams_.resize(cell_of.size());
 #pragma omp parallel num_threads(threads)
   {

@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "mesh/tetrahedra/vertex_cells.h"
 #include "solver/angle/kernel_formula.h"
 #include "solver/angle/scattered_light.h"
 #include "solver/lights/vertex_light.h"
@@ -13,12 +14,11 @@ namespace {
 /// [vertex] a cell around it that has matter of the kind, -1 without.
 std::vector<std::int32_t> cells_with(const LightSetup& lights, int kind) {
   const TetrahedralMesh& mesh = lights.problem().mesh();
-  std::vector<std::int32_t> cell_of(static_cast<std::size_t>(mesh.vertex_count()), -1);
-  for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
+  return wanted_cells_of_vertices(mesh, [&](CellIndex cell) {
     for (std::size_t b = 0; b < lights.paths().bands(); ++b)
-      if (lights.paths().matter().kind_of(mesh.region(CellIndex(c)), b) == kind)
-        for (const std::int32_t v : mesh.vertices(CellIndex(c))) cell_of[static_cast<std::size_t>(v)] = c;
-  return cell_of;
+      if (lights.paths().matter().kind_of(mesh.region(cell), b) == kind) return true;
+    return false;
+  });
 }
 
 /// A copy that a thread may evaluate.
