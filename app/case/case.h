@@ -132,7 +132,8 @@ struct SensorCase {
   std::string name;
   Sensor sensor;
   std::string wall;    ///< of intensities; its number is known when there is a mesh
-  std::string region;  ///< of an account
+  std::string region;  ///< of an account, or whose surface a flux goes through
+  std::string beyond;  ///< of such a flux, the region or wall on the other side; empty: all of the surface
   Origin origin;
 };
 

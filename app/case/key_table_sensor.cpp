@@ -16,12 +16,14 @@ std::vector<KeyDeclaration> sensor_keys() {
        {.default_value = "\"irradiance\"",
         .choices = {"irradiance", "exitance", "fluence", "radiance", "cone", "grid", "flux", "intensity",
                     "region"},
-        .help = "irradiance on one side of a plane; exitance: what a wall sends at a point of it; fluence "
-                "from all sides; radiance from one direction; of a "
-                "cone the mean radiance and what it brings to the plane across it; grid: irradiance at the "
-                "middles of parts of a parallelogram; flux: power through a polygon or a wall, both ways; "
-                "intensity of what leaves the domain by a wall, over directions; region: the account of its "
-                "light."}},
+        .help =
+            "irradiance on one side of a plane; exitance: what a wall sends at a point of it; fluence "
+            "from all sides; radiance from one direction; of a "
+            "cone the mean radiance and what it brings to the plane across it; grid: irradiance at the "
+            "middles of parts of a parallelogram; flux: power through a polygon, a wall or the surface of a "
+            "region, both ways; "
+            "intensity of what leaves the domain by a wall, over directions; region: the account of its "
+            "light."}},
       {"sensor",
        "position",
        point,
@@ -64,7 +66,14 @@ std::vector<KeyDeclaration> sensor_keys() {
       {"sensor",
        "region",
        text,
-       {.help = "Of a region: its name. The radiance of all directions is kept in memory for it."}},
+       {.help = "Of a region: its name. Of a flux: in place of a polygon, and forward is out of the region. "
+                "The radiance of all directions is kept in memory for it."}},
+      {"sensor",
+       "beyond",
+       text,
+       {.default_note = "all of the surface",
+        .help = "Of a flux through the surface of a region: the region or wall on the other side of the "
+                "faces that count."}},
       {"sensor",
        "polygon",
        points,

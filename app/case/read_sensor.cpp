@@ -26,7 +26,7 @@ const std::map<SensorKind, std::vector<std::string>> keys_of = {
     {SensorKind::radiance, {"position", "direction"}},
     {SensorKind::cone, {"position", "direction", "angle"}},
     {SensorKind::grid, {"position", "along", "across", "normal", "parts"}},
-    {SensorKind::flux, {"polygon", "wall", "parts", "direction", "angle"}},
+    {SensorKind::flux, {"polygon", "wall", "region", "beyond", "parts", "direction", "angle"}},
     {SensorKind::intensity, {"wall", "parts"}},
     {SensorKind::region, {"region", "direction", "angle"}}};
 
@@ -39,8 +39,8 @@ constexpr double flat = 1e-6;
 bool takes(SensorKind kind, const std::string& key) { return std::ranges::count(keys_of.at(kind), key) > 0; }
 
 void refuse_other_keys(Section& section, const std::string& name, SensorKind kind) {
-  for (const char* key :
-       {"position", "normal", "direction", "angle", "along", "across", "parts", "polygon", "wall", "region"})
+  for (const char* key : {"position", "normal", "direction", "angle", "along", "across", "parts", "polygon",
+                          "wall", "region", "beyond"})
     if (!takes(kind, key)) section.unused(key, "a sensor of kind \"" + name + "\" does not take it");
 }
 
@@ -121,16 +121,29 @@ void check_polygon(Section& section, const std::vector<Vec3>& polygon) {
   }
 }
 
-void read_polygon(Section& section, Sensor& sensor) {
-  if (section.has("polygon") && section.has("wall"))
-    return section.fault("wall", "beside a polygon (a flux goes through one thing); use one of the two");
-  if (!section.has("polygon") && !section.has("wall"))
-    return section.fault("polygon", "missing; use a list of corners, or the name of a wall");
-  if (const TomlNode* corners = section.find("polygon")) {
-    for (const auto& corner : corners->array()) sensor.polygon.push_back(to_vec3(*corner));
-    check_polygon(section, sensor.polygon);
+/// What a flux goes through: a polygon, a wall, or the surface of a region.
+void read_surface(Section& section, SensorCase& result) {
+  const std::vector<std::string> ways = {"polygon", "wall", "region"};
+  const auto given = std::ranges::count_if(ways, [&](const std::string& key) { return section.has(key); });
+  if (given == 0)
+    return section.fault("polygon", "missing; use a list of corners, or the name of a wall or region");
+  result.wall = section.text_if("wall").value_or("");
+  result.region = section.text_if("region").value_or("");
+  result.beyond = section.text_if("beyond").value_or("");
+  read_optional_cone(section, result.sensor);
+  const TomlNode* corners = section.find("polygon");
+  if (given > 1)
+    return section.fault(
+        section.has("region") ? "region" : "wall",
+        "beside another (a flux goes through one thing); use one of polygon, wall and region");
+  if (corners != nullptr) {
+    for (const auto& corner : corners->array()) result.sensor.polygon.push_back(to_vec3(*corner));
+    check_polygon(section, result.sensor.polygon);
   }
-  read_optional_cone(section, sensor);
+  if (!section.has("region") && section.has("beyond"))
+    section.unused("beyond", "only the surface of a region has another side");
+  if (section.has("region") && section.has("parts"))
+    section.unused("parts", "through the surface of a region the faces of the mesh are summed up");
 }
 
 SensorCase read_sensor(Section& section) {
@@ -156,10 +169,7 @@ SensorCase read_sensor(Section& section) {
     sensor.direction = unit_vector(section, "direction", "a vector to where the sensor looks");
   if (sensor.kind == SensorKind::cone) read_cone_angle(section, sensor);
   if (sensor.kind == SensorKind::grid) read_sides(section, sensor);
-  if (sensor.kind == SensorKind::flux) {
-    read_polygon(section, sensor);
-    result.wall = section.text_if("wall").value_or("");
-  }
+  if (sensor.kind == SensorKind::flux) read_surface(section, result);
   if (sensor.kind == SensorKind::region) {
     result.region = section.text_if("region").value_or("");
     if (!section.has("region")) section.fault("region", "missing; use the name of a region");

@@ -56,6 +56,23 @@ bool add_errors(const ErrorScenes& scenes, int threads, const std::function<bool
   return true;
 }
 
+/// There are no rays: what reads ordinates works.
+void check_views_in_plane(const std::vector<CameraCase>& cameras, const std::vector<SensorCase>& sensors) {
+  std::vector<Fault> faults;
+  for (const CameraCase& camera : cameras)
+    faults.push_back(fault_at(camera.origin, "", "a camera in flatland (not in this version); remove it"));
+  for (const SensorCase& sensor : sensors) {
+    const SensorKind kind = sensor.sensor.kind;
+    const bool flux = kind == SensorKind::flux && sensor.sensor.polygon.empty();
+    if (flux || kind == SensorKind::region || kind == SensorKind::irradiance || kind == SensorKind::fluence)
+      continue;
+    faults.push_back(fault_at(sensor.origin, "",
+                              "a sensor of this kind in flatland (not in this version); use irradiance, "
+                              "fluence, region, or flux through a wall or the surface of a region"));
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
 bool is_black(const Picture& picture) {
   return std::all_of(picture.radiance.begin(), picture.radiance.end(),
                      [](double value) { return value == 0; });
@@ -65,8 +82,8 @@ bool is_black(const Picture& picture) {
 
 void check_views(const std::vector<CameraCase>& cameras, const std::vector<SensorCase>& sensors,
                  const Problem& problem) {
+  if (problem.space() == AngularSpace::plane) return check_views_in_plane(cameras, sensors);
   std::string where;
-  if (problem.space() == AngularSpace::plane) where = "in flatland (not in this version); remove it";
   if (std::any_of(problem.media().begin(), problem.media().end(), has_kernel))
     where = "beside a kernel, which rays do not see (not in this version); remove it";
   if (uses_formulas(problem))

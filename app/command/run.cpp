@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <numeric>
 
@@ -25,12 +26,13 @@ namespace etendue {
 namespace {
 
 /// The solver's options as the case has them, with all that this run adds.
-SolveOptions solve_options(const Case& input, int ordinates, std::vector<IrradianceMeter> meters) {
+SolveOptions solve_options(const Case& input, const DirectionSet& directions,
+                           std::vector<IrradianceMeter> meters) {
   SolveOptions options = input.solve;
   options.threads = thread_count(input);
   options.keep_ordinates = input.output.radiance_ordinates;
-  if (need_all_ordinates(input.sensors)) {
-    options.keep_ordinates.resize(static_cast<std::size_t>(ordinates));
+  if (need_all_ordinates(input.sensors, directions.space())) {
+    options.keep_ordinates.resize(directions.directions().size());
     std::iota(options.keep_ordinates.begin(), options.keep_ordinates.end(), 0);
   }
   options.meters = std::move(meters);
@@ -116,6 +118,13 @@ std::string directions_line(const RunDirections& directions) {
                             once.order());
 }
 
+/// Whether something looks along rays.
+bool need_rays(const Case& input, AngularSpace space) {
+  return !input.cameras.empty() || std::ranges::any_of(input.sensors, [&](const SensorCase& sensor) {
+    return !reads_ordinates(sensor, space);
+  });
+}
+
 Solution solve_visibly(UncollidedLight uncollided, const RunDirections& directions,
                        const SolveOptions& options, ProgressDisplay& display, Checkpoints checkpoints,
                        const Interruption& interruption, const SetReader& reader) {
@@ -157,16 +166,14 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   const RunDirections all_directions = run_directions(input, lights);
   const DirectionSet& directions = all_directions.sets.front();
   const CellLocator locator(mesh);
-  check_sensors(input, lights, locator);
+  check_sensors(input.sensors, locator, mesh);
   const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
-  SolveOptions options = solve_options(input, directions.count(), place_probes(input.probes, mesh, locator));
+  SolveOptions options = solve_options(input, directions, place_probes(input.probes, mesh, locator));
   if (exact) options.angular_input = &exact->input;
-  AccountBook accounts(input.sensors, lights);
-  SetReader keep_accounts;
-  if (need_all_ordinates(input.sensors))
-    keep_accounts = [&](const DirectionSet& set, const Solution& found, const AngularInput* light) {
-      accounts.add(set, options, found, light);
-    };
+  OrdinateBook ordinates(input.sensors, lights, locator);
+  SetReader keep_book;
+  if (need_all_ordinates(input.sensors, problem.space()))
+    keep_book = [&](const SweptLight& swept) { ordinates.add(options, swept); };
   SavedState initial;
   if (input.initial) {
     initial = read_initial(*input.initial, input, mesh);
@@ -186,17 +193,17 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   interruption.note_the_first();
   ProgressDisplay display(resolved_style(request.progress, out), out);
   const Solution solution = solve_visibly(std::move(uncollided), all_directions, options, display,
-                                          Checkpoints(input, problem, err), interruption, keep_accounts);
+                                          Checkpoints(input, problem, err), interruption, keep_book);
   interruption.note_all();
   std::optional<RayRadiance> scene;
-  if (!input.sensors.empty() || !input.cameras.empty())
+  if (need_rays(input, problem.space()))
     scene.emplace(lights, directions, options, solution.state, options.threads);
   RunResult result{
       .input = input,
       .problem = problem,
       .solution = solution,
       .probes = read_probes(input.probes, lights, solution, locator),
-      .sensors = read_sensors(input.sensors, {lights, accounts, options, solution, scene, locator}),
+      .sensors = read_sensors(input.sensors, {lights, ordinates, options, solution, scene, locator}),
       .balances = balances(problem, solution),
       .walls = wall_powers(problem, solution),
       .regions = region_powers(problem, solution),

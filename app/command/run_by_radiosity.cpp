@@ -24,7 +24,7 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   place_probes(run.input.probes, run.problem.mesh(), locator);
   const LightSetup lights(run.problem);
   const DirectionSet directions = build_directions(run.input);
-  check_sensors(run.input, lights, locator);
+  check_sensors(run.input.sensors, locator, run.problem.mesh());
   const int threads = thread_count(run.input);
   const RadiosityMemory memory =
       estimate_radiosity_memory(run.problem, radiosity_options(run.input, threads));
@@ -41,8 +41,8 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   if (!run.input.sensors.empty() || !run.input.cameras.empty())
     scene.emplace(lights, directions, options, found.solution.state, threads);
   RunResult result = result_of(run, found.solution, std::move(found.probes), threads);
-  result.sensors = read_sensors(run.input.sensors, {lights, AccountBook(run.input.sensors, lights), options,
-                                                    found.solution, scene, locator});
+  result.sensors = read_sensors(run.input.sensors, {lights, OrdinateBook(run.input.sensors, lights, locator),
+                                                    options, found.solution, scene, locator});
   result.radiosity = std::move(found.report);
   result.passes = std::move(found.passes);
   const WrittenResults written = write_results(result);

@@ -47,9 +47,9 @@ SavedState state_to_look_at(const RadiosityRoom& room, const RadiosityScene& sce
 void check_views_of_radiosity(const Case& input) {
   std::vector<Fault> faults;
   for (const SensorCase& sensor : input.sensors)
-    if (sensor.sensor.kind == SensorKind::region)
+    if (!sensor.region.empty())
       faults.push_back(fault_at(sensor.origin, "",
-                                "the account of a region in a run by radiosity, which has no directions of "
+                                "a sensor of a region in a run by radiosity, which has no directions of "
                                 "light to count; use solve.method = \"auto\""));
   for (const CameraCase& camera : input.cameras)
     if (camera.camera.errors)

@@ -55,22 +55,42 @@ std::optional<PointInCell> place_of(const Vec3& point, const CellLocator& locato
   return PointInCell{cells.front().cell, point};
 }
 
-int region_of(const SensorCase& sensor, const TetrahedralMesh& mesh) {
-  const auto& names = mesh.region_names();
-  return static_cast<int>(std::ranges::find(names, sensor.region) - names.begin());
+/// The part of lights, and the other.
+struct AccountParts {
+  RegionAccount uncollided, collided;
+};
+
+AccountParts accounts_of(const SensorCase& sensor, std::size_t number, const SensorScene& scene) {
+  const AccountScope scope = scope_of(sensor, scene.lights.problem().mesh());
+  return {uncollided_account(scene.lights, scene.solution, scope, scene.options.threads),
+          scene.ordinates.account(number)};
 }
 
-/// Directions of travel that count.
-std::optional<Cone> travel_of(const SensorCase& sensor) {
-  if (sensor.sensor.half_angle > 0) return Cone{-sensor.sensor.direction, sensor.sensor.half_angle};
-  return std::nullopt;
+SensorReading read_surface(const SensorCase& sensor, std::size_t number, const SensorScene& scene) {
+  const auto [uncollided, collided] = accounts_of(sensor, number, scene);
+  const std::vector<double> nothing(collided.path.size(), 0);
+  using Quantity = RadiometricQuantity;
+  const auto net = [&](const RegionAccount& account) {
+    std::vector<double> flow = account.flowing_out;
+    for (std::size_t b = 0; b < flow.size(); ++b) flow[b] -= account.flowing_in[b];
+    return flow;
+  };
+  return {{{Quantity::flux_forward, uncollided.flowing_out, collided.flowing_out, nothing},
+           {Quantity::flux_backward, uncollided.flowing_in, collided.flowing_in, nothing},
+           {Quantity::flux_net, net(uncollided), net(collided), nothing}},
+          {}};
+}
+
+SensorReading read_point(const SensorCase& sensor, std::size_t number, const SensorScene& scene) {
+  const OrdinatesAtPoint found = scene.ordinates.at_point(number);
+  const std::vector<double> nothing(found.fluence.size(), 0);
+  if (sensor.sensor.kind == SensorKind::fluence)
+    return {{{RadiometricQuantity::fluence, nothing, found.fluence, nothing}}, {}};
+  return {{{RadiometricQuantity::irradiance, nothing, found.irradiance, nothing}}, {}};
 }
 
 SensorReading read_region(const SensorCase& sensor, std::size_t number, const SensorScene& scene) {
-  const RegionAccount uncollided =
-      uncollided_account(scene.lights, scene.solution, region_of(sensor, scene.lights.problem().mesh()),
-                         travel_of(sensor), scene.options.threads);
-  const RegionAccount collided = scene.accounts.collided(number);
+  const auto [uncollided, collided] = accounts_of(sensor, number, scene);
   using Quantity = RadiometricQuantity;
   const std::size_t bands = collided.path.size();
   const std::vector<double> nothing(bands, 0);
@@ -96,21 +116,38 @@ SensorReading read_region(const SensorCase& sensor, std::size_t number, const Se
   return reading;
 }
 
-std::optional<Fault> fault_of(const SensorCase& sensor, const Case& input, const LightSetup& lights,
-                              const CellLocator& locator) {
-  const TetrahedralMesh& mesh = lights.problem().mesh();
-  if (!sensor.wall.empty()) {
-    if (placed(sensor, mesh).wall >= 0) return std::nullopt;
-    return no_such(sensor, "wall", sensor.wall, mesh.wall_names());
+SensorReading read_ordinates(const SensorCase& sensor, std::size_t number, const SensorScene& scene) {
+  if (sensor.sensor.kind == SensorKind::region) return read_region(sensor, number, scene);
+  if (sensor.sensor.kind == SensorKind::flux) return read_surface(sensor, number, scene);
+  return read_point(sensor, number, scene);
+}
+
+std::optional<Fault> fault_of_names(const SensorCase& sensor, const TetrahedralMesh& mesh) {
+  const auto& regions = mesh.region_names();
+  const auto& walls = mesh.wall_names();
+  const auto is_among = [](const std::string& name, const std::vector<std::string>& names) {
+    return name.empty() || std::ranges::count(names, name) > 0;
+  };
+  if (!is_among(sensor.wall, walls)) return no_such(sensor, "wall", sensor.wall, walls);
+  if (!is_among(sensor.region, regions)) return no_such(sensor, "region", sensor.region, regions);
+  if (!is_among(sensor.beyond, regions) && !is_among(sensor.beyond, walls)) {
+    std::vector<std::string> all = regions;
+    all.insert(all.end(), walls.begin(), walls.end());
+    return no_such(sensor, "region or wall", sensor.beyond, all);
   }
-  if (sensor.sensor.kind == SensorKind::region) {
-    if (std::ranges::count(mesh.region_names(), sensor.region) == 0)
-      return no_such(sensor, "region", sensor.region, mesh.region_names());
-    if (!input.first_collided) return std::nullopt;
-    return fault_at(sensor.origin, "",
-                    "the account of a region in a run with directions.first_collided, whose first collisions "
-                    "are no ordinate's (not in this version); remove one of the two");
-  }
+  if (!sensor.beyond.empty() && scope_of(sensor, mesh).surface.empty())
+    return fault_at(
+        sensor.origin, sensor.beyond,
+        fmt::format("the sensor \"{}\" measures between {} and this, which do not touch; use what "
+                    "lies beside the region",
+                    sensor.name, sensor.region));
+  return std::nullopt;
+}
+
+std::optional<Fault> fault_of(const SensorCase& sensor, const CellLocator& locator,
+                              const TetrahedralMesh& mesh) {
+  if (auto fault = fault_of_names(sensor, mesh)) return fault;
+  if (!sensor.wall.empty() || !sensor.region.empty()) return std::nullopt;
   const std::vector<Vec3> points = points_of(sensor.sensor);
   if (std::ranges::any_of(points, [&](const Vec3& point) { return !locator.find(point).empty(); }))
     return std::nullopt;
@@ -119,46 +156,26 @@ std::optional<Fault> fault_of(const SensorCase& sensor, const Case& input, const
 
 }  // namespace
 
-void check_sensors(const Case& input, const LightSetup& lights, const CellLocator& locator) {
+void check_sensors(const std::vector<SensorCase>& sensors, const CellLocator& locator,
+                   const TetrahedralMesh& mesh) {
   std::vector<Fault> faults;
-  for (const SensorCase& sensor : input.sensors)
-    if (auto fault = fault_of(sensor, input, lights, locator)) faults.push_back(*std::move(fault));
+  for (const SensorCase& sensor : sensors)
+    if (auto fault = fault_of(sensor, locator, mesh)) faults.push_back(*std::move(fault));
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-bool need_all_ordinates(const std::vector<SensorCase>& sensors) {
-  return std::ranges::any_of(
-      sensors, [](const SensorCase& sensor) { return sensor.sensor.kind == SensorKind::region; });
-}
-
-void AccountBook::add(const DirectionSet& directions, const SolveOptions& options, const Solution& solution,
-                      const AngularInput* input) {
-  sums_.resize(sensors_.size(), RegionAccount(lights_.paths().bands()));
-  for (std::size_t i = 0; i < sensors_.size(); ++i)
-    if (sensors_[i].sensor.kind == SensorKind::region)
-      sums_[i].add(region_account(lights_, directions, options, solution, input,
-                                  region_of(sensors_[i], lights_.problem().mesh()), travel_of(sensors_[i])),
-                   1);
-  ++sets_;
-}
-
-RegionAccount AccountBook::collided(std::size_t sensor) const {
-  RegionAccount mean(lights_.paths().bands());
-  mean.add(sums_.at(sensor), 1.0 / sets_);
-  return mean;
-}
-
 std::vector<SensorRow> read_sensors(const std::vector<SensorCase>& sensors, const SensorScene& scene) {
-  std::vector<SensorRow> rows;
-  if (!scene.rays) return rows;
-  const SensorReader reader(scene.lights, *scene.rays);
+  const Problem& problem = scene.lights.problem();
+  std::optional<SensorReader> reader;
+  if (scene.rays) reader.emplace(scene.lights, *scene.rays);
   const auto locate = [&](const Vec3& point) { return place_of(point, scene.locator); };
+  std::vector<SensorRow> rows;
   for (const SensorCase& sensor : sensors)
-    if (sensor.sensor.kind == SensorKind::region)
-      rows.push_back({sensor, read_region(sensor, rows.size(), scene)});
+    if (reads_ordinates(sensor, problem.space()))
+      rows.push_back({sensor, read_ordinates(sensor, rows.size(), scene)});
     else
-      rows.push_back({sensor, reader.read(placed(sensor, scene.lights.problem().mesh()), locate,
-                                          scene.options.threads)});
+      rows.push_back(
+          {sensor, reader.value().read(placed(sensor, problem.mesh()), locate, scene.options.threads)});
   return rows;
 }
 

@@ -44,7 +44,7 @@ const std::map<Quantity, QuantityWords> words = {
     {Quantity::solid_angle, {"solid_angle", "", Kind::angle}},
     {Quantity::account_residual, {"account_residual", "", Kind::number}}};
 
-std::string unit_of(Kind kind, const UnitLabels& units) {
+std::string unit_of(Kind kind, const UnitLabels& units, const std::string& angle) {
   switch (kind) {
     case Kind::per_area:
       return units.flux;
@@ -57,7 +57,7 @@ std::string unit_of(Kind kind, const UnitLabels& units) {
     case Kind::path:
       return units.power + " " + units.length;
     case Kind::angle:
-      return "sr";
+      return angle;
     case Kind::number:
       return "1";
   }
@@ -69,7 +69,8 @@ class RowMaker {
   explicit RowMaker(const RunResult& result)
       : bands_(result.problem.bands()),
         units_(result.input.units),
-        labels_(units_),
+        labels_(units_, result.problem.space()),
+        angle_(result.problem.space() == AngularSpace::plane ? "rad" : "sr"),
         photometry_(bands_),
         scale_(si_scale(units_.length, units_.power)) {}
 
@@ -79,7 +80,7 @@ class RowMaker {
     const QuantityWords& words_of = words.at(found.quantity);
     for (std::size_t b = 0; b < found.collided.size(); ++b)
       rows.push_back({sensor, bands_.names[b], words_of.radiometric, found.uncollided[b], found.collided[b],
-                      found.error[b], unit_of(words_of.kind, labels_)});
+                      found.error[b], unit_of(words_of.kind, labels_, angle_)});
   }
 
   void add(const std::string& sensor, const Measurement& found, std::vector<SensorTableRow>& rows) const {
@@ -144,6 +145,7 @@ class RowMaker {
   const Bands& bands_;
   const Units& units_;
   UnitLabels labels_;
+  std::string angle_;
   Photometry photometry_;
   std::optional<SiScale> scale_;
 };

@@ -2,13 +2,10 @@
 #include "solver/picture/collided_source.h"
 
 #include <algorithm>
-#include <numbers>
 #include <numeric>
 
 namespace etendue {
 namespace {
-
-using std::numbers::pi;
 
 int highest_degree(const std::vector<ScatteringTreatment>& plan) {
   int degree = 0;
@@ -48,7 +45,7 @@ CollidedSource::CollidedSource(const LightSetup& lights, const DirectionSet& dir
         if (degree > how.degree) continue;
         factors_[(region * count() + k) * bands_ + b] =
             (1 - how.forward) * reduced_moment(problem_.media()[region].phase[b], degree, how.forward) /
-            (4 * pi);
+            full_range(problem_.space());
       }
     }
   for (std::size_t c = 0; c < cells; ++c) {
@@ -144,10 +141,11 @@ void CollidedSource::at_vertices(CellIndex cell, const View& view, std::span<dou
           sum += factor(region, k, b) * view.harmonics[k] *
                  state_.moments[(((row - 1) * count() + k) * nodes_ + node) * bands_ + b];
         if (plan_[static_cast<std::size_t>(region) * bands_ + b].is_dense())
-          sum = phase < 0 ? state_.fluence[(cell.at() * nodes_ + node) * bands_ + b] / (4 * pi)
-                          : dense(static_cast<std::size_t>(dense_row_[cell.at()]), node, b,
-                                  &view.weights[static_cast<std::size_t>(phase) *
-                                                static_cast<std::size_t>(directions_.count())]);
+          sum = phase < 0
+                    ? state_.fluence[(cell.at() * nodes_ + node) * bands_ + b] / full_range(problem_.space())
+                    : dense(static_cast<std::size_t>(dense_row_[cell.at()]), node, b,
+                            &view.weights[static_cast<std::size_t>(phase) *
+                                          static_cast<std::size_t>(directions_.count())]);
         value += scattering * sum;
       }
       values[i * bands_ + b] = value;

@@ -9,11 +9,11 @@
 namespace etendue {
 
 ContinuousHarmonics::ContinuousHarmonics(const DirectionSet& set, int degree)
-    : degree_(degree), discrete_(set, degree) {
-  Eigen::MatrixXd raw(set.count(), harmonic_count(degree)), wanted(set.count(), discrete_.count());
+    : space_(set.space()), degree_(degree), discrete_(set, degree) {
+  Eigen::MatrixXd raw(set.count(), harmonic_count(space_, degree)), wanted(set.count(), discrete_.count());
   std::vector<double> row(static_cast<std::size_t>(raw.cols()));
   for (int m = 0; m < set.count(); ++m) {
-    spherical_harmonics(set.direction(OrdinateIndex(m)), degree, row);
+    harmonics(space_, set.direction(OrdinateIndex(m)), degree, row);
     raw.row(m) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), raw.cols());
     for (int k = 0; k < discrete_.count(); ++k) wanted(m, k) = discrete_.value(k, OrdinateIndex(m));
   }
@@ -22,7 +22,7 @@ ContinuousHarmonics::ContinuousHarmonics(const DirectionSet& set, int degree)
 
 void ContinuousHarmonics::at(const Vec3& direction, std::span<double> values) const {
   std::vector<double> raw(static_cast<std::size_t>(combination_.cols()));
-  spherical_harmonics(direction, degree_, raw);
+  harmonics(space_, direction, degree_, raw);
   Eigen::Map<Eigen::VectorXd>(values.data(), combination_.rows()).noalias() =
       combination_ * Eigen::Map<const Eigen::VectorXd>(raw.data(), combination_.cols());
 }

@@ -11,8 +11,8 @@
 namespace etendue {
 
 /// The harmonics of a direction set (DiscreteHarmonics) between its ordinates: those combinations of
-/// spherical harmonics up to the same degree that have their values on the ordinates; of several the
-/// smallest.
+/// spherical harmonics, in the plane of circular ones, up to the same degree that have their values on the
+/// ordinates; of several the smallest.
 class ContinuousHarmonics {
  public:
   ContinuousHarmonics(const DirectionSet& set, int degree);
@@ -23,6 +23,7 @@ class ContinuousHarmonics {
   void at(const Vec3& direction, std::span<double> values) const;
 
  private:
+  AngularSpace space_;
   int degree_;
   DiscreteHarmonics discrete_;
   Eigen::MatrixXd combination_;  ///< [k, raw harmonic]

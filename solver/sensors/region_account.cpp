@@ -6,18 +6,21 @@
 #include <span>
 
 #include "solver/picture/collided_source.h"
-#include "solver/sensors/region_surface.h"
 
 namespace etendue {
 namespace {
 
+/// What feeds light: all that there is, or the input of its sweep alone.
+enum class FedBy { everything, input };
+
 /// The radiance that one ordinate brings, at the faces of the mesh.
 class Radiance {
  public:
-  Radiance(const Problem& problem, const DirectionSet& directions, const Solution& solution)
+  Radiance(const Problem& problem, const DirectionSet& directions, const Solution& solution, FedBy fed)
       : problem_(problem),
         directions_(directions),
         solution_(solution),
+        fed_(fed),
         bands_(solution.fluence.size() / 4 / static_cast<std::size_t>(problem.mesh().cell_count())) {}
 
   std::size_t bands() const { return bands_; }
@@ -39,12 +42,14 @@ class Radiance {
   /// an angular input adds [3][band].
   double from_wall(OrdinateIndex n, FaceIndex face, std::size_t band, std::span<const double> added) const {
     const Wall& wall = problem_.wall(problem_.mesh().wall(face));
-    double irradiance = 0, sent = wall.radiance[band];
+    double irradiance = 0, sent = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       irradiance += solution_.irradiance[(face.at() * 3 + i) * bands_ + band] / 3;
       sent += added[i * bands_ + band] / 3;
     }
-    if (wall.diffuse[band] > 0) sent += wall.diffuse[band] * irradiance / solution_.half_range[face.at()];
+    if (fed_ == FedBy::everything) sent += wall.radiance[band];
+    if (fed_ == FedBy::everything && wall.diffuse[band] > 0)
+      sent += wall.diffuse[band] * irradiance / solution_.half_range[face.at()];
     if (wall.specular[band] > 0)
       sent += wall.specular[band] *
               on_face(OrdinateIndex(directions_.mirrored(n, problem_.mesh().area_normal(face).normalized())),
@@ -59,6 +64,7 @@ class Radiance {
   const Problem& problem_;
   const DirectionSet& directions_;
   const Solution& solution_;
+  FedBy fed_;
   std::size_t bands_;
 };
 
@@ -72,6 +78,7 @@ struct Ordinate {
 void add_flow(const Radiance& radiance, const SurfaceFace& part, const Ordinate& n, const AngularInput* input,
               RegionAccount& account) {
   const double across = part.area.dot(n.travel);
+  if (across == 0) return;
   std::vector<double> added(3 * radiance.bands(), 0);
   if (across < 0 && !part.outside && input != nullptr) input->add_inflow(n.number, part.face, added);
   for (std::size_t b = 0; b < radiance.bands(); ++b) {
@@ -89,23 +96,73 @@ double mean_of(std::span<const double> values, std::size_t band, std::size_t ban
   return (values[band] + values[bands + band] + values[2 * bands + band] + values[3 * bands + band]) / 4;
 }
 
-/// A cell's part: `source` and `added` [4][band] are those of CollidedSource and of an angular input.
-void add_cell(const Problem& problem, const Radiance& radiance, const CollidedSource& sources,
-              const CollidedSource::View& view, CellIndex cell, const Ordinate& n,
-              std::span<const double> source, std::span<const double> added, RegionAccount& account) {
-  const double phase_volume = n.weight * problem.mesh().volume(cell);
-  for (std::size_t b = 0; b < radiance.bands(); ++b) {
-    const double path = phase_volume * radiance.mean(n.number, cell, b);
-    const double absorption = problem.absorption(cell, static_cast<int>(b));
-    const double emitted = phase_volume * problem.emission(cell, static_cast<int>(b));
-    account.path[b] += path;
-    account.absorbed[b] += absorption * path;
-    account.scattered_out[b] += (sources.extinction(cell, b, view) - absorption) * path;
-    account.emitted[b] += emitted;
-    account.scattered_in[b] +=
-        phase_volume * (mean_of(source, b, radiance.bands()) + mean_of(added, b, radiance.bands())) - emitted;
+/// The account of one solution and its ordinates.
+class Bookkeeping {
+ public:
+  /// `sources` tells extinction, and what is scattered where everything feeds the light.
+  Bookkeeping(const Problem& problem, const CollidedSource& sources, const SweptLight& swept,
+              const AccountScope& scope, FedBy fed)
+      : problem_(problem),
+        sources_(sources),
+        swept_(swept),
+        scope_(scope),
+        fed_(fed),
+        radiance_(problem, swept.directions, swept.solution, fed),
+        source_(4 * radiance_.bands()),
+        added_(4 * radiance_.bands()) {
+    for (std::int32_t c = 0; c < problem.mesh().cell_count(); ++c)
+      if (problem.mesh().region(CellIndex(c)) == scope.region) cells_.emplace_back(c);
   }
-}
+
+  RegionAccount account() {
+    RegionAccount account(radiance_.bands());
+    for (int m = 0; m < swept_.directions.count(); ++m) {
+      const OrdinateIndex number(m);
+      const Ordinate n{number, swept_.directions.direction(number), swept_.directions.weight(number)};
+      if (scope_.cone && !scope_.cone->holds(n.travel)) continue;
+      account.solid_angle += n.weight;
+      for (const SurfaceFace& part : scope_.surface) add_flow(radiance_, part, n, swept_.input, account);
+      const CollidedSource::View view = sources_.view(n.travel);
+      for (const CellIndex cell : cells_) add_cell(cell, n, view, account);
+    }
+    return account;
+  }
+
+ private:
+  /// Writes what is scattered in and emitted at the vertices, [4][band].
+  void find_sources(CellIndex cell, const Ordinate& n, const CollidedSource::View& view) {
+    std::fill(source_.begin(), source_.end(), 0.0);
+    std::fill(added_.begin(), added_.end(), 0.0);
+    if (fed_ == FedBy::everything) sources_.at_vertices(cell, view, source_);
+    if (swept_.input != nullptr) swept_.input->add_source(n.number, cell, added_);
+  }
+  void add_cell(CellIndex cell, const Ordinate& n, const CollidedSource::View& view, RegionAccount& account) {
+    find_sources(cell, n, view);
+    const double phase_volume = n.weight * problem_.mesh().volume(cell);
+    for (std::size_t b = 0; b < radiance_.bands(); ++b) {
+      const double path = phase_volume * radiance_.mean(n.number, cell, b);
+      const double absorption = problem_.absorption(cell, static_cast<int>(b));
+      const double emitted =
+          fed_ == FedBy::everything ? phase_volume * problem_.emission(cell, static_cast<int>(b)) : 0;
+      account.path[b] += path;
+      account.absorbed[b] += absorption * path;
+      account.scattered_out[b] += (sources_.extinction(cell, b, view) - absorption) * path;
+      account.emitted[b] += emitted;
+      account.scattered_in[b] +=
+          phase_volume * (mean_of(source_, b, radiance_.bands()) + mean_of(added_, b, radiance_.bands())) -
+          emitted;
+    }
+  }
+
+  const Problem& problem_;
+  const CollidedSource& sources_;
+  const SweptLight& swept_;
+  const AccountScope& scope_;
+  FedBy fed_;
+  Radiance radiance_;
+  std::vector<CellIndex> cells_;
+  std::vector<double> source_, added_;  ///< [4][band] of CollidedSource, and of the input
+};
 
 }  // namespace
 
@@ -139,33 +196,19 @@ void RegionAccount::add(const RegionAccount& other, double factor) {
     for (std::size_t b = 0; b < path.size(); ++b) (this->*part)[b] += factor * (other.*part)[b];
 }
 
-RegionAccount region_account(const LightSetup& lights, const DirectionSet& directions,
-                             const SolveOptions& options, const Solution& solution, const AngularInput* input,
-                             int region, const std::optional<Cone>& cone) {
+AccountScope region_scope(const TetrahedralMesh& mesh, int region, const std::optional<Cone>& cone) {
+  return {region, surface_of(mesh, region), cone};
+}
+
+RegionAccount region_account(const LightSetup& lights, const SolveOptions& options, const SweptLight& swept,
+                             const AccountScope& scope) {
   const Problem problem = lights.remaining();
-  const TetrahedralMesh& mesh = problem.mesh();
-  const Radiance radiance(problem, directions, solution);
-  const CollidedSource sources(lights, directions, options, solution.state);
-  const std::size_t bands = radiance.bands();
-  RegionAccount account(bands);
-  const std::vector<SurfaceFace> surface = surface_of(mesh, region);
-  std::vector<double> source(4 * bands), added(4 * bands);
-  for (int m = 0; m < directions.count(); ++m) {
-    const Ordinate n{OrdinateIndex(m), directions.direction(OrdinateIndex(m)),
-                     directions.weight(OrdinateIndex(m))};
-    if (cone && !cone->holds(n.travel)) continue;
-    account.solid_angle += n.weight;
-    for (const SurfaceFace& part : surface) add_flow(radiance, part, n, input, account);
-    const CollidedSource::View view = sources.view(n.travel);
-    for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-      const CellIndex cell(c);
-      if (mesh.region(cell) != region) continue;
-      sources.at_vertices(cell, view, source);
-      std::fill(added.begin(), added.end(), 0.0);
-      if (input != nullptr) input->add_source(n.number, cell, added);
-      add_cell(problem, radiance, sources, view, cell, n, source, added, account);
-    }
-  }
+  const CollidedSource sources(lights, swept.directions, options, swept.solution.state);
+  RegionAccount account = Bookkeeping(problem, sources, swept, scope, FedBy::everything).account();
+  if (swept.once == nullptr) return account;
+  const double solid_angle = account.solid_angle;
+  account.add(Bookkeeping(problem, sources, *swept.once, scope, FedBy::input).account(), 1);
+  account.solid_angle = solid_angle;
   return account;
 }
 

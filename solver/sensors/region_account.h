@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "solver/lights/light_setup.h"
-#include "solver/ordinates/angular_input.h"
 #include "solver/ordinates/solve.h"
+#include "solver/ordinates/swept_light.h"
 #include "solver/sensors/cone_cubature.h"
+#include "solver/sensors/region_surface.h"
 
 namespace etendue {
 
@@ -36,14 +37,23 @@ struct RegionAccount {
   void add(const RegionAccount& other, double factor);
 };
 
+/// What an account is of.
+struct AccountScope {
+  int region = -1;                   ///< whose cells count; -1: none, and what flows is all there is
+  std::vector<SurfaceFace> surface;  ///< through which it flows; of a region all of it, that it may close
+  std::optional<Cone> cone;          ///< directions of travel that count; without it all
+};
+
+/// A region and all of its surface.
+AccountScope region_scope(const TetrahedralMesh& mesh, int region, const std::optional<Cone>& cone);
+
 /// Of the light that directions carried, from the radiance of all ordinates, which the solution must have
-/// kept (SolveOptions::keep_ordinates), and its state: what SetReader is given. Through the faces
+/// kept (SolveOptions::keep_ordinates), and its state. Through the faces
 /// of the mesh flows what its upwind cell has there, as in the sweep, so that the account closes as far as
 /// the iteration has converged. Light of lights that scatters for the first time, or is reflected diffusely,
-/// comes with `input`: it is scattered in, or flows in. `cone` holds directions of travel; without it all
-/// count.
-RegionAccount region_account(const LightSetup& lights, const DirectionSet& directions,
-                             const SolveOptions& options, const Solution& solution, const AngularInput* input,
-                             int region, const std::optional<Cone>& cone);
+/// comes with the input: it is scattered in, or flows in. Light that has collided once on a set of its own is
+/// added; the solid angle is that of the rest.
+RegionAccount region_account(const LightSetup& lights, const SolveOptions& options, const SweptLight& swept,
+                             const AccountScope& scope);
 
 }  // namespace etendue

@@ -16,7 +16,16 @@ struct SurfaceFace {
   Vec3 area;                         ///< out of the region [length^2]
 };
 
-/// All faces between a region and what is not it.
-std::vector<SurfaceFace> surface_of(const TetrahedralMesh& mesh, int region);
+/// What lies beyond a part of a region's surface: a region or a wall; with neither, whatever there is.
+struct Beyond {
+  int region = -1;
+  int wall = -1;
+};
+
+/// The faces between a region and what is not it, or that part of them.
+std::vector<SurfaceFace> surface_of(const TetrahedralMesh& mesh, int region, const Beyond& beyond = {});
+
+/// The inner side of a whole wall.
+std::vector<SurfaceFace> wall_surface(const TetrahedralMesh& mesh, int wall);
 
 }  // namespace etendue

@@ -9,7 +9,6 @@
 #include "solver/lights/point_source.h"
 #include "solver/parallel/parallel_for.h"
 #include "solver/problem/cell_rule.h"
-#include "solver/sensors/region_surface.h"
 #include "solver/sensors/simplex_cubature.h"
 
 namespace etendue {
@@ -224,22 +223,21 @@ class Emission {
 
 }  // namespace
 
-RegionAccount uncollided_account(const LightSetup& lights, const Solution& solution, int region,
-                                 const std::optional<Cone>& cone, int threads) {
+RegionAccount uncollided_account(const LightSetup& lights, const Solution& solution,
+                                 const AccountScope& scope, int threads) {
   const TetrahedralMesh& mesh = lights.problem().mesh();
   RegionAccount account(lights.paths().bands());
   if (lights.empty()) return account;
-  Emission(lights, region, cone).add_to(account);
+  if (scope.region >= 0) Emission(lights, scope.region, scope.cone).add_to(account);
   std::vector<CellIndex> cells;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
-    if (mesh.region(CellIndex(c)) == region) cells.emplace_back(c);
-  const std::vector<SurfaceFace> surface = surface_of(mesh, region);
-  std::vector<RegionAccount> parts(cells.size() + surface.size(), RegionAccount(account.path.size()));
+    if (mesh.region(CellIndex(c)) == scope.region) cells.emplace_back(c);
+  std::vector<RegionAccount> parts(cells.size() + scope.surface.size(), RegionAccount(account.path.size()));
   parallel_for(parts.size(), threads, 16, [&](std::size_t i) {
     if (i < cells.size())
-      add_cell(lights, solution, cells[i], cone, parts[i]);
+      add_cell(lights, solution, cells[i], scope.cone, parts[i]);
     else
-      add_face(lights, surface[i - cells.size()], cone, parts[i]);
+      add_face(lights, scope.surface[i - cells.size()], scope.cone, parts[i]);
     return true;
   });
   for (const RegionAccount& part : parts) account.add(part, 1);

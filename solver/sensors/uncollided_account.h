@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <optional>
-
 #include "solver/lights/light_setup.h"
 #include "solver/ordinates/solution.h"
 #include "solver/sensors/region_account.h"
@@ -15,7 +13,7 @@ namespace etendue {
 /// faces it flows as the beams say. Both are sums over points, more of them where the cone's edge goes
 /// through (integrate_over_simplex). So it closes as far as these sums are good, which is what its residual
 /// tells. A light inside of the domain is counted in the region of its middle.
-RegionAccount uncollided_account(const LightSetup& lights, const Solution& solution, int region,
-                                 const std::optional<Cone>& cone, int threads);
+RegionAccount uncollided_account(const LightSetup& lights, const Solution& solution,
+                                 const AccountScope& scope, int threads);
 
 }  // namespace etendue

@@ -85,6 +85,10 @@ SavedState traces_of(const SavedState& state) {
   return traces;
 }
 
+bool keeps_all(const SolveOptions& options, const DirectionSet& directions) {
+  return options.keep_ordinates.size() == static_cast<std::size_t>(directions.count());
+}
+
 /// The largest change of the fluence relative to its size, both as sums over all nodes.
 double change(const std::vector<double>& before, const std::vector<double>& after) {
   double moved = 0, size = 0;
@@ -99,35 +103,35 @@ double change(const std::vector<double>& before, const std::vector<double>& afte
 
 OnceCollided::OnceCollided(const LightSetup& lights, const UncollidedField& field, const Problem& remaining,
                            const DirectionSet& finer, const DirectionSet& directions,
-                           const SolveOptions& options, int threads) {
+                           const SolveOptions& options, int threads)
+    : finer_(finer) {
   const Plan plan = plan_scattering(remaining, directions);
   require_moments(remaining, plan);
   const Problem dark = dark_problem(remaining, plan);
   require_same_moments(plan, plan_scattering(dark, finer), directions, finer);
   const auto start = std::chrono::steady_clock::now();
-  const FirstCollision input(lights, field, finer, threads);
+  input_.emplace(lights, field, finer, threads);
   seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  for (std::int32_t c = 0; c < dark.mesh().cell_count(); ++c)
-    by_direction_.push_back(input.depends_on_direction(CellIndex(c)) ? 1 : 0);
   SolveOptions once = options;
-  once.angular_input = &input;
-  sweep(dark, finer, once);
+  once.angular_input = &*input_;
+  once.keep_ordinates.clear();
+  for (int m = 0; m < finer.count() && keeps_all(options, directions); ++m) once.keep_ordinates.push_back(m);
+  sweep(dark, once);
 }
 
 // Where mirrors or lagged faces hand light to the next sweep, as many as that takes: nothing else is.
-void OnceCollided::sweep(const Problem& problem, const DirectionSet& finer, const SolveOptions& options) {
+void OnceCollided::sweep(const Problem& problem, const SolveOptions& options) {
   SolveOptions once = options;
   once.method = Method::source_iteration;
   once.acceleration = Acceleration::none;
   once.max_sweeps = 1;
-  once.keep_ordinates.clear();
   once.initial = nullptr;
   SavedState traces;
   std::vector<double> before;
   SolveSeconds seconds;
   do {
     before = std::move(once_.fluence);
-    once_ = solve(problem, finer, once);
+    once_ = solve(problem, finer_, once);
     seconds.orders += once_.seconds.orders;
     seconds.sweep += once_.seconds.sweep;
     ++sweeps_;
@@ -150,10 +154,13 @@ void OnceCollided::add_to(Solution& rest) const {
                                 sweeps_ == 1 ? "sweep" : "sweeps", once_.directions));
 }
 
-std::size_t OnceCollided::memory(const Problem& problem) {
-  const auto cells = static_cast<std::size_t>(problem.mesh().cell_count());
-  // Fluence and net flux, and the fluence of the state.
-  return sizeof(double) * cells * 4 * 5 * static_cast<std::size_t>(problem.band_count());
+std::size_t OnceCollided::memory(const Problem& problem, const DirectionSet& directions,
+                                 const DirectionSet& finer, const SolveOptions& options) {
+  const auto values = static_cast<std::size_t>(problem.mesh().cell_count()) * 4 *
+                      static_cast<std::size_t>(problem.band_count());
+  // Fluence and net flux, and the fluence of the state; and radiance.
+  const std::size_t fields = 5 + (keeps_all(options, directions) ? 2 * finer.directions().size() : 0);
+  return sizeof(double) * values * fields;
 }
 
 }  // namespace etendue

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <vector>
+#include <optional>
 
 #include "solver/ordinates/solve.h"
+#include "solver/ordinates/swept_light.h"
 #include "solver/split/first_collision.h"
 
 namespace etendue {
@@ -20,26 +21,31 @@ namespace etendue {
 /// so by collisions). Both equations conserve, so their sum does.
 class OnceCollided : public AngularInput {
  public:
-  /// `remaining` is LightSetup::remaining(), `directions` the set of the rest. Throws InputError where that
-  /// scatters by a matrix or the finer set has other moments.
+  /// `remaining` is LightSetup::remaining(), `directions` the set of the rest. `field` and `finer` must
+  /// outlive it. Where the options keep the radiance of all ordinates, so does it. Throws InputError where
+  /// that scatters by a matrix or the finer set has other moments.
   OnceCollided(const LightSetup& lights, const UncollidedField& field, const Problem& remaining,
                const DirectionSet& finer, const DirectionSet& directions, const SolveOptions& options,
                int threads);
 
-  bool depends_on_direction(CellIndex cell) const override { return by_direction_[cell.at()] != 0; }
+  bool depends_on_direction(CellIndex cell) const override { return input_->depends_on_direction(cell); }
   void add_source(OrdinateIndex, CellIndex, std::span<double>) const override {}
   void add_inflow(OrdinateIndex, FaceIndex, std::span<double>) const override {}
   const SavedState* found_elsewhere() const override { return &once_.state; }
 
+  /// As it was swept, to be read beside the rest.
+  SweptLight swept() const { return {finer_, once_, &*input_}; }
   /// Adds to the solution of the rest what its state does not hold.
   void add_to(Solution& rest) const;
-  /// Upper estimate of the bytes that are kept beside the solution of the rest.
-  static std::size_t memory(const Problem& problem);
+  /// Upper estimate of the bytes that are kept beside the solution of the rest and FirstCollision.
+  static std::size_t memory(const Problem& problem, const DirectionSet& directions, const DirectionSet& finer,
+                            const SolveOptions& options);
 
  private:
-  void sweep(const Problem& problem, const DirectionSet& finer, const SolveOptions& options);
+  void sweep(const Problem& problem, const SolveOptions& options);
 
-  std::vector<char> by_direction_;  ///< [cell]
+  const DirectionSet& finer_;
+  std::optional<FirstCollision> input_;  ///< empty while the options are checked
   Solution once_;
   int sweeps_ = 0;
   double seconds_ = 0;  ///< of the first collisions

@@ -161,6 +161,10 @@ Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const Direc
     const OnceCollided once(lights_, field_, remaining, *first_collided, directions, options, threads_);
     with_input.angular_input = &once;
     Solution solution = solve(remaining, directions, with_input, observer);
+    if (reader) {
+      const SweptLight finer = once.swept();
+      reader({directions, solution, &once, &finer});
+    }
     once.add_to(solution);
     return solution;
   }
@@ -170,7 +174,7 @@ Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const Direc
   with_input.angular_input = &input;
   Solution solution = solve(remaining, directions, with_input, observer);
   solution.seconds.lights = seconds;
-  if (reader) reader(directions, solution, &input);
+  if (reader) reader({directions, solution, &input});
   return solution;
 }
 
@@ -179,7 +183,7 @@ Solution UncollidedLight::solve_rest(const DirectionSet& directions, const Direc
                                      const SetReader& reader) const {
   if (lights_.empty()) {
     Solution whole = solve(lights_.problem(), directions, options, observer);
-    if (reader) reader(directions, whole, options.angular_input);
+    if (reader) reader({directions, whole, options.angular_input});
     return whole;
   }
   Solution solution = sweep_rest(directions, first_collided, options, observer, reader);
@@ -225,7 +229,7 @@ std::size_t estimate_split_memory(const LightSetup& lights, const DirectionSet& 
   once.method = Method::source_iteration;
   once.acceleration = Acceleration::none;
   const std::size_t field = FirstCollision::memory(lights, *first_collided);
-  return std::max(rest + OnceCollided::memory(lights.problem()),
+  return std::max(rest + OnceCollided::memory(lights.problem(), directions, *first_collided, options),
                   estimate_memory(lights.problem(), *first_collided, once)) +
          field;
 }

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <functional>
-
 #include "solver/lights/light_setup.h"
 #include "solver/ordinates/solve.h"
+#include "solver/ordinates/swept_light.h"
 
 namespace etendue {
-
-/// Looks at what solve() found on each set of directions that a run sweeps, before light that was found along
-/// rays is added and means over rotated sets are taken. The last argument is the angular input of that sweep,
-/// null without one.
-using SetReader = std::function<void(const DirectionSet&, const Solution&, const AngularInput*)>;
 
 /// The light of a problem that has not collided yet, by rays: found once, whatever directions the rest is
 /// solved on.
@@ -21,8 +15,9 @@ class UncollidedLight {
   UncollidedLight(const LightSetup& lights, const SolveOptions& options);
 
   /// The rest by discrete ordinates, with the first collisions as a source, and both together. Light that
-  /// collides once is swept on the directions `first_collided` where that is not null. Without lights this is
-  /// solve(). The options must not have an angular input of their own.
+  /// collides once is swept on the directions `first_collided` where that is not null; its radiance is kept
+  /// for the reader where the options keep that of all ordinates. Without lights this is solve(). The options
+  /// must not have an angular input of their own.
   Solution solve_rest(const DirectionSet& directions, const DirectionSet* first_collided,
                       const SolveOptions& options, const SolveObserver& observer,
                       const SetReader& reader = {}) const;

@@ -39,6 +39,9 @@ TEST(ReadSensor, TakesEachKind) {
   EXPECT_EQ(flux.polygon.size(), 3U);
   EXPECT_EQ(flux.count[0], 3);
   EXPECT_EQ(flux.half_angle, 0);
+  const SensorCase surface = read("kind = \"flux\"\nregion = \"air\"\nbeyond = \"xmin\"\n");
+  EXPECT_EQ(surface.region, "air");
+  EXPECT_EQ(surface.beyond, "xmin");
   const SensorCase intensity = read("kind = \"intensity\"\nwall = \"xmin\"\n");
   EXPECT_EQ(intensity.wall, "xmin");
   EXPECT_EQ(intensity.sensor.count, (std::array<int, 2>{24, 19}));
@@ -60,8 +63,9 @@ TEST(ReadSensor, NamesWhatIsMissing) {
   EXPECT_EQ(faults_of(sensor),
             "slab.toml:7: sensor[0].position: missing; use a point of the domain\n"
             "slab.toml:7: sensor[0].normal: missing; use a vector to the side where light is measured");
-  EXPECT_EQ(faults_of(sensor + "kind = \"flux\"\n"),
-            "slab.toml:7: sensor[0].polygon: missing; use a list of corners, or the name of a wall");
+  EXPECT_EQ(
+      faults_of(sensor + "kind = \"flux\"\n"),
+      "slab.toml:7: sensor[0].polygon: missing; use a list of corners, or the name of a wall or region");
   EXPECT_EQ(faults_of(sensor + "kind = \"cone\"\nposition = [0, 0, 0]\ndirection = [1, 0, 0]\n"),
             "slab.toml:7: sensor[0].angle: missing; use the half angle of the cone in degrees");
 }
@@ -71,6 +75,21 @@ TEST(ReadSensor, RefusesWhatItsKindDoesNotTake) {
       faults_of(sensor + "kind = \"fluence\"\nposition = [0, 0, 0]\nnormal = [1, 0, 0]\n"),
       "slab.toml:11: sensor[0].normal = [1, 0, 0]: unused (a sensor of kind \"fluence\" does not take it); "
       "remove it");
+}
+
+TEST(ReadSensor, AFluxGoesThroughOneThing) {
+  EXPECT_EQ(
+      faults_of(sensor + "kind = \"flux\"\nwall = \"xmin\"\nregion = \"air\"\n"),
+      "slab.toml:11: sensor[0].region = \"air\": beside another (a flux goes through one thing); use one "
+      "of polygon, wall and region");
+  EXPECT_EQ(
+      faults_of(sensor + "kind = \"flux\"\nwall = \"xmin\"\nbeyond = \"air\"\n"),
+      "slab.toml:11: sensor[0].beyond = \"air\": unused (only the surface of a region has another side); "
+      "remove it");
+  EXPECT_EQ(
+      faults_of(sensor + "kind = \"flux\"\nregion = \"air\"\nparts = [2]\n"),
+      "slab.toml:11: sensor[0].parts = [2]: unused (through the surface of a region the faces of the mesh "
+      "are summed up); remove it");
 }
 
 TEST(ReadSensor, RefusesPolygonsThatHaveNoInside) {

@@ -9,7 +9,8 @@ namespace etendue {
 namespace {
 
 TEST(ContinuousHarmonics, HaveTheValuesOfTheSetOnItsOrdinates) {
-  for (const DirectionSet& set : {directions_ldfe_sq(1), directions_product(4), directions_triangular(6)}) {
+  for (const DirectionSet& set :
+       {directions_ldfe_sq(1), directions_product(4), directions_triangular(6), directions_flatland(16)}) {
     const ContinuousHarmonics harmonics(set, 5);
     std::vector<double> values(static_cast<std::size_t>(harmonics.count()));
     for (int m = 0; m < set.count(); ++m) {

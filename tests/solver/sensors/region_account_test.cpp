@@ -29,7 +29,8 @@ struct Solved {
     solution = solve(problem, directions, options);
   }
   RegionAccount account(int region, const std::optional<Cone>& cone = {}) const {
-    return region_account(lights, directions, options, solution, nullptr, region, cone);
+    return region_account(lights, options, {directions, solution},
+                          region_scope(problem.mesh(), region, cone));
   }
 
   const Problem& problem;
@@ -109,7 +110,7 @@ struct LitAccounts {
   std::vector<RegionAccount> uncollided;
 };
 
-LitAccounts lit_accounts(const LightSetup& lights, int region) {
+LitAccounts lit_accounts(const LightSetup& lights, int region, const DirectionSet* first_collided) {
   const DirectionSet directions = directions_product(6);
   const std::array<std::optional<Cone>, 2> cones = {std::nullopt,
                                                     Cone{Vec3(0.3, -0.2, -0.9).normalized(), 1.0}};
@@ -117,13 +118,14 @@ LitAccounts lit_accounts(const LightSetup& lights, int region) {
   options.keep_ordinates.resize(static_cast<std::size_t>(directions.count()));
   std::iota(options.keep_ordinates.begin(), options.keep_ordinates.end(), 0);
   LitAccounts accounts;
-  const auto reader = [&](const DirectionSet& set, const Solution& found, const AngularInput* input) {
+  const TetrahedralMesh& mesh = lights.problem().mesh();
+  const auto reader = [&](const SweptLight& swept) {
     for (const auto& cone : cones)
-      accounts.collided.push_back(region_account(lights, set, options, found, input, region, cone));
+      accounts.collided.push_back(region_account(lights, options, swept, region_scope(mesh, region, cone)));
   };
-  const Solution solution = solve_split(lights, directions, options, {}, nullptr, reader);
+  const Solution solution = solve_split(lights, directions, options, {}, first_collided, reader);
   for (const auto& cone : cones)
-    accounts.uncollided.push_back(uncollided_account(lights, solution, region, cone, 1));
+    accounts.uncollided.push_back(uncollided_account(lights, solution, region_scope(mesh, region, cone), 1));
   return accounts;
 }
 
@@ -146,10 +148,11 @@ struct Miss {
 
 // Beside lights too: what directions carried closes as the iteration does, light on its way from the lights
 // as the sums over points do, and what it scatters is what the other takes over.
-void expect_closed(const Problem& problem, const std::vector<int>& regions, const Miss& allowed) {
+void expect_closed(const Problem& problem, const std::vector<int>& regions, const Miss& allowed,
+                   const DirectionSet* first_collided = nullptr) {
   const LightSetup lights(problem);
   for (const int region : regions) {
-    const LitAccounts accounts = lit_accounts(lights, region);
+    const LitAccounts accounts = lit_accounts(lights, region, first_collided);
     for (const std::size_t i : {0, 1}) {
       EXPECT_NEAR(accounts.collided[i].residual(0), 0, 1e-8);
       EXPECT_NEAR(accounts.uncollided[i].residual(0), 0, i == 0 ? allowed.all : allowed.cone);
@@ -179,6 +182,43 @@ TEST(RegionAccount, ClosesAroundABulb) {
                 {0, 1}, {1e-5, 4e-3});
 }
 
+// Light that collides once has a set of its own, whose account is added.
+TEST(RegionAccount, ClosesWhereLightCollidesOnceOnAnotherSet) {
+  const TetrahedralMesh mesh = two_region_mesh(0.02);
+  const auto zmax =
+      static_cast<int>(std::ranges::find(mesh.wall_names(), "zmax") - mesh.wall_names().begin());
+  const DirectionSet finer = directions_product(8);
+  expect_closed(lit_gas(mesh, {{"sun", BeamLight{-Vec3::UnitZ(), {2}, {zmax}}, {}}}, 0), {0, 1}, {1e-8, 1e-8},
+                &finer);
+}
+
+// What flows from the block into the gas flows into the gas from the block; and the parts of a surface are
+// all of it.
+TEST(RegionAccount, SurfacesHaveParts) {
+  const TetrahedralMesh mesh = two_region_mesh(0.02);
+  const Problem problem = block_in_gas(mesh, PhaseIsotropic{});
+  const Solved solved(problem, directions_product(4));
+  const int inner = region_of(mesh, "inner"), outer = 1 - inner;
+  const Cone cone{Vec3(0.3, -0.2, 0.9).normalized(), 1.0};
+  const auto through = [&](const std::vector<SurfaceFace>& surface) {
+    return region_account(solved.lights, solved.options, {solved.directions, solved.solution},
+                          {-1, surface, cone});
+  };
+  const RegionAccount from_block = through(surface_of(mesh, inner, {.region = outer}));
+  const RegionAccount from_gas = through(surface_of(mesh, outer, {.region = inner}));
+  EXPECT_GT(from_block.flowing_out[0], 0.1);
+  EXPECT_NEAR(from_block.flowing_out[0] / from_gas.flowing_in[0], 1, 1e-12);
+  EXPECT_NEAR(from_block.flowing_in[0] / from_gas.flowing_out[0], 1, 1e-12);
+  EXPECT_EQ(from_block.path[0], 0);
+  RegionAccount parts = from_gas;
+  for (int wall = 0; wall < static_cast<int>(mesh.wall_names().size()); ++wall)
+    parts.add(through(surface_of(mesh, outer, {.wall = wall})), 1);
+  const RegionAccount whole = solved.account(outer, cone);
+  EXPECT_NEAR(parts.flowing_out[0] / whole.flowing_out[0], 1, 1e-12);
+  EXPECT_NEAR(parts.flowing_in[0] / whole.flowing_in[0], 1, 1e-12);
+  EXPECT_EQ(surface_of(mesh, outer, {.wall = 0}).size(), wall_surface(mesh, 0).size());
+}
+
 // A wide lamp is many beams, and theirs is the error.
 TEST(RegionAccount, ClosesUnderALamp) {
   const TetrahedralMesh mesh = two_region_mesh(0.2);
@@ -198,8 +238,8 @@ TEST(RegionAccount, KnowsWhereLightOfLightsGoes) {
   const Solution solution = solve_split(lights, directions_product(2), tight_options());
   const int inner = region_of(mesh, "inner");
   const Cone up{Vec3::UnitZ(), 0.5}, down{-Vec3::UnitZ(), 0.5};
-  const RegionAccount rising = uncollided_account(lights, solution, inner, up, 1);
-  const RegionAccount falling = uncollided_account(lights, solution, inner, down, 1);
+  const RegionAccount rising = uncollided_account(lights, solution, region_scope(mesh, inner, up), 1);
+  const RegionAccount falling = uncollided_account(lights, solution, region_scope(mesh, inner, down), 1);
   EXPECT_NEAR(rising.emitted[0], 3 * up.solid_angle() / (4 * pi), 1e-8);
   EXPECT_NEAR(falling.emitted[0], rising.emitted[0], 1e-12);
   EXPECT_NEAR(falling.flowing_in[0] - rising.flowing_in[0], 2 * 0.25 * std::exp(-1.3 * 0.25), 1e-8);
