@@ -149,7 +149,9 @@ struct PhotonCase {
 
 /// Of solve.method = "radiosity".
 struct RadiosityCase {
-  double patch_size = 0;  ///< [length]; 0: the faces of the mesh
+  double patch_size = 0;      ///< [length]; 0: the faces of the mesh
+  double refine_change = 0;   ///< of the irradiance, of its mean; 0: patches stay
+  double smallest_patch = 0;  ///< [length]
   RadiosityMethod solution = RadiosityMethod::gathering;
   int rays = 16;   ///< between two patches
   int passes = 0;  ///< that are written

@@ -124,6 +124,12 @@ RadiosityMethod radiosity_method(const std::string& name) {
 void read_radiosity(Section radiosity, bool chosen, Case& result) {
   RadiosityCase read;
   read.patch_size = radiosity.number_if("patch_size").value_or(0);
+  read.refine_change = radiosity.number_if("refine_change").value_or(0);
+  read.smallest_patch = radiosity.number_if("smallest_patch").value_or(read.patch_size / 8);
+  if (read.refine_change > 0 && read.smallest_patch <= 0)
+    radiosity.fault("refine_change",
+                    "needs a size at which cutting ends; give smallest_patch, or patch_size, of which it is "
+                    "an eighth then");
   read.solution = radiosity_method(radiosity.text("solution"));
   read.rays = radiosity.integer("rays");
   read.passes = radiosity.integer("passes");

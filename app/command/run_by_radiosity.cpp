@@ -5,6 +5,7 @@
 
 #include "app/case/build.h"
 #include "app/command/begun_run.h"
+#include "app/command/factor_progress.h"
 #include "app/command/memory.h"
 #include "app/command/pictures.h"
 #include "app/command/probes.h"
@@ -26,14 +27,24 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   const DirectionSet directions = build_directions(run.input);
   check_sensors(run.input.sensors, locator, run.problem.mesh());
   const int threads = thread_count(run.input);
-  const RadiosityMemory memory =
-      estimate_radiosity_memory(run.problem, radiosity_options(run.input, threads));
-  out << fmt::format("radiosity; bands: {}; threads: {}\n", run.problem.band_count(), threads)
-      << radiosity_memory_text(memory)
-      << check_memory(memory.bytes, run.problem.mesh(), run.problem.band_count()) << std::flush;
+  out << fmt::format("radiosity; bands: {}; threads: {}\n", run.problem.band_count(), threads);
+  // Until there is light on the walls a signal ends the program at once.
+  const RadiosityOptions asked = radiosity_options(run.input, threads);
+  const Stopwatch watch;
+  FactorDisplay display(resolved_style(run.request.progress, out), out);
+  RadiosityRoom room(run.problem, asked, [&](const RadiosityStage& stage) {
+    display.show(stage, watch.total());
+    if (stage.done > 0) return;
+    const RadiosityMemory memory = radiosity_memory(run.problem, asked, stage.patches);
+    const std::string total = check_memory(memory.bytes, run.problem.mesh(), run.problem.band_count());
+    if (stage.round > 0) out << fmt::format("cut where the light changes, {}: ", stage.round);
+    out << radiosity_memory_text(memory) << (stage.round > 0 ? "" : total) << std::flush;
+  });
+  display.finish();
+  out << fmt::format("form factors in {:.3g} s\n", room.report().factor_seconds) << std::flush;
   run.interruption.note_the_first();
-  RadiosityRun found = run_radiosity({run.input, lights, directions, locator, threads}, out,
-                                     [&] { return run.interruption.noted(); });
+  RadiosityRun found =
+      run_radiosity({run.input, lights, directions, locator}, room, [&] { return run.interruption.noted(); });
   run.interruption.note_all();
   SolveOptions options = run.input.solve;
   options.threads = threads;
@@ -45,6 +56,8 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
                                                     options, found.solution, scene, locator});
   result.radiosity = std::move(found.report);
   result.passes = std::move(found.passes);
+  result.patches = std::move(found.patches);
+  result.pass_patches = std::move(found.pass_patches);
   const WrittenResults written = write_results(result);
   out << radiosity_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
       << sensors_text(result) << closing_text(result, written);

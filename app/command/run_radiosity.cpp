@@ -82,6 +82,7 @@ void check_for_radiosity(const Case& input, const Problem& problem) {
 RadiosityOptions radiosity_options(const Case& input, int threads) {
   RadiosityOptions options;
   options.patch_size = input.radiosity->patch_size;
+  options.refinement = {input.radiosity->refine_change, input.radiosity->smallest_patch};
   options.method = input.radiosity->solution;
   options.rays = input.radiosity->rays;
   options.limits = {input.solve.tolerance, input.solve.max_sweeps};
@@ -95,20 +96,20 @@ std::string radiosity_memory_text(const RadiosityMemory& memory) {
                      memory.kept ? "kept" : "made anew in each pass");
 }
 
-RadiosityRun run_radiosity(const RadiosityScene& scene, std::ostream& out,
+RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room,
                            const std::function<bool()>& interrupted) {
   const Case& input = scene.input;
   const Problem& problem = scene.lights.problem();
-  const RadiosityOptions options = radiosity_options(input, scene.threads);
-  out << "form factors" << std::flush;
-  RadiosityRoom room(problem, options);
-  out << fmt::format(" in {:.3g} s\n", room.report().factor_seconds) << std::flush;
+  const bool finer = are_finer_than_faces(room.patches());
   RadiosityRun run;
   run.solution = room.solve([&](const RadiosityState& state) {
-    if (run.passes.size() < static_cast<std::size_t>(input.radiosity->passes))
+    if (run.passes.size() < static_cast<std::size_t>(input.radiosity->passes)) {
       room.fields_on_walls(state.irradiance, run.passes.emplace_back());
+      if (finer) run.pass_patches.push_back(light_on_patches(problem, room.patches(), state.irradiance));
+    }
     return !interrupted();
   });
+  if (finer) run.patches = light_on_patches(problem, room.patches(), room.irradiance());
   run.solution.state = state_to_look_at(room, scene);
   run.report = room.report();
   run.probes = probes_of(input, problem, scene.locator, room.light(rays_to_a_patch));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <ostream>
+#include <optional>
 #include <vector>
 
 #include "app/case/case.h"
@@ -20,6 +20,9 @@ struct RadiosityRun {
   RadiosityReport report;
   std::vector<ProbeRow> probes;
   std::vector<Solution> passes;  ///< walls after the first passes, as the case asks
+  /// Light on patches where they are finer than faces: of the solution, and of these passes.
+  std::optional<PatchLight> patches;
+  std::vector<PatchLight> pass_patches;
 };
 
 /// Throws InputError where radiosity does not know what the case asks.
@@ -27,7 +30,7 @@ void check_for_radiosity(const Case& input, const Problem& problem);
 
 RadiosityOptions radiosity_options(const Case& input, int threads);
 
-/// What the matrix takes, as a line.
+/// What the form factors take, as a line.
 std::string radiosity_memory_text(const RadiosityMemory& memory);
 
 /// What a run by radiosity looks at.
@@ -36,11 +39,10 @@ struct RadiosityScene {
   const LightSetup& lights;  ///< followed along rays by pictures and sensors
   const DirectionSet& directions;
   const CellLocator& locator;
-  int threads;
 };
 
-/// Solves a case. Says on `out` what it does. The state of the solution is that of RadiosityRoom.
-RadiosityRun run_radiosity(const RadiosityScene& scene, std::ostream& out,
+/// Solves a case in a room that is made for it. The state of the solution is that of RadiosityRoom.
+RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room,
                            const std::function<bool()>& interrupted);
 
 }  // namespace etendue

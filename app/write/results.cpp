@@ -30,6 +30,7 @@ void add_passes(const RunResult& result, OutputFolder& folder) {
                          .balances = {},
                          .walls = {},
                          .regions = {},
+                         .patches = result.patches ? std::optional(result.pass_patches[i]) : std::nullopt,
                          .seconds = {}};
     write_walls(pass, folder.add(name), result.input.output.directory / name);
     series += fmt::format("{}\n    {{\"name\": \"{}\", \"time\": {}}}", i > 0 ? "," : "", name, i + 1);

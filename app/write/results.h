@@ -75,7 +75,10 @@ struct RunResult {
   std::vector<std::vector<RegionPower>> regions;  ///< [region][band]
   std::optional<RunErrors> errors = {};           ///< of a solution by photons
   std::optional<RadiosityReport> radiosity = {};
-  std::vector<Solution> passes = {};          ///< walls after the first passes of radiosity
+  std::vector<Solution> passes = {};  ///< walls after the first passes of radiosity
+  /// Light on patches that are finer than faces: of the solution, and of the passes.
+  std::optional<PatchLight> patches = {};
+  std::vector<PatchLight> pass_patches = {};
   std::optional<ExactComparison> exact = {};  ///< of a case that says what the answer is
   RunSeconds seconds;
   int threads = 1;

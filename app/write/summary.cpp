@@ -45,6 +45,7 @@ Json as_json(const RunErrors& errors) {
 Json as_json(const RadiosityReport& report) {
   const FactorChecks& checks = report.checks;
   return {{"patches", report.patches},
+          {"patches_by_round", report.rounds},
           {"smallest_patch", report.smallest_area},
           {"largest_patch", report.largest_area},
           {"convex", report.convex},

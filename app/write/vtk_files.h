@@ -13,7 +13,8 @@ namespace etendue {
 void write_fields(const RunResult& result, const std::filesystem::path& path,
                   const std::filesystem::path& shown);
 
-/// walls.vtp: every boundary triangle with three points of its own, 3 f + i, seen from outside.
+/// walls.vtp: every boundary triangle with three points of its own, 3 f + i, seen from outside; where there
+/// are patches that are finer than faces, the same of their triangles, with the patch of each.
 void write_walls(const RunResult& result, const std::filesystem::path& path,
                  const std::filesystem::path& shown);
 

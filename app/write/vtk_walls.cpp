@@ -18,19 +18,6 @@
 namespace etendue {
 namespace {
 
-vtkSmartPointer<vtkPoints> points_of_walls(const TetrahedralMesh& mesh) {
-  std::vector<double> coordinates;
-  coordinates.reserve(9 * static_cast<std::size_t>(mesh.boundary_face_count()));
-  for (int f = 0; f < mesh.boundary_face_count(); ++f)
-    for (const std::int32_t v : mesh.vertices(FaceIndex(f))) {
-      const Vec3& point = mesh.point(VertexIndex(v));
-      coordinates.insert(coordinates.end(), point.begin(), point.end());
-    }
-  vtkNew<vtkPoints> points;
-  points->SetData(vtk_array({"points", {}, {}}, 3, coordinates));
-  return points.Get();
-}
-
 /// Counterclockwise as seen from outside the domain.
 std::array<vtkIdType, 3> outward_order(const TetrahedralMesh& mesh, FaceIndex face) {
   const auto& v = mesh.vertices(face);
@@ -41,55 +28,104 @@ std::array<vtkIdType, 3> outward_order(const TetrahedralMesh& mesh, FaceIndex fa
   return {0, 2, 1};
 }
 
-vtkSmartPointer<vtkPolyData> separate_triangles(const TetrahedralMesh& mesh) {
-  vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(mesh.boundary_face_count(),
-                           3 * static_cast<vtkIdType>(mesh.boundary_face_count()));
-  for (int f = 0; f < mesh.boundary_face_count(); ++f) {
-    std::array<vtkIdType, 3> corners = outward_order(mesh, FaceIndex(f));
-    for (vtkIdType& corner : corners) corner += 3 * static_cast<vtkIdType>(f);
-    triangles->InsertNextCell(3, corners.data());
-  }
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(points_of_walls(mesh));
-  surface->SetPolys(triangles);
-  return surface.Get();
-}
-
 std::vector<double> differences(std::span<const double> a, std::span<const double> b) {
   std::vector<double> result(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] - b[i];
   return result;
 }
 
-std::vector<double> wall_areas(const TetrahedralMesh& mesh) {
-  std::vector<double> areas(static_cast<std::size_t>(mesh.boundary_face_count()));
-  for (std::size_t f = 0; f < areas.size(); ++f) areas[f] = mesh.face_area_normals()[f].norm();
-  return areas;
+/// Triangles that share no points. `corners` are the numbers of the three within each [triangle].
+vtkSmartPointer<vtkPolyData> separate_triangles(const std::vector<double>& coordinates,
+                                                const std::vector<std::array<vtkIdType, 3>>& corners) {
+  const auto count = static_cast<vtkIdType>(corners.size());
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(count, 3 * count);
+  for (vtkIdType t = 0; t < count; ++t) {
+    std::array<vtkIdType, 3> points = corners[static_cast<std::size_t>(t)];
+    for (vtkIdType& point : points) point += 3 * t;
+    triangles->InsertNextCell(3, points.data());
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(vtk_array({"points", {}, {}}, 3, coordinates));
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  return surface.Get();
+}
+
+/// Light on triangles with three values of their own each.
+struct TriangleLight {
+  vtkSmartPointer<vtkPolyData> surface;
+  std::vector<std::int32_t> walls;
+  std::vector<double> irradiance, exitance;  ///< [triangle][3][band]
+  std::vector<double> areas;
+};
+
+TriangleLight light_on_faces(const RunResult& result) {
+  const TetrahedralMesh& mesh = result.problem.mesh();
+  TriangleLight light;
+  std::vector<double> coordinates;
+  std::vector<std::array<vtkIdType, 3>> corners;
+  for (int f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    for (const std::int32_t v : mesh.vertices(face)) {
+      const Vec3& point = mesh.point(VertexIndex(v));
+      coordinates.insert(coordinates.end(), point.begin(), point.end());
+    }
+    corners.push_back(outward_order(mesh, face));
+    light.walls.push_back(mesh.wall(face));
+    light.areas.push_back(mesh.area(face));
+  }
+  light.surface = separate_triangles(coordinates, corners);
+  light.irradiance = result.solution.irradiance;
+  light.exitance = result.solution.exitance;
+  return light;
+}
+
+TriangleLight light_on_triangles(const PatchLight& patches) {
+  TriangleLight light;
+  std::vector<double> coordinates;
+  for (const TriangleCorners& triangle : patches.triangles) {
+    for (const Vec3& corner : triangle) coordinates.insert(coordinates.end(), corner.begin(), corner.end());
+    light.areas.push_back((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).norm() / 2);
+  }
+  const std::size_t count = patches.triangles.size(), bands = patches.irradiance.size() / count;
+  const auto at_corners = [&](const std::vector<double>& values) {
+    std::vector<double> repeated;
+    for (std::size_t t = 0; t < count; ++t)
+      for (int i = 0; i < 3; ++i)
+        for (std::size_t b = 0; b < bands; ++b) repeated.push_back(values[t * bands + b]);
+    return repeated;
+  };
+  light.surface = separate_triangles(coordinates, {count, {0, 2, 1}});
+  light.surface->GetCellData()->AddArray(vtk_array({"patch", {}, {}}, patches.patches));
+  light.walls = patches.walls;
+  light.irradiance = at_corners(patches.irradiance);
+  light.exitance = at_corners(patches.exitance);
+  return light;
 }
 
 vtkSmartPointer<vtkPolyData> fields_of_walls(const RunResult& result) {
   const TetrahedralMesh& mesh = result.problem.mesh();
-  const Solution& solution = result.solution;
   const Bands& bands = result.problem.bands();
   const std::string unit = UnitLabels(result.input.units).flux;
-  vtkSmartPointer<vtkPolyData> surface = separate_triangles(mesh);
-  surface->GetCellData()->AddArray(vtk_array({"wall", {}, {}}, mesh.face_walls()));
-  add_names(*surface->GetFieldData(), "wall_names", mesh.wall_names());
-  add_names(*surface->GetFieldData(), "band_names", bands.names);
+  const TriangleLight light = result.patches ? light_on_triangles(*result.patches) : light_on_faces(result);
+  light.surface->GetCellData()->AddArray(vtk_array({"wall", {}, {}}, light.walls));
+  add_names(*light.surface->GetFieldData(), "wall_names", mesh.wall_names());
+  add_names(*light.surface->GetFieldData(), "band_names", bands.names);
   const auto add = [&](const std::string& name, std::span<const double> values) {
-    surface->GetPointData()->AddArray(vtk_array({name, bands.names, unit}, bands.count(), values));
+    light.surface->GetPointData()->AddArray(vtk_array({name, bands.names, unit}, bands.count(), values));
   };
-  add("irradiance", solution.irradiance);
+  add("irradiance", light.irradiance);
   if (result.errors) add("irradiance_error", result.errors->irradiance);
-  add("exitance", solution.exitance);
-  add("net_flux", differences(solution.irradiance, solution.exitance));
+  add("exitance", light.exitance);
+  add("net_flux", differences(light.irradiance, light.exitance));
   if (are_display_primaries(bands)) {
-    const Exposure exposure = exposure_of(solution.exitance, wall_areas(mesh), 3);
-    surface->GetPointData()->AddArray(
-        vtk_colors(describe(exposure, unit), display_colors(solution.exitance, exposure)));
+    const Exposure exposure = exposure_of(light.exitance, light.areas, 3);
+    light.surface->GetPointData()->AddArray(
+        vtk_colors(describe(exposure, unit), display_colors(light.exitance, exposure)));
   }
-  return surface;
+  return light.surface;
 }
 
 }  // namespace

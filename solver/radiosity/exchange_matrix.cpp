@@ -11,18 +11,27 @@ namespace {
 
 // Passes after which closing gives up: it gains about a digit in each.
 constexpr int most_closing_passes = 100;
+// Parts of the rows after each of which progress is told.
+constexpr std::size_t progress_steps = 100;
 
 }  // namespace
 
 ExchangeMatrix::ExchangeMatrix(const std::vector<FlatPatch>& patches, int rays, int threads,
-                               std::size_t largest_kept)
+                               std::size_t largest_kept, const FactorProgress& progress)
     : patches_(patches), visibility_(patches, rays, threads), threads_(threads), scale_(patches.size(), 1) {
-  if (bytes_of(size()) > largest_kept) return;
-  const std::size_t n = size();
+  if (bytes_of(size()) <= largest_kept) fill(progress);
+}
+
+void ExchangeMatrix::fill(const FactorProgress& progress) {
+  const std::size_t n = size(), step = n / progress_steps + 1;
   values_.assign(n * n, 0);
+  for (std::size_t begin = 0; begin < n; begin += step) {
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads_)
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t k = j + 1; k < n; ++k) values_[k * n + j] = values_[j * n + k] = computed(j, k);
+    for (std::size_t j = begin; j < std::min(n, begin + step); ++j)
+      for (std::size_t k = j + 1; k < n; ++k) values_[k * n + j] = values_[j * n + k] = computed(j, k);
+    const double left = 1 - static_cast<double>(std::min(n, begin + step)) / static_cast<double>(n);
+    if (progress) progress(1 - left * left);
+  }
 }
 
 ExchangeMatrix::ExchangeMatrix(const std::vector<FlatPatch>& patches, std::vector<double> values)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -12,13 +13,16 @@ namespace etendue {
 /// Bytes up to which a matrix is kept; larger ones are made anew whenever they are applied.
 inline constexpr std::size_t largest_kept_matrix = std::size_t{4} << 30;
 
+/// Is told which part of form factors is made, 0 to 1.
+using FactorProgress = std::function<void(double)>;
+
 /// The exchange areas G_jk = A_j F_jk of patches [length^2]: symmetric, which is the reciprocity of form
 /// factors. Unoccluded pairs by contour integrals, others times the share that rays see.
 class ExchangeMatrix {
  public:
   /// The patches must outlive it.
   ExchangeMatrix(const std::vector<FlatPatch>& patches, int rays, int threads,
-                 std::size_t largest_kept = largest_kept_matrix);
+                 std::size_t largest_kept = largest_kept_matrix, const FactorProgress& progress = {});
   /// Of exchange areas that are known, [patch][patch].
   ExchangeMatrix(const std::vector<FlatPatch>& patches, std::vector<double> values);
 
@@ -45,6 +49,7 @@ class ExchangeMatrix {
   static std::size_t bytes_of(std::size_t patches) { return patches * patches * sizeof(double); }
 
  private:
+  void fill(const FactorProgress& progress);
   double computed(std::size_t j, std::size_t k) const;
   double scaled(std::size_t j, std::size_t k, double value) const { return scale_[j] * scale_[k] * value; }
 

@@ -13,6 +13,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 // Error of row sums after closing: far below that of the factors.
 constexpr double closed = 1e-12;
+// Of the change that patches are cut for, what may be on its way where it is looked at.
+constexpr double rough = 0.01;
 
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
@@ -24,11 +26,12 @@ constexpr double near_share = 0.585410196624968515, far_share = 0.13819660112501
 
 }  // namespace
 
-RadiosityMemory estimate_radiosity_memory(const Problem& problem, const RadiosityOptions& options) {
+RadiosityMemory radiosity_memory(const Problem& problem, const RadiosityOptions& options,
+                                 std::size_t patches) {
   RadiosityMemory memory;
   const TetrahedralMesh& mesh = problem.mesh();
   const auto bands = static_cast<std::size_t>(problem.band_count());
-  memory.patches = wall_patches(mesh, options.patch_size).patches.size();
+  memory.patches = patches;
   const std::size_t matrix = ExchangeMatrix::bytes_of(memory.patches);
   memory.kept = matrix <= options.largest_kept;
   memory.bytes = (memory.kept ? matrix : 0) + memory.patches * (4096 + 8 * bands * sizeof(double)) +
@@ -37,14 +40,22 @@ RadiosityMemory estimate_radiosity_memory(const Problem& problem, const Radiosit
   return memory;
 }
 
-RadiosityRoom::RadiosityRoom(const Problem& problem, const RadiosityOptions& options)
+RadiosityRoom::RadiosityRoom(const Problem& problem, const RadiosityOptions& options,
+                             const RadiosityWatcher& watcher)
     : problem_(problem), options_(options), bands_(static_cast<std::size_t>(problem.band_count())) {
   refuse_for_radiosity(problem);
   const Clock::time_point start = Clock::now();
   patches_ = wall_patches(problem.mesh(), options.patch_size);
-  exchange_ =
-      std::make_unique<ExchangeMatrix>(patches_.patches, options.rays, options.threads, options.largest_kept);
-  report_.checks = check_and_close(*exchange_, closed);
+  for (;;) {
+    make_factors(watcher);
+    if (options.refinement.change <= 0) break;
+    const RadiosityLimits roughly = {std::max(options.limits.tolerance, rough * options.refinement.change),
+                                     options.limits.most_passes};
+    const std::vector<bool> cut = patches_to_cut(
+        problem.mesh(), patches_, solve_by_gathering(equation(), roughly).irradiance, options.refinement);
+    if (std::ranges::count(cut, true) == 0) break;
+    patches_ = refined_patches(problem.mesh(), patches_, cut);
+  }
   report_.wall_factors = factors_of_walls(*exchange_, patches_, problem.mesh().wall_names().size());
   report_.patches = exchange_->size();
   const auto [smallest, largest] = std::ranges::minmax(patches_.patches, {}, &FlatPatch::area);
@@ -53,6 +64,20 @@ RadiosityRoom::RadiosityRoom(const Problem& problem, const RadiosityOptions& opt
   report_.convex = exchange_->visibility().is_convex();
   report_.kept = exchange_->is_kept();
   report_.factor_seconds = seconds_since(start);
+}
+
+void RadiosityRoom::make_factors(const RadiosityWatcher& watcher) {
+  RadiosityStage stage{report_.rounds.size(), patches_.patches.size(), 0};
+  const auto tell = [&](double done) {
+    stage.done = done;
+    if (watcher) watcher(stage);
+  };
+  tell(0);
+  exchange_.reset();
+  exchange_ = std::make_unique<ExchangeMatrix>(patches_.patches, options_.rays, options_.threads,
+                                               options_.largest_kept, tell);
+  report_.checks = check_and_close(*exchange_, closed);
+  report_.rounds.push_back(stage.patches);
 }
 
 RadiosityEquation RadiosityRoom::equation() const {

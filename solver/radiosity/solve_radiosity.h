@@ -10,6 +10,8 @@
 #include "solver/ordinates/solution.h"
 #include "solver/problem/problem.h"
 #include "solver/radiosity/factor_checks.h"
+#include "solver/radiosity/patch_light.h"
+#include "solver/radiosity/patch_refinement.h"
 #include "solver/radiosity/radiosity_equation.h"
 #include "solver/radiosity/radiosity_method.h"
 #include "solver/radiosity/wall_light_field.h"
@@ -19,6 +21,7 @@ namespace etendue {
 
 struct RadiosityOptions {
   double patch_size = 0;  ///< [length]; 0: each boundary face is a patch
+  RefinementRule refinement;
   RadiosityMethod method = RadiosityMethod::gathering;
   int rays = 16;  ///< between two patches, and eight times as many where some are blocked
   RadiosityLimits limits;
@@ -26,8 +29,18 @@ struct RadiosityOptions {
   std::size_t largest_kept = largest_kept_matrix;  ///< bytes of a matrix
 };
 
+/// How far the form factors are.
+struct RadiosityStage {
+  std::size_t round = 0;  ///< how often patches were cut
+  std::size_t patches = 0;
+  double done = 0;  ///< of the factors of these patches, 0 to 1
+};
+/// Looks at stages; the first of each round comes before anything is made.
+using RadiosityWatcher = std::function<void(const RadiosityStage&)>;
+
 /// What a solution by radiosity has beside the fields.
 struct RadiosityReport {
+  std::vector<std::size_t> rounds;  ///< patches of each round of refinement, the last: of the solution
   std::size_t patches = 0;
   double smallest_area = 0, largest_area = 0;  ///< of a patch [length^2]
   bool convex = false;                         ///< nothing can stand between patches
@@ -42,8 +55,10 @@ struct RadiosityReport {
 /// Walls that exchange light through a domain without matter: patches, their factors and what they send.
 class RadiosityRoom {
  public:
-  /// The problem must outlive it. Throws InputError where it asks for what radiosity does not know.
-  RadiosityRoom(const Problem& problem, const RadiosityOptions& options);
+  /// The problem must outlive it. Throws InputError where it asks for what radiosity does not know. Patches
+  /// are solved for roughly and cut until none is to be cut; what the watcher throws comes through.
+  RadiosityRoom(const Problem& problem, const RadiosityOptions& options,
+                const RadiosityWatcher& watcher = {});
 
   const WallPatches& patches() const { return patches_; }
   const ExchangeMatrix& exchange() const { return *exchange_; }
@@ -51,6 +66,8 @@ class RadiosityRoom {
 
   /// Solves; the observer gets states on the way, to be made fields of by fields_on_walls().
   Solution solve(const RadiosityObserver& observer = {});
+  /// [patch][band] of the state that was solved last [power/length^2]
+  const std::vector<double>& irradiance() const { return irradiance_; }
   /// Irradiance and exitance of the boundary faces.
   void fields_on_walls(const std::vector<double>& irradiance, Solution& fields) const;
   /// The field at points, of the state that was solved last; `rays` look at each patch from a point.
@@ -61,6 +78,7 @@ class RadiosityRoom {
   SavedState state(const std::vector<bool>& followed, std::span<const double> half_range) const;
 
  private:
+  void make_factors(const RadiosityWatcher& watcher);
   RadiosityEquation equation() const;
   RadiosityState solve(const RadiosityEquation& equation, const RadiosityObserver& observer) const;
   void fill_cells(Solution& fields) const;
@@ -86,6 +104,7 @@ struct RadiosityMemory {
   bool kept = true;
   std::size_t bytes = 0;
 };
-RadiosityMemory estimate_radiosity_memory(const Problem& problem, const RadiosityOptions& options);
+RadiosityMemory radiosity_memory(const Problem& problem, const RadiosityOptions& options,
+                                 std::size_t patches);
 
 }  // namespace etendue

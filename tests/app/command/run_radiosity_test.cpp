@@ -84,6 +84,26 @@ TEST(RunRadiosity, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(has(fault("directions={set=\"flatland\",order=4}"), "flatland"));
 }
 
+// A floor that is brightest beside the bright wall: the patches there are cut, and walls.vtp shows them.
+TEST(RunRadiosity, CutsPatchesWhereTheLightChanges) {
+  const CaseFolder folder(empty_cube());
+  const Outcome outcome =
+      etendue_says({"run", folder.file(), "--output", folder.results(), "--set", "radiosity.patch_size=0.6",
+                    "--set", "radiosity.refine_change=0.3", "--set", "radiosity.smallest_patch=0.3", "--set",
+                    "radiosity.passes=1"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "cut where the light changes, 1: patches: ")) << outcome.out;
+  const json rounds = summary_in(folder.results())["radiosity"]["patches_by_round"];
+  ASSERT_GT(rounds.size(), 1u);
+  EXPECT_GT(rounds.back().get<int>(), rounds.front().get<int>());
+  for (const char* name : {"walls.vtp", "walls_pass1.vtp"})
+    EXPECT_TRUE(has(text_of(folder.path() / "results" / name), "Name=\"patch\"")) << name;
+  const Outcome endless = etendue_says({"run", folder.file(), "--set", "radiosity.refine_change=0.3"});
+  EXPECT_EQ(endless.code, ExitCode::input_error);
+  EXPECT_TRUE(has(endless.err, "refine_change")) << endless.err;
+  EXPECT_TRUE(has(endless.err, "give smallest_patch, or patch_size")) << endless.err;
+}
+
 TEST(RunRadiosity, HasTheSameBitsForAnyNumberOfThreads) {
   const CaseFolder folder(empty_cube());
   for (const char* threads : {"1", "3"})

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/radiosity/patch_light.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace etendue {
+
+PatchLight light_on_patches(const Problem& problem, const WallPatches& patches,
+                            const std::vector<double>& irradiance) {
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  PatchLight light;
+  for (std::size_t p = 0; p < patches.patches.size(); ++p) {
+    const Wall& wall = problem.wall(patches.walls[p]);
+    for (const TriangleCorners& triangle : patches.patches[p].triangles()) {
+      light.triangles.push_back(triangle);
+      light.walls.push_back(patches.walls[p]);
+      light.patches.push_back(static_cast<std::int32_t>(p));
+      for (std::size_t b = 0; b < bands; ++b) {
+        const double incident = irradiance[p * bands + b];
+        light.irradiance.push_back(incident);
+        light.exitance.push_back(std::numbers::pi * wall.radiance[b] + wall.diffuse[b] * incident);
+      }
+    }
+  }
+  return light;
+}
+
+bool are_finer_than_faces(const WallPatches& patches) {
+  return std::ranges::any_of(patches.of_faces,
+                             [](const std::vector<FacePart>& parts) { return parts.size() > 1; });
+}
+
+}  // namespace etendue
