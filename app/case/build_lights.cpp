@@ -7,9 +7,11 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <optional>
 
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/problem/lamp_shape.h"
+#include "solver/problem/mirror.h"
 
 namespace etendue {
 namespace {
@@ -17,6 +19,9 @@ namespace {
 using std::numbers::pi;
 
 constexpr int sides_of_a_disc = 64;
+
+/// Normals of one flat wall differ by rounding only.
+constexpr double same_normal = 1e-9;
 
 bool is_bare(const Wall& wall) {
   const auto zero = [](const std::vector<double>& values) {
@@ -76,7 +81,7 @@ std::vector<Light> sky_lights(const LightCase& light, const std::vector<int>& wa
                                                       std::sin(azimuth(0.5)) * table.quarter_plane);
       BeamLight beam{-from, light.strength, walls};
       for (double& irradiance : beam.irradiance) irradiance *= 2 * pi * (upper - lower) / count * brightness;
-      sky.push_back({light.name, std::move(beam), light.origin});
+      sky.push_back({light.name, std::move(beam), light.origin, light.uncollided});
     }
   }
   return sky;
@@ -133,6 +138,48 @@ void require_open(const LightCase& light, const std::vector<int>& numbers, const
                 light.name, walls[static_cast<std::size_t>(w)].name)));
 }
 
+/// The faces of a wall look one way: the normal into the domain; empty where they do not.
+std::optional<Vec3> normal_of(const TetrahedralMesh& mesh, int wall) {
+  std::optional<Vec3> normal;
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    if (mesh.wall(FaceIndex(f)) != wall) continue;
+    const Vec3 of_face = -mesh.area_normal(FaceIndex(f)).normalized();
+    if (normal && (*normal - of_face).norm() > same_normal) return {};
+    normal = of_face;
+  }
+  return normal;
+}
+
+/// Light of a beam behind a smooth surface: Snell's law, and the irradiance across it that is left.
+BeamLight refracted(const BeamLight& beam, const Vec3& normal, double index) {
+  const double cosine = beam.direction.dot(normal);
+  const double cosine_behind = std::sqrt(std::max(0.0, 1 - (1 - cosine * cosine) / (index * index)));
+  const double part = (1 - fresnel_reflectance(cosine, 1 / index)) * cosine;
+  BeamLight inside = beam;
+  inside.direction = (beam.direction / index + (cosine_behind - cosine / index) * normal).normalized();
+  for (double& irradiance : inside.irradiance) irradiance *= part > 0 ? part / cosine_behind : 0;
+  return inside;
+}
+
+BeamLight beam_light(const LightCase& light, const std::vector<int>& numbers, const std::vector<Wall>& walls,
+                     const TetrahedralMesh& mesh, std::vector<Fault>& faults) {
+  const BeamLight beam{light.direction, light.strength, numbers};
+  const auto refracts = [&](int w) { return walls[static_cast<std::size_t>(w)].refractive_index != 1; };
+  const auto first = std::ranges::find_if(numbers, refracts);
+  if (first == numbers.end()) return beam;
+  const std::string& name = walls[static_cast<std::size_t>(*first)].name;
+  const std::optional<Vec3> normal = normal_of(mesh, *first);
+  if (numbers.size() == 1 && normal && beam.direction.dot(*normal) > 0)
+    return refracted(beam, *normal, walls[static_cast<std::size_t>(*first)].refractive_index);
+  faults.push_back(
+      fault_at(light.origin, "",
+               fmt::format("the light \"{}\" comes in by the wall {}, which refracts, {}", light.name, name,
+                           numbers.size() > 1 ? "and by others; name one wall for each light"
+                           : !normal ? "and is not flat; give each flat part a name and a light of its own"
+                                     : "from behind; turn the light, or name another wall")));
+  return beam;
+}
+
 void shine(const LightCase& light, const std::vector<int>& numbers, std::vector<Wall>& walls,
            std::vector<Fault>& faults) {
   for (const int w : numbers) {
@@ -146,7 +193,7 @@ void shine(const LightCase& light, const std::vector<int>& numbers, std::vector<
       continue;
     }
     wall.radiance = light.strength;
-    wall.uncollided = Uncollided::yes;
+    wall.uncollided = light.uncollided == Uncollided::no ? Uncollided::no : Uncollided::yes;
   }
 }
 
@@ -162,10 +209,11 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
     const std::vector<int> numbers = walls_of(light, as_written);
     if (light.kind == "point" || light.kind == "spot") {
       require_inside(light, std::span(&light.position, 1), locator, faults);
-      lights.push_back({light.name, point_light(light), light.origin});
+      lights.push_back({light.name, point_light(light), light.origin, light.uncollided});
     } else if (light.kind == "sun") {
       require_open(light, numbers, as_written, faults);
-      lights.push_back({light.name, BeamLight{light.direction, light.strength, numbers}, light.origin});
+      lights.push_back(
+          {light.name, beam_light(light, numbers, as_written, mesh, faults), light.origin, light.uncollided});
     } else if (light.kind == "sky" && !light.angle.empty()) {
       require_open(light, numbers, as_written, faults);
       std::ranges::move(sky_lights(light, numbers), std::back_inserter(skies));
@@ -174,7 +222,7 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
     } else {
       SurfaceLight surface = light.kind == "disc" ? disc_light(light) : rectangle_light(light);
       require_inside(light, surface.triangles, locator, faults);
-      lights.push_back({light.name, std::move(surface), light.origin});
+      lights.push_back({light.name, std::move(surface), light.origin, light.uncollided});
     }
   }
   if (!faults.empty()) throw InputError(std::move(faults));

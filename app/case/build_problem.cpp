@@ -140,6 +140,7 @@ Wall wall_of(const WallCase& entry, const std::string& name, int bands) {
             band_numbers(entry.specular, bands),
             entry.origin,
             entry.uncollided};
+  wall.refractive_index = entry.refractive_index;
   for (int band = 0; band < bands && !entry.radiance.values.empty(); ++band) {
     const Value& value = value_of(entry.radiance, band);
     wall.radiance_by_direction.emplace_back();

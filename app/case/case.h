@@ -99,6 +99,7 @@ struct LightCase {
   std::vector<double> plane;                  ///< [degree]; empty: the same all about the axis
   PhotometricType type = PhotometricType::c;  ///< of angle and plane
   std::vector<double> strength;               ///< [band] power, irradiance or radiance
+  Uncollided uncollided = Uncollided::automatic;
   std::vector<std::string> walls;
   Origin origin;
 };
@@ -106,6 +107,7 @@ struct LightCase {
 struct WallCase {
   BandValues radiance;           ///< empty values: 0
   BandValues diffuse, specular;  ///< numbers; empty values: 0
+  double refractive_index = 1;   ///< of the domain over that of what is behind
   Uncollided uncollided = Uncollided::automatic;
   std::optional<LightCase> beam;
   Origin origin;

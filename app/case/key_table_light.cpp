@@ -20,6 +20,15 @@ std::vector<KeyDeclaration> light_keys() {
        band_numbers,
        {.default_value = "0.0", .range = fraction, .help = "Mirror reflectance."}},
       {"walls.NAME",
+       "refractive_index",
+       number,
+       {.default_value = "1.0",
+        .range = positive,
+        .help =
+            "Of the domain over that of what is behind the wall. Other than 1 the wall is a smooth "
+            "surface: it mirrors what Fresnel's formulas say and lets the rest out; radiance, beams and suns "
+            "are those behind it, and refracted as they come in."}},
+      {"walls.NAME",
        "radiance",
        band_values,
        {.unit = "power/(length^2 sr)",
@@ -31,8 +40,9 @@ std::vector<KeyDeclaration> light_keys() {
        "uncollided",
        switch_,
        {.default_value = "\"auto\"",
-        .help = "Whether the radiance's uncollided part is integrated along rays as that of a light; auto: "
-                "where the wall is below 5 % of the boundary."}},
+        .help = "Whether the uncollided part of the radiance and of the beam is integrated along rays as "
+                "that of a light; auto: of a beam, and of the radiance where the wall is below 5 % of the "
+                "boundary."}},
 
       {"walls.NAME.beam",
        "direction",
@@ -122,7 +132,9 @@ std::vector<KeyDeclaration> light_keys() {
       {"light",
        "uncollided",
        switch_,
-       {.default_value = "\"auto\"", .help = "auto and true: the uncollided part is integrated along rays."}},
+       {.default_value = "\"auto\"",
+        .help = "auto and true: the uncollided part is integrated along rays; false: it is left to the "
+                "directions, and shows their rays."}},
   };
 }
 

@@ -88,9 +88,7 @@ LightCase read_light(Section& section, const Bands& bands, const std::filesystem
   light.origin = section.origin();
   light.name = section.text_if("name").value_or("");
   light.kind = section.text_if("kind").value_or("");
-  if (read_uncollided(section) == Uncollided::no)
-    section.fault("uncollided",
-                  "not in this version (directions alone do not see a lamp); use \"auto\" or true");
+  light.uncollided = read_uncollided(section);
   const auto kind = std::ranges::find(kind_keys(), light.kind, &KindKeys::kind);
   if (kind == kind_keys().end()) {
     // Nothing is said about the keys of a kind that is not known.

@@ -230,6 +230,8 @@ WallCase read_wall(const std::string& name, Section section, const Bands& bands)
                      return std::holds_alternative<std::string>(value);
                    }));
   wall.beam = read_beam(section, name, bands);
+  if (wall.beam) wall.beam->uncollided = wall.uncollided;
+  wall.refractive_index = section.number("refractive_index");
   if (!any_faulty(section, {"diffuse", "specular"})) check_reflectances(section, wall, bands);
   return wall;
 }

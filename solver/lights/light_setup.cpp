@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 
 #include "solver/lights/beam_source.h"
@@ -18,6 +19,9 @@ using std::numbers::pi;
 
 /// Part of the volume or of the boundary below which an emission is a light unless it says otherwise.
 constexpr double small_part = 0.05;
+
+/// Cosines below this are those of light along a wall.
+constexpr double grazing = 1e-9;
 
 std::vector<double> values_of_cell(const Problem& problem, CellIndex cell,
                                    double (Problem::*value)(CellIndex, int) const) {
@@ -81,9 +85,49 @@ LightSetup::LightSetup(const Problem& problem)
       refuse_all("beside " + reason, "uncollided = \"auto\" or false, leaves, flakes or another formula");
       return;
     }
+  check_refraction();
   add_lights();
   add_regions();
   add_walls();
+}
+
+// A beam that only comes in by such a wall never meets it from within.
+void LightSetup::check_refraction() {
+  std::vector<Fault> faults;
+  const auto refuse = [&](const Origin& origin, const std::string& what, const Wall& wall) {
+    faults.push_back(
+        fault_at(origin, "",
+                 fmt::format("{} meets the wall {}, which refracts, from within (light along "
+                             "rays does not follow that in this version); use uncollided = false",
+                             what, wall.name)));
+  };
+  for (const Wall& wall : problem_.walls()) {
+    if (wall.refractive_index == 1) continue;
+    refracting_ = true;
+    for (const Light& light : problem_.lights())
+      if (light.uncollided != Uncollided::no && may_meet(light, wall))
+        refuse(light.origin, "the light " + light.name, wall);
+    for (const Medium& medium : problem_.media())
+      if (medium.uncollided == Uncollided::yes) refuse(medium.origin, "light of " + medium.name, wall);
+    for (const Wall& other : problem_.walls())
+      if (other.uncollided == Uncollided::yes && any_positive(other.radiance))
+        refuse(other.origin, "light of the wall " + other.name, wall);
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+bool LightSetup::may_meet(const Light& light, const Wall& wall) const {
+  const auto* beam = std::get_if<BeamLight>(&light.kind);
+  if (beam == nullptr) return true;
+  const TetrahedralMesh& mesh = problem_.mesh();
+  for (const MirrorSet mirrors : paths_.mirrors().images_of_direction()) {
+    const Vec3 direction = paths_.mirrors().image_direction(mirrors, beam->direction);
+    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+      if (const FaceIndex face(f); &problem_.wall(mesh.wall(face)) == &wall &&
+                                   direction.dot(mesh.area_normal(face)) > grazing * mesh.area(face))
+        return true;
+  }
+  return false;
 }
 
 void LightSetup::refuse_all(const std::string& where, const std::string& instead) {
@@ -91,7 +135,9 @@ void LightSetup::refuse_all(const std::string& where, const std::string& instead
   const auto refuse = [&](const Origin& origin, const std::string& what) {
     faults.push_back(fault_at(origin, "", what + " " + where + " (not in this version); use " + instead));
   };
-  for (const Light& light : problem_.lights()) refuse(light.origin, "a light");
+  for (const Light& light : problem_.lights())
+    if (light.uncollided != Uncollided::no || problem_.space() == AngularSpace::plane)
+      refuse(light.origin, "a light");
   for (const Medium& medium : problem_.media())
     if (medium.uncollided == Uncollided::yes) refuse(medium.origin, "uncollided = true");
   for (const Wall& wall : problem_.walls())
@@ -104,6 +150,10 @@ void LightSetup::add_lights() {
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const Light& light = lights[i];
     if (continues_sky(lights, i)) continue;
+    if (light.uncollided == Uncollided::no) {
+      notes_.push_back(fmt::format("light {}: left to the directions (uncollided = false)", light.name));
+      continue;
+    }
     if (const auto* point = std::get_if<PointLight>(&light.kind)) {
       sources_.push_back(std::make_unique<PointSource>(light.name, *point, paths_));
     } else if (i + 1 < lights.size() && continues_sky(lights, i + 1)) {
@@ -125,6 +175,10 @@ void LightSetup::add_lights() {
 
 bool LightSetup::chosen(Uncollided asked, double part, const std::string& what) {
   if (asked == Uncollided::no || (asked == Uncollided::automatic && part >= small_part)) return false;
+  if (asked == Uncollided::automatic && refracting_) {
+    notes_.push_back(fmt::format("{}: not a light (a wall refracts)", what));
+    return false;
+  }
   if (asked == Uncollided::automatic) {
     try {
       paths_.mirrors().images_of_point();
@@ -197,7 +251,11 @@ Problem LightSetup::remaining() const {
     if (region_is_light_[i] != 0) media[i].emission.assign(bands, Coefficient(0.0));
   for (std::size_t i = 0; i < walls.size(); ++i)
     if (wall_is_light_[i] != 0) walls[i].radiance.assign(bands, 0);
-  return Problem(problem_.mesh(), problem_.bands(), std::move(media), std::move(walls));
+  std::vector<Light> swept;
+  std::ranges::copy_if(problem_.lights(), std::back_inserter(swept),
+                       [](const Light& light) { return light.uncollided == Uncollided::no; });
+  return Problem(problem_.mesh(), problem_.bands(), std::move(media), std::move(walls), problem_.space(),
+                 std::move(swept));
 }
 
 LightAtPoint LightSetup::at(const PointInCell& point, const std::optional<Vec3>& normal) const {

@@ -18,8 +18,8 @@ struct LightAtPoint {
 };
 
 /// Which emissions of a problem are lights, so that their uncollided part is integrated along rays: all that
-/// it calls lights, and the media and walls that say so, or that say nothing and are small (below 5 % of the
-/// volume, or of the boundary).
+/// it calls lights and that do not say no, and the media and walls that say so, or that say nothing and are
+/// small (below 5 % of the volume, or of the boundary).
 class LightSetup {
  public:
   /// The problem must outlive it. Throws InputError where a mirror does not allow what is asked.
@@ -31,7 +31,7 @@ class LightSetup {
   const LightSources& sources() const { return sources_; }
   bool has_wall(int wall) const { return wall_is_light_[static_cast<std::size_t>(wall)] != 0; }
   bool has_region(int region) const { return region_is_light_[static_cast<std::size_t>(region)] != 0; }
-  /// The problem without what the lights emit.
+  /// The problem without what these lights emit; lights that are left to the directions are in it.
   Problem remaining() const;
   /// What became a light and why, a line each.
   const std::vector<std::string>& notes() const { return notes_; }
@@ -44,6 +44,8 @@ class LightSetup {
   void add_lights();
   void add_regions();
   void add_walls();
+  void check_refraction();
+  bool may_meet(const Light& light, const Wall& wall) const;
   bool chosen(Uncollided asked, double part, const std::string& what);
 
   const Problem& problem_;
@@ -51,6 +53,7 @@ class LightSetup {
   LightSources sources_;
   std::vector<char> region_is_light_;
   std::vector<char> wall_is_light_;
+  bool refracting_ = false;  ///< some wall does
   std::vector<std::string> notes_;
 };
 

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "solver/problem/mirror.h"
+
 namespace etendue {
 namespace {
 
@@ -24,7 +26,8 @@ void add_face(WallPower& power, const Problem& problem, const Solution& solution
   const TetrahedralMesh& mesh = problem.mesh();
   const std::size_t at = static_cast<std::size_t>(face), bands = problem.bands().names.size();
   const double area = mesh.area(FaceIndex(face));
-  const double radiance = problem.wall(mesh.wall(FaceIndex(face))).radiance[band];
+  const Wall& behind = problem.wall(mesh.wall(FaceIndex(face)));
+  const double radiance = behind.radiance[band];
   power.area += area;
   power.incoming += nodal_mean<3>(solution.irradiance, at, band, bands) * area;
   power.outgoing += nodal_mean<3>(solution.exitance, at, band, bands) * area;
@@ -32,7 +35,7 @@ void add_face(WallPower& power, const Problem& problem, const Solution& solution
   const bool by_rays = !solution.lights.exact_walls.empty() && solution.lights.exact_walls[wall] != 0;
   if (by_rays) return;
   power.emitted += radiance * solution.half_range[at] * area;
-  power.emitted_exact += radiance * half_range(problem.space()) * area;
+  power.emitted_exact += radiance * half_range(problem.space()) * entering_part(behind) * area;
 }
 
 /// Adds one cell to the powers of its region; `fluence_mean` is the integral until all cells are in.

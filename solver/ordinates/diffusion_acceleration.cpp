@@ -8,6 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "solver/problem/mirror.h"
+
 namespace etendue {
 namespace {
 
@@ -32,7 +34,7 @@ double seconds_since(Clock::time_point start) {
 double partial_current(AngularSpace space) { return half_range(space) / full_range(space); }
 
 double reflectance(const Wall& wall, std::size_t band) {
-  return std::min(1.0, wall.diffuse[band] + wall.specular[band]);
+  return std::min(1.0, wall.diffuse[band] + mirrored_part_of_isotropic(wall, band));
 }
 
 /// Mean length of the straight lines through a convex body.

@@ -12,6 +12,7 @@
 #include "solver/ordinates/scattering_plan.h"
 #include "solver/ordinates/solve.h"
 #include "solver/ordinates/transport_sweep.h"
+#include "solver/problem/mirror.h"
 
 namespace etendue {
 namespace {
@@ -37,10 +38,6 @@ bool scatters(const Problem& problem, CellIndex cell) {
   for (int band = 0; band < problem.band_count(); ++band)
     if (problem.scattering(cell, band) > 0) return true;
   return false;
-}
-
-bool mirrors(const Wall& wall) {
-  return std::any_of(wall.specular.begin(), wall.specular.end(), [](double r) { return r > 0; });
 }
 
 /// One, or where the kernel differs from cell to cell one for each place, which all bands share.
@@ -87,7 +84,7 @@ Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const Sol
   sizes.angular_cells = std::min(sizes.angular_cells, sizes.cells);
   sizes.moments = harmonic_count(directions.space(), highest);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
-    if (mirrors(problem.wall(mesh.wall(FaceIndex(f))))) sizes.mirrors += 1;
+    if (is_mirror(problem.wall(mesh.wall(FaceIndex(f))))) sizes.mirrors += 1;
   return sizes;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "solver/problem/mirror.h"
+
 namespace etendue {
 namespace {
 
@@ -99,8 +101,7 @@ void OrdinateSchedule::find_groups(const DirectionSet& directions) {
 void OrdinateSchedule::find_axes(const Problem& problem) {
   const TetrahedralMesh& mesh = problem.mesh();
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
-    const std::vector<double>& specular = problem.wall(mesh.wall(FaceIndex(f))).specular;
-    if (std::none_of(specular.begin(), specular.end(), [](double r) { return r > 0; })) continue;
+    if (!is_mirror(problem.wall(mesh.wall(FaceIndex(f))))) continue;
     const Vec3 normal = mesh.area_normal(FaceIndex(f)).normalized();
     const int axis = axis_of(normal);
     if (axis < 0) continue;

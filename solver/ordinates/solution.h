@@ -124,7 +124,7 @@ struct Solution {
   /// direction; empty where it is absorption times fluence everywhere.
   std::vector<double> absorbed;
   std::vector<double>
-      half_range;  ///< [boundary face] discrete half range [sr]; pi in the limit, 2 in the plane
+      half_range;  ///< [boundary face] discrete half range [sr], of what enters where a wall refracts
   std::vector<OrdinateRadiance> radiance;
   SavedState state;  ///< from which another run may go on
   /// [cell][band] standard error of the cell's mean fluence, a mean over rotated sets [power/length^2]; empty

@@ -13,10 +13,12 @@
 #include "solver/ordinates/diffusion_acceleration.h"
 #include "solver/ordinates/directional_emission.h"
 #include "solver/ordinates/gmres.h"
+#include "solver/ordinates/ordinate_lights.h"
 #include "solver/ordinates/positive_iteration.h"
 #include "solver/ordinates/scattering_report.h"
 #include "solver/ordinates/source_iteration.h"
 #include "solver/ordinates/transport_sweep.h"
+#include "solver/problem/mirror.h"
 
 namespace etendue {
 namespace {
@@ -186,7 +188,8 @@ double scatterings_on_a_chord(const Problem& problem) {
     for (std::size_t c = 0; c < mesh.volumes().size(); ++c)
       scattered += problem.scattering()[c * bands + band] * mesh.volumes()[c];
     for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
-      surface += mesh.area(FaceIndex(f)) * (1 - problem.wall(mesh.wall(FaceIndex(f))).specular[band]);
+      surface += mesh.area(FaceIndex(f)) *
+                 (1 - mirrored_part_of_isotropic(problem.wall(mesh.wall(FaceIndex(f))), band));
     if (scattered > 0) most = std::max(most, 4 * scattered / surface);
   }
   return most;
@@ -267,8 +270,10 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   if (problem.space() != directions.space())
     throw std::invalid_argument("a plane problem needs directions in the plane, and only that");
   const std::vector<double> extinction = extinction_of(problem);
-  const DirectionalEmission emission(problem, directions, options.angular_input);
   SolveOptions with_emission = options;
+  const OrdinateLights lights(problem, directions, options.angular_input);
+  if (!lights.empty()) with_emission.angular_input = &lights;
+  const DirectionalEmission emission(problem, directions, with_emission.angular_input);
   if (!emission.empty()) with_emission.angular_input = &emission;
   TransportSweep sweep(problem, directions, extinction, with_emission);
   TransportState state(sweep.layout());
@@ -323,8 +328,12 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   solution.seconds.sweep = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() -
                            solution.seconds.low_order;
   solution.seconds.orders = sweep.order_seconds();
-  solution.half_range = sweep.walls().half_range();
+  solution.half_range = sweep.walls().emission_range();
   solution.by_direction = emission.powers();
+  if (!lights.empty()) {
+    solution.lights.inside = lights.power_inside();
+    solution.lights.from_walls = lights.power_through_walls();
+  }
   solution.kernels =
       report_kernels(problem, directions, sweep.scattering_plan(), sweep.scattering_matrices());
   const std::vector<std::string> notes = notes_of(sweep, options);

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/angle/ordinate_reflectance.h"
 #include "solver/ordinates/sweep_order.h"
+#include "solver/problem/mirror.h"
 
 namespace etendue {
 namespace {
@@ -47,13 +49,16 @@ WallExchange::WallExchange(const Problem& problem, const DirectionSet& direction
       specular_(padded(problem.walls(), &Wall::specular, stride_)) {
   wall_reflects_.reserve(problem.walls().size());
   for (const Wall& wall : problem.walls()) {
-    wall_reflects_.push_back(any_positive(wall.diffuse) || any_positive(wall.specular));
+    wall_reflects_.push_back(any_positive(wall.diffuse) || is_mirror(wall));
   }
   half_range_.resize(static_cast<std::size_t>(mesh_.boundary_face_count()));
   for (std::int32_t f = 0; f < mesh_.boundary_face_count(); ++f) {
     half_range_[static_cast<std::size_t>(f)] =
         directions.half_range(mesh_.area_normal(FaceIndex(f)).normalized());
   }
+  for (std::size_t w = 0; w < problem.walls().size(); ++w)
+    for (std::size_t b = 0; b < stride_; ++b)
+      radiance_[w * stride_ + b] *= std::pow(problem.walls()[w].refractive_index, 2);
   find_mirrors(schedule);
   for (std::int32_t f = 0; f < mesh_.boundary_face_count(); ++f) {
     const FaceIndex face(f);
@@ -83,18 +88,21 @@ void WallExchange::find_mirrors(const OrdinateSchedule& schedule) {
     const FaceIndex face(f);
     const auto wall = static_cast<std::size_t>(mesh_.wall(face));
     if (half_range_[face.at()] <= out_of_reach) continue;
-    if (refused[wall] || !any_positive(problem_.wall(mesh_.wall(face)).specular)) continue;
+    if (refused[wall] || !is_mirror(problem_.wall(mesh_.wall(face)))) continue;
     const Vec3 normal = mesh_.area_normal(face).normalized();
     std::size_t plane = 0;
-    while (plane < planes_.size() && (planes_[plane].normal - normal).norm() > same_plane) ++plane;
+    const double index = problem_.walls()[wall].refractive_index;
+    while (plane < planes_.size() &&
+           ((planes_[plane].normal - normal).norm() > same_plane || planes_[plane].refractive_index != index))
+      ++plane;
     if (plane == planes_.size()) {
-      planes_.push_back(
-          {normal, schedule.knows_reflections(normal) ? Turn::this_sweep : Turn::next_sweep, partners(face)});
+      planes_.push_back(mirror_plane(face, schedule));
       if (std::count(planes_.back().partner.begin(), planes_.back().partner.end(), -1) > 0) {
         planes_.pop_back();
         refused[wall] = 1;
-        Origin origin = problem_.wall(mesh_.wall(face)).origin;
-        origin.key += ".specular";
+        const Wall& mirror = problem_.wall(mesh_.wall(face));
+        Origin origin = mirror.origin;
+        origin.key += mirror.refractive_index != 1 ? ".refractive_index" : ".specular";
         const Vec3 at = mesh_.centroid(face);
         faults.push_back(fault_at(
             origin, "",
@@ -113,13 +121,32 @@ void WallExchange::find_mirrors(const OrdinateSchedule& schedule) {
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-std::vector<std::int32_t> WallExchange::partners(FaceIndex face) const {
-  std::vector<std::int32_t> partner;
-  partner.reserve(static_cast<std::size_t>(directions_.count()));
+WallExchange::MirrorPlane WallExchange::mirror_plane(FaceIndex face, const OrdinateSchedule& schedule) const {
   const Vec3 normal = mesh_.area_normal(face).normalized();
+  const Wall& wall = problem_.wall(mesh_.wall(face));
+  MirrorPlane plane{normal,
+                    wall.refractive_index,
+                    schedule.knows_reflections(normal) ? Turn::this_sweep : Turn::next_sweep,
+                    {},
+                    {}};
   for (std::int32_t m = 0; m < directions_.count(); ++m)
-    partner.push_back(directions_.mirrored(OrdinateIndex(m), normal));
-  return partner;
+    plane.partner.push_back(directions_.mirrored(OrdinateIndex(m), normal));
+  if (wall.refractive_index != 1) plane.reflected = ordinate_reflectances(directions_, wall, normal);
+  return plane;
+}
+
+std::vector<double> WallExchange::emission_range() const {
+  std::vector<double> range = half_range_;
+  for (const std::int32_t f : mirror_faces_) {
+    const MirrorPlane& plane = planes_[mirror(FaceIndex(f))->plane];
+    if (plane.reflected.empty()) continue;
+    double sum = 0;
+    for (std::int32_t m = 0; m < directions_.count(); ++m)
+      sum += directions_.weight(OrdinateIndex(m)) * (1 - plane.reflected[static_cast<std::size_t>(m)]) *
+             std::max(0.0, -plane.normal.dot(directions_.direction(OrdinateIndex(m))));
+    range[static_cast<std::size_t>(f)] = std::pow(plane.refractive_index, 2) * sum;
+  }
+  return range;
 }
 
 std::size_t WallExchange::irradiance_size() const { return half_range_.size() * face_length_; }
@@ -129,10 +156,11 @@ std::size_t WallExchange::row_size() const {
 }
 
 double WallExchange::fed_back(FaceIndex face, std::size_t band) const {
-  const std::size_t wall = static_cast<std::size_t>(mesh_.wall(face)) * stride_ + band;
+  const int wall = mesh_.wall(face);
   const Mirror* of = mirror(face);
   const bool turns_later = of != nullptr && planes_[of->plane].turn == Turn::next_sweep;
-  return std::min(1.0, diffuse_[wall] + (turns_later ? specular_[wall] : 0));
+  return std::min(1.0, diffuse_[static_cast<std::size_t>(wall) * stride_ + band] +
+                           (turns_later ? mirrored_part_of_isotropic(problem_.wall(wall), band) : 0));
 }
 
 // Of the two ordinates of a pair one leaves through a face: the pair's number is enough.
@@ -171,6 +199,11 @@ void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::spa
     const double* mirrored = from.data() + mirror_at(by.row, plane.partner[m.at()]);
     const double* own = inflow.data() + static_cast<std::size_t>(f) * face_length_;
     double* trace = slots.slot(wall_slots_.inflow(f));
+    if (!plane.reflected.empty()) {
+      const double part = plane.reflected[m.at()];
+      for (std::size_t i = 0; i < face_length_; ++i) trace[i] = (1 - part) * own[i] + part * mirrored[i];
+      continue;
+    }
     for (std::size_t i = 0; i < face_length_; ++i)
       trace[i] = own[i] + specular_[face.wall * stride_ + i % stride_] * mirrored[i];
   }

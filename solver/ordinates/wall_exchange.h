@@ -23,6 +23,8 @@ enum class TakeUp { reflecting, all };
 ///     0,
 ///
 /// with the discrete half range pi_h in place of pi, so that a wall gives back exactly what it reflects.
+/// Where a wall refracts Fresnel's reflectance r of the ordinate stands for `specular` and n^2 (1 - r) before
+/// `radiance`.
 /// Walls across z that no direction of the plane reaches take no part.
 class WallExchange {
  public:
@@ -40,6 +42,8 @@ class WallExchange {
   double fed_back(FaceIndex face, std::size_t band) const;
   /// [boundary face] [sr]
   const std::vector<double>& half_range() const { return half_range_; }
+  /// [boundary face] what a radiance of 1 of its wall sends in [sr]: the half range but where it refracts
+  std::vector<double> emission_range() const;
   /// Boundary faces whose walls reflect in some band.
   bool reflects(FaceIndex face) const {
     return wall_reflects_[static_cast<std::size_t>(mesh_.wall(face))] != 0;
@@ -82,8 +86,10 @@ class WallExchange {
 
   struct MirrorPlane {
     Vec3 normal;
+    double refractive_index;  ///< 1: that of a mirror
     Turn turn;
     std::vector<std::int32_t> partner;  ///< [ordinate]
+    std::vector<double> reflected;      ///< [ordinate] where it refracts
   };
 
   /// A face that is a mirror.
@@ -103,7 +109,7 @@ class WallExchange {
   }
   std::size_t row_size() const;
   std::size_t mirror_rows(Turn turn) const { return rows_[static_cast<std::size_t>(turn)]; }
-  std::vector<std::int32_t> partners(FaceIndex face) const;
+  MirrorPlane mirror_plane(FaceIndex face, const OrdinateSchedule& schedule) const;
   std::size_t mirror_at(std::size_t row, std::int32_t ordinate) const;
 
   const TetrahedralMesh& mesh_;

@@ -138,9 +138,11 @@ void refuse_for_photons(const Problem& problem) {
       refuse(origin_of(medium, "absorption"), "depends on the direction");
     if (any(medium.emission_by_direction)) refuse(origin_of(medium, "emission"), "depends on the direction");
   }
-  for (const Wall& wall : problem.walls())
+  for (const Wall& wall : problem.walls()) {
     if (any(wall.radiance_by_direction))
       refuse(origin_of(wall, "radiance"), "depends on the place or the direction");
+    if (wall.refractive_index != 1) refuse(origin_of(wall, "refractive_index"), "refracts");
+  }
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 

@@ -8,6 +8,7 @@
 #include "solver/angle/gauss_legendre.h"
 #include "solver/lights/attenuation.h"
 #include "solver/picture/lit_triangle.h"
+#include "solver/problem/mirror.h"
 
 namespace etendue {
 namespace {
@@ -123,8 +124,8 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
     if (view.lights_shown) add_flat_lights(stretch, end.distance, work, radiance);
     add_cells(stretch, work, radiance);
     add_wall(*end.wall, end.point, stretch, work, radiance);
-    if (!reflect(*end.wall, work)) return;
     const Vec3 normal = problem_.mesh().area_normal(*end.wall).normalized();
+    if (!reflect(*end.wall, towards.dot(normal), work)) return;
     towards = (towards - 2 * towards.dot(normal) * normal).normalized();
     at = {end.cell, end.point};
     way += end.distance;
@@ -245,7 +246,9 @@ void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const Stretch& str
     const double rest = std::exp(-work.depth_rest[b]);
     double emitted = rest;
     if (lights_.has_wall(number)) emitted = view.lights_shown ? std::exp(-work.depth[b]) : 0;
-    radiance[b] += work.factor[b] * (rest * work.at_point[b] + emitted * wall.radiance[b]);
+    const double sent = radiance_sent(
+        wall, b, -stretch.travel().dot(problem_.mesh().area_normal(face)) / problem_.mesh().area(face));
+    radiance[b] += work.factor[b] * (rest * work.at_point[b] + emitted * sent);
   }
   const auto& formulas = work.wall_formulas[static_cast<std::size_t>(number)];
   for (std::size_t b = 0; b < formulas.size(); ++b)
@@ -255,11 +258,11 @@ void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const Stretch& str
 }
 
 /// Whether the ray goes on.
-bool RayRadiance::reflect(FaceIndex face, Workspace& work) const {
+bool RayRadiance::reflect(FaceIndex face, double cosine, Workspace& work) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   double left = 0;
   for (std::size_t b = 0; b < bands_; ++b) {
-    work.factor[b] *= wall.specular[b];
+    work.factor[b] *= mirrored_part(wall, b, cosine);
     left = std::max(left, work.factor[b] * std::exp(-std::min(work.depth_rest[b], work.depth[b])));
   }
   return left > faint;

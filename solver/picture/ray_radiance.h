@@ -94,7 +94,7 @@ class RayRadiance {
                        std::span<double> radiance) const;
   void add_wall(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
                 std::span<double> radiance) const;
-  bool reflect(FaceIndex face, Workspace& work) const;
+  bool reflect(FaceIndex face, double cosine, Workspace& work) const;
   std::vector<double> weights_left(const Workspace& work) const;
   /// Whether the rounds of a ray that is back at its first mirror could be added up.
   bool end_series(const Turn& first, const Workspace& work, std::span<double> radiance) const;

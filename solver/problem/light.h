@@ -42,11 +42,12 @@ struct SurfaceLight {
   std::vector<double> radiance;  ///< [band] [power/(length^2 sr)]
 };
 
-/// A light whose uncollided part is exact.
+/// What shines beside media and walls; its uncollided part is exact unless it says no.
 struct Light {
   std::string name;
   std::variant<PointLight, BeamLight, SurfaceLight> kind;
   Origin origin;
+  Uncollided uncollided = Uncollided::automatic;
 };
 
 }  // namespace etendue

@@ -30,6 +30,13 @@ void check_plane_walls(const Problem& problem, std::vector<Fault>& faults) {
     const auto index = static_cast<std::size_t>(mesh.wall(face));
     if (told[index]) continue;
     const Wall& wall = problem.wall(mesh.wall(face));
+    if (wall.refractive_index != 1) {
+      told[index] = 1;
+      faults.push_back(fault_at(origin_of(wall, "refractive_index"), "",
+                                "refracts, and flatland does not know that (not in this version); use "
+                                "another direction set"));
+      continue;
+    }
     const double along_z = std::abs(mesh.area_normal(face).normalized().z());
     if (along_z <= alignment || (along_z >= 1 - alignment && is_cold_mirror(wall))) continue;
     told[index] = 1;

@@ -63,6 +63,9 @@ struct Wall {
   Uncollided uncollided = Uncollided::automatic;  ///< of the radiance
   /// [band] L(x, w), beside `radiance`; empty: none
   std::vector<std::optional<AngularFormula>> radiance_by_direction = {};
+  /// Of the domain over that of what is behind the wall. Other than 1 it mirrors as a smooth surface does
+  /// (Fresnel) and sends the rest out, it reflects nothing else, and `radiance` is that of what is behind.
+  double refractive_index = 1;
 };
 
 /// What is asked: the coefficients of the transport equation on every cell and wall. Valid by construction.

@@ -34,6 +34,10 @@ void check_range(const Wall& wall, const std::string& what, double value, double
                             fmt::format("out of range (band {}); give {}", band, range)));
 }
 
+bool is_given(const std::vector<std::optional<AngularFormula>>& formulas, std::size_t band) {
+  return band < formulas.size() && formulas[band];
+}
+
 /// Where what emits in this band came from: the first such medium, else the first such wall; empty if
 /// nothing does.
 std::optional<Origin> emitter(const Problem& problem, std::size_t band) {
@@ -44,11 +48,11 @@ std::optional<Origin> emitter(const Problem& problem, std::size_t band) {
       emits[static_cast<std::size_t>(mesh.region(CellIndex(c)))] = true;
   for (std::size_t region = 0; region < emits.size(); ++region)
     if (emits[region]) return origin_of(problem.media()[region], "emission");
-  const auto is_given = [band](const auto& formulas) { return band < formulas.size() && formulas[band]; };
   for (const Medium& medium : problem.media())
-    if (is_given(medium.emission_by_direction)) return origin_of(medium, "emission");
+    if (is_given(medium.emission_by_direction, band)) return origin_of(medium, "emission");
   for (const Wall& wall : problem.walls())
-    if (wall.radiance[band] > 0 || is_given(wall.radiance_by_direction)) return origin_of(wall, "radiance");
+    if (wall.radiance[band] > 0 || is_given(wall.radiance_by_direction, band))
+      return origin_of(wall, "radiance");
   if (!problem.lights().empty()) return problem.lights().front().origin;
   return {};
 }
@@ -88,6 +92,13 @@ void check_wall(const Wall& wall, const Bands& bands, std::vector<Fault>& faults
     check_range(wall, "radiance", wall.radiance[band], HUGE_VAL, name, faults);
     check_range(wall, "diffuse", wall.diffuse[band], 1, name, faults);
     check_range(wall, "specular", wall.specular[band], 1, name, faults);
+    if (wall.refractive_index != 1 &&
+        (wall.diffuse[band] > 0 || wall.specular[band] > 0 || is_given(wall.radiance_by_direction, band)))
+      faults.push_back(fault_at(
+          origin_of(wall, "refractive_index"), shown(wall.refractive_index),
+          fmt::format("with a reflectance or a formula for the radiance (band {}; what a smooth surface "
+                      "reflects and lets in follows from the index); give one or the other",
+                      name)));
     const double sum = wall.diffuse[band] + wall.specular[band];
     if (faults.size() == before && sum > 1 + rounding)
       faults.push_back(

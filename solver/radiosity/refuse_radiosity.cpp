@@ -56,6 +56,8 @@ void refuse_for_radiosity(const Problem& problem) {
   for (const Wall& wall : problem.walls()) {
     if (std::ranges::any_of(wall.specular, [](double s) { return s > 0; }))
       faults.add(origin_of(wall, "specular"), "is a mirror (radiosity knows diffuse walls alone)");
+    if (wall.refractive_index != 1)
+      faults.add(origin_of(wall, "refractive_index"), "refracts (radiosity knows diffuse walls alone)");
     if (any(wall.radiance_by_direction))
       faults.add(origin_of(wall, "radiance"),
                  "depends on the place or the direction (not in this version for radiosity)");

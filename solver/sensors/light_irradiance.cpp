@@ -62,8 +62,8 @@ void LightIrradiance::find_flat_lights() {
     return (source++)->get();
   };
   for (std::size_t i = 0; i < problem.lights().size(); ++i) {
-    if (continues_sky(problem.lights(), i)) continue;
     const Light& light = problem.lights()[i];
+    if (continues_sky(problem.lights(), i) || light.uncollided == Uncollided::no) continue;
     const LightSource* shining = next();
     if (const auto* surface = std::get_if<SurfaceLight>(&light.kind))
       flat_.push_back({shining, surface->radiance, triangles_of(*surface)});

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <span>
+#include <vector>
 
+#include "solver/angle/ordinate_reflectance.h"
+#include "solver/ordinates/ordinate_lights.h"
 #include "solver/picture/collided_source.h"
 
 namespace etendue {
@@ -12,6 +16,9 @@ namespace {
 
 /// What feeds light: all that there is, or the input of its sweep alone.
 enum class FedBy { everything, input };
+
+/// Normals of one flat wall differ by rounding only.
+constexpr double same_normal = 1e-9;
 
 /// The radiance that one ordinate brings, at the faces of the mesh.
 class Radiance {
@@ -21,7 +28,9 @@ class Radiance {
         directions_(directions),
         solution_(solution),
         fed_(fed),
-        bands_(solution.fluence.size() / 4 / static_cast<std::size_t>(problem.mesh().cell_count())) {}
+        bands_(solution.fluence.size() / 4 / static_cast<std::size_t>(problem.mesh().cell_count())) {
+    find_surfaces();
+  }
 
   std::size_t bands() const { return bands_; }
   double mean(OrdinateIndex n, CellIndex cell, std::size_t band) const {
@@ -42,22 +51,48 @@ class Radiance {
   /// an angular input adds [3][band].
   double from_wall(OrdinateIndex n, FaceIndex face, std::size_t band, std::span<const double> added) const {
     const Wall& wall = problem_.wall(problem_.mesh().wall(face));
-    double irradiance = 0, sent = 0;
+    const Vec3 normal = problem_.mesh().area_normal(face).normalized();
+    double irradiance = 0, emitted = wall.radiance[band], mirrored = wall.specular[band], sent = 0;
+    if (const double index = wall.refractive_index; index != 1) {
+      mirrored = surface(wall, normal)->reflected[n.at()];
+      emitted *= index * index * (1 - mirrored);
+    }
     for (std::size_t i = 0; i < 3; ++i) {
       irradiance += solution_.irradiance[(face.at() * 3 + i) * bands_ + band] / 3;
       sent += added[i * bands_ + band] / 3;
     }
-    if (fed_ == FedBy::everything) sent += wall.radiance[band];
+    if (fed_ == FedBy::everything) sent += emitted;
     if (fed_ == FedBy::everything && wall.diffuse[band] > 0)
       sent += wall.diffuse[band] * irradiance / solution_.half_range[face.at()];
-    if (wall.specular[band] > 0)
-      sent += wall.specular[band] *
-              on_face(OrdinateIndex(directions_.mirrored(n, problem_.mesh().area_normal(face).normalized())),
-                      face, problem_.mesh().owner(face), band);
+    if (mirrored > 0)
+      sent += mirrored * on_face(OrdinateIndex(directions_.mirrored(n, normal)), face,
+                                 problem_.mesh().owner(face), band);
     return sent;
   }
 
  private:
+  /// A flat surface that refracts.
+  struct Surface {
+    const Wall* wall;
+    Vec3 normal;
+    std::vector<double> reflected;  ///< [ordinate]
+  };
+
+  void find_surfaces() {
+    const TetrahedralMesh& mesh = problem_.mesh();
+    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+      const Wall& wall = problem_.wall(mesh.wall(FaceIndex(f)));
+      if (wall.refractive_index == 1) continue;
+      const Vec3 normal = mesh.area_normal(FaceIndex(f)).normalized();
+      if (surface(wall, normal) == surfaces_.end())
+        surfaces_.push_back({&wall, normal, ordinate_reflectances(directions_, wall, normal)});
+    }
+  }
+  std::vector<Surface>::const_iterator surface(const Wall& wall, const Vec3& normal) const {
+    return std::ranges::find_if(surfaces_, [&](const Surface& s) {
+      return s.wall == &wall && (s.normal - normal).norm() < same_normal;
+    });
+  }
   double value(OrdinateIndex n, CellIndex cell, std::size_t node, std::size_t band) const {
     return solution_.radiance[n.at()].values[(cell.at() * 4 + node) * bands_ + band];
   }
@@ -66,6 +101,7 @@ class Radiance {
   const Solution& solution_;
   FedBy fed_;
   std::size_t bands_;
+  std::vector<Surface> surfaces_;
 };
 
 /// What is looked at together.
@@ -75,12 +111,13 @@ struct Ordinate {
   double weight;
 };
 
-void add_flow(const Radiance& radiance, const SurfaceFace& part, const Ordinate& n, const AngularInput* input,
-              RegionAccount& account) {
+void add_flow(const Radiance& radiance, const SurfaceFace& part, const Ordinate& n,
+              std::initializer_list<const AngularInput*> inputs, RegionAccount& account) {
   const double across = part.area.dot(n.travel);
   if (across == 0) return;
   std::vector<double> added(3 * radiance.bands(), 0);
-  if (across < 0 && !part.outside && input != nullptr) input->add_inflow(n.number, part.face, added);
+  for (const AngularInput* input : inputs)
+    if (across < 0 && !part.outside && input != nullptr) input->add_inflow(n.number, part.face, added);
   for (std::size_t b = 0; b < radiance.bands(); ++b) {
     if (across > 0) {
       account.flowing_out[b] += n.weight * across * radiance.on_face(n.number, part.face, part.inside, b);
@@ -108,8 +145,10 @@ class Bookkeeping {
         scope_(scope),
         fed_(fed),
         radiance_(problem, swept.directions, swept.solution, fed),
+        lights_(problem, swept.directions, nullptr),
         source_(4 * radiance_.bands()),
-        added_(4 * radiance_.bands()) {
+        added_(source_),
+        shining_(source_) {
     for (std::int32_t c = 0; c < problem.mesh().cell_count(); ++c)
       if (problem.mesh().region(CellIndex(c)) == scope.region) cells_.emplace_back(c);
   }
@@ -121,7 +160,8 @@ class Bookkeeping {
       const Ordinate n{number, swept_.directions.direction(number), swept_.directions.weight(number)};
       if (scope_.cone && !scope_.cone->holds(n.travel)) continue;
       account.solid_angle += n.weight;
-      for (const SurfaceFace& part : scope_.surface) add_flow(radiance_, part, n, swept_.input, account);
+      for (const SurfaceFace& part : scope_.surface)
+        add_flow(radiance_, part, n, {swept_.input, fed_ == FedBy::everything ? &lights_ : nullptr}, account);
       const CollidedSource::View view = sources_.view(n.travel);
       for (const CellIndex cell : cells_) add_cell(cell, n, view, account);
     }
@@ -135,6 +175,8 @@ class Bookkeeping {
     std::fill(added_.begin(), added_.end(), 0.0);
     if (fed_ == FedBy::everything) sources_.at_vertices(cell, view, source_);
     if (swept_.input != nullptr) swept_.input->add_source(n.number, cell, added_);
+    std::fill(shining_.begin(), shining_.end(), 0.0);
+    if (fed_ == FedBy::everything) lights_.add_source(n.number, cell, shining_);
   }
   void add_cell(CellIndex cell, const Ordinate& n, const CollidedSource::View& view, RegionAccount& account) {
     find_sources(cell, n, view);
@@ -147,7 +189,7 @@ class Bookkeeping {
       account.path[b] += path;
       account.absorbed[b] += absorption * path;
       account.scattered_out[b] += (sources_.extinction(cell, b, view) - absorption) * path;
-      account.emitted[b] += emitted;
+      account.emitted[b] += emitted + phase_volume * mean_of(shining_, b, radiance_.bands());
       account.scattered_in[b] +=
           phase_volume * (mean_of(source_, b, radiance_.bands()) + mean_of(added_, b, radiance_.bands())) -
           emitted;
@@ -160,8 +202,9 @@ class Bookkeeping {
   const AccountScope& scope_;
   FedBy fed_;
   Radiance radiance_;
+  OrdinateLights lights_;
   std::vector<CellIndex> cells_;
-  std::vector<double> source_, added_;  ///< [4][band] of CollidedSource, and of the input
+  std::vector<double> source_, added_, shining_;  ///< [4][band] of CollidedSource, the input, lights
 };
 
 }  // namespace

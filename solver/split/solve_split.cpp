@@ -35,8 +35,9 @@ void add_exitance(const LightSetup& lights, const UncollidedField& field, Soluti
   const Problem& problem = lights.problem();
   const TetrahedralMesh& mesh = problem.mesh();
   const auto bands = static_cast<std::size_t>(problem.band_count());
-  solution.lights.from_walls.assign(problem.walls().size(), std::vector<double>(bands, 0));
-  solution.lights.inside.assign(bands, 0);
+  // What is swept is in them already.
+  solution.lights.from_walls.resize(problem.walls().size(), std::vector<double>(bands, 0));
+  solution.lights.inside.resize(bands, 0);
   std::vector<const BeamLight*> beams;
   for (const auto& source : lights.sources()) {
     if (const auto* beam = dynamic_cast<const BeamSource*>(source.get())) beams.push_back(&beam->light());
@@ -121,11 +122,14 @@ std::vector<UncollidedBalance> balance_of(const LightSetup& lights, const Uncoll
 /// Lights that are neither walls nor media, nor beams or a sky that walls let in. They are the first of the
 /// sources.
 void add_lights_inside(const LightSetup& lights, Solution& solution) {
-  const auto all = lights.problem().lights();
-  for (std::size_t i = 0; i < all.size(); ++i)
+  std::size_t source = 0;
+  for (const Light& light : lights.problem().lights()) {
+    if (light.uncollided == Uncollided::no) continue;
     for (std::size_t b = 0;
-         b < solution.lights.inside.size() && !std::holds_alternative<BeamLight>(all[i].kind); ++b)
-      solution.lights.inside[b] += lights.sources()[i]->power()[b];
+         b < solution.lights.inside.size() && !std::holds_alternative<BeamLight>(light.kind); ++b)
+      solution.lights.inside[b] += lights.sources()[source]->power()[b];
+    ++source;
+  }
 }
 
 void add_meters(const LightSetup& lights, const SolveOptions& options, Solution& solution) {
@@ -183,6 +187,7 @@ Solution UncollidedLight::solve_rest(const DirectionSet& directions, const Direc
                                      const SetReader& reader) const {
   if (lights_.empty()) {
     Solution whole = solve(lights_.problem(), directions, options, observer);
+    whole.notes.insert(whole.notes.begin(), lights_.notes().begin(), lights_.notes().end());
     if (reader) reader({directions, whole, options.angular_input});
     return whole;
   }

@@ -8,6 +8,7 @@
 
 #include "mesh/files/mesh_file.h"
 #include "solver/problem/lamp_shape.h"
+#include "solver/problem/mirror.h"
 #include "tests/app/case/case_text.h"
 
 namespace etendue {
@@ -318,6 +319,45 @@ TEST(BuildProblem, TurnsTheTableOfASky) {
   const Vec3 from_minus_x = flow("along = [0, 1, 0]\n");
   EXPECT_NEAR(from_minus_x.x(), -from_y.y(), 1e-12);
   EXPECT_NEAR(from_minus_x.z(), from_y.z(), 1e-12);
+}
+
+const std::string pool = R"([mesh]
+max_volume = 0.2
+[[mesh.box]]
+region = "water"
+min = [0, 0, 0]
+max = [1, 1, 1]
+walls = { zmax = "surface" }
+[media.water]
+absorption = 1
+[walls.surface]
+refractive_index = 1.33
+[walls."*"]
+)";
+
+std::string sun(const std::string& keys) {
+  return pool + "[[light]]\nname = \"sun\"\nkind = \"sun\"\nirradiance = 2\n" + keys;
+}
+
+// Snell's law; of glancing light more is turned back. The power through the surface is what is left.
+TEST(BuildProblem, RefractsTheSunAtASurface) {
+  const Case input = case_of(sun("direction = [0.8, 0, -0.6]\nwalls = [\"surface\"]\n"));
+  const TetrahedralMesh mesh = build_mesh(input);
+  const Problem problem = build_problem(input, mesh);
+  const auto beam = std::get<BeamLight>(problem.lights().front().kind);
+  EXPECT_NEAR(beam.direction.x(), 0.8 / 1.33, 1e-12);
+  EXPECT_NEAR(beam.direction.norm(), 1, 1e-12);
+  EXPECT_NEAR(beam.irradiance[0] * -beam.direction.z(), 2 * 0.6 * (1 - fresnel_reflectance(0.6, 1 / 1.33)),
+              1e-12);
+}
+
+TEST(BuildProblem, RefusesASunByASurfaceAndByOtherWalls) {
+  EXPECT_NE(build_faults(case_of(sun("direction = [0.8, 0, -0.6]\n")))
+                .find("comes in by the wall surface, which refracts, and by others; name one wall"),
+            std::string::npos);
+  EXPECT_NE(build_faults(case_of(sun("direction = [0, 0, 1]\nwalls = [\"surface\"]\n")))
+                .find("which refracts, from behind; turn the light"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -50,10 +50,6 @@ const Check keys[] = {
 };
 
 const Check later[] = {
-    {"UncollidedLight", "[[light]]\nname = \"sky\"\nkind = \"sky\"\nradiance = 1\nuncollided = false\n",
-     "slab.toml:11: light[0].uncollided = false: not in this version (directions alone do not see a lamp); "
-     "use "
-     "\"auto\" or true"},
     {"DirectionInFormula", "[media.air]\nscattering = \"1 + wx\"\n",
      "slab.toml:8: media.air.scattering = \"1 + wx\": uses the direction of travel wx, wy, wz (absorption, "
      "extinction, emission and a wall's radiance may, this may not); use x, y, z"},

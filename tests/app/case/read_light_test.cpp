@@ -40,6 +40,14 @@ TEST(ReadLight, TakesTheBeamOfAWallForASun) {
   EXPECT_EQ(input.lights[0].walls, std::vector<std::string>{"zmax"});
 }
 
+TEST(ReadLight, MayBeLeftToTheDirections) {
+  const Case input = case_of(cube + "[walls.zmax]\nbeam = { direction = [0, 0, -3], irradiance = 2 }\n" +
+                             "uncollided = false\n[[light]]\nname = \"bulb\"\nkind = \"point\"\n" +
+                             "position = [0, 0, 0]\npower = 1\nuncollided = false\n");
+  ASSERT_EQ(input.lights.size(), 2U);
+  for (const LightCase& light : input.lights) EXPECT_EQ(light.uncollided, Uncollided::no) << light.name;
+}
+
 TEST(ReadLight, AsksForWhatAKindNeeds) {
   EXPECT_EQ(faults_of(cube + "[[light]]\nname = \"bulb\"\nkind = \"point\"\nposition = [0, 0, 0]\n"),
             "slab.toml:7: light[0]: a light of kind point needs power; add it");

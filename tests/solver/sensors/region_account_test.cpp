@@ -91,6 +91,36 @@ TEST(RegionAccount, FluxThroughASurfaceIsTheBalance) {
   }
 }
 
+// A surface in place of a black wall, and lights that are swept.
+TEST(RegionAccount, ClosesBesideASurfaceAndLightsThatAreSwept) {
+  const TetrahedralMesh mesh = two_region_mesh(0.01);
+  const Problem plain = block_in_gas(mesh, PhaseHenyeyGreenstein{0.5});
+  std::vector<Wall> walls(plain.walls().begin(), plain.walls().end());
+  const auto number = [&](const char* name) {
+    return static_cast<int>(std::ranges::find(mesh.wall_names(), name) - mesh.wall_names().begin());
+  };
+  Wall& surface = walls[static_cast<std::size_t>(number("xmin"))];
+  surface.refractive_index = 1.4;
+  surface.radiance = {0.7};
+  PointLight bulb;
+  bulb.position = mesh.centroid(CellIndex(0));
+  bulb.power = {3};
+  const BeamLight sun{Vec3(0.2, 0.3, -1).normalized(), {2}, {number("zmax")}};
+  const Problem problem(mesh, {}, {plain.media().begin(), plain.media().end()}, walls, AngularSpace::sphere,
+                        {{"bulb", bulb, {}, Uncollided::no}, {"sun", sun, {}, Uncollided::no}});
+  const Solved solved(problem, directions_ldfe_sq(1));
+  EXPECT_LT(std::abs(balances(problem, solved.solution)[0].residual), 1e-9);
+  const auto powers = region_powers(problem, solved.solution);
+  double emitted = 0;
+  for (const int region : {0, 1}) {
+    const RegionAccount all = solved.account(region);
+    EXPECT_NEAR(all.residual(0), 0, 1e-8);
+    EXPECT_NEAR(solved.account(region, Cone{Vec3(-0.9, 0.2, 0.3).normalized(), 1.0}).residual(0), 0, 1e-8);
+    emitted += all.emitted[0] - powers[static_cast<std::size_t>(region)][0].emitted;
+  }
+  EXPECT_NEAR(emitted, 3, 1e-9);
+}
+
 // A constant radiance fills phase space: the integral is u V times the solid angle.
 TEST(RegionAccount, CountsPhaseSpaceInAFurnace) {
   const TetrahedralMesh mesh = two_region_mesh(0.02);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -225,6 +226,62 @@ TEST(SolveSplit, AgreesWithTheSweepWhereThatIsGood) {
   EXPECT_TRUE(swept.lights.fluence.empty());
   EXPECT_FALSE(split.lights.fluence.empty());
   EXPECT_NEAR(mean_fluence(mesh, split) / mean_fluence(mesh, swept), 1, 0.02);
+}
+
+// The one along rays, the other by the directions, or both by them: the same light.
+TEST(SolveSplit, SweepsTheLightsThatSayNo) {
+  const TetrahedralMesh mesh = cube_mesh(0.01);
+  const Medium haze = uniform_medium(1, 1, 3, 0, PhaseHenyeyGreenstein{0.5});
+  std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0.3, 0));
+  for (std::size_t i = 0; i < walls.size(); ++i) walls[i].name = mesh.wall_names()[i];
+  std::vector<double> means;
+  for (const bool both : {false, true}) {
+    std::vector<Light> lamps = {lamp({0.4, 0.55, 0.6}), lamp({0.6, 0.3, 0.45})};
+    lamps[1].name = "other";
+    lamps[1].uncollided = Uncollided::no;
+    if (both) lamps[0].uncollided = Uncollided::no;
+    const Problem problem(mesh, {}, {haze}, walls, AngularSpace::sphere, lamps);
+    const LightSetup lights(problem);
+    EXPECT_EQ(lights.sources().size(), both ? 0U : 1U);
+    const Solution solution = solve_split(lights, directions_ldfe_sq(1), tight_options());
+    ASSERT_TRUE(solution.converged());
+    EXPECT_NE(std::ranges::find(solution.notes, "light other: left to the directions (uncollided = false)"),
+              solution.notes.end());
+    const Balance balance = balances(problem, solution)[0];
+    EXPECT_NEAR(balance.inflow, 2, 1e-12);
+    EXPECT_NEAR(balance.residual, both ? 0 : solution.lights.balance[0].residual / 2, 1e-9);
+    means.push_back(mean_fluence(mesh, solution));
+  }
+  EXPECT_NEAR(means[0] / means[1], 1, 0.02);
+}
+
+// Light that enters by a surface and cannot come back to it may be followed.
+TEST(LightSetup, RefusesLightThatMeetsASurfaceFromWithin) {
+  const TetrahedralMesh mesh = cube_mesh(0.05);
+  std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
+  int top = 0;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    walls[i].name = mesh.wall_names()[i];
+    if (walls[i].name == "zmax") top = static_cast<int>(i);
+  }
+  walls[static_cast<std::size_t>(top)].refractive_index = 1.33;
+  const auto accepted = [&](const Light& light, double mirror_below) {
+    std::vector<Wall> own = walls;
+    for (Wall& wall : own)
+      if (wall.name == "zmin") wall.specular = {mirror_below};
+    const Problem problem(mesh, {}, {uniform_medium(1, 1, 0, 0)}, own, AngularSpace::sphere, {light});
+    try {
+      return LightSetup(problem).sources().size() == 1;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("meets the wall zmax, which refracts, from within"),
+                std::string::npos);
+      return false;
+    }
+  };
+  const Light down{"sun", BeamLight{-Vec3::UnitZ(), {1}, {top}}, {}};
+  EXPECT_TRUE(accepted(down, 0));
+  EXPECT_FALSE(accepted(down, 0.5));
+  EXPECT_FALSE(accepted(lamp({0.4, 0.5, 0.5}), 0));
 }
 
 TEST(LightSetup, TakesSmallEmittersAndLeavesLargeOnes) {

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// The part of unpolarised light that a smooth surface reflects which it meets at `cosine` > 0 to the normal;
+/// `index` is the refractive index on the side of the light over that behind the surface. 1 where it is
+/// reflected totally (Fresnel's formulas; Born and Wolf 1999, section 1.5.2).
+double fresnel_reflectance(double cosine, double index);
+
+/// Its mean over the cone of a solid angle [sr] about a direction, weighted by the cosine: what an ordinate
+/// sees that stands for this part of the sphere. Light beyond the surface is left out.
+double mean_fresnel_reflectance(double cosine, double solid_angle, double index);
+
+/// Whether a wall mirrors in some band: by its specular reflectance or because it refracts.
+bool is_mirror(const Wall& wall);
+/// The part of light that a wall mirrors which it meets at `cosine` > 0 to the normal.
+double mirrored_part(const Wall& wall, std::size_t band, double cosine);
+/// The part of isotropic light that a wall mirrors.
+double mirrored_part_of_isotropic(const Wall& wall, std::size_t band);
+/// The radiance that a wall's `radiance` sends in at `cosine` > 0 to the normal.
+double radiance_sent(const Wall& wall, std::size_t band, double cosine);
+/// What comes in for a wall's radiance, as irradiance over that of the same radiance just inside: 1, or what
+/// a surface that refracts lets in and draws together.
+double entering_part(const Wall& wall);
+
+}  // namespace etendue
