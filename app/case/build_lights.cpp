@@ -27,7 +27,8 @@ bool is_bare(const Wall& wall) {
   const auto zero = [](const std::vector<double>& values) {
     return std::ranges::all_of(values, [](double v) { return v == 0; });
   };
-  return zero(wall.radiance) && zero(wall.diffuse) && zero(wall.specular);
+  return zero(wall.radiance) && zero(wall.diffuse) && zero(wall.specular) && !wall.is_glossy() &&
+         !wall.transmits();
 }
 
 /// The walls that a light names; without names those that neither shine nor reflect.

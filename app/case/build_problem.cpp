@@ -141,6 +141,8 @@ Wall wall_of(const WallCase& entry, const std::string& name, int bands) {
             entry.origin,
             entry.uncollided};
   wall.refractive_index = entry.refractive_index;
+  wall.glossy = entry.glossy;
+  if (!entry.transmittance.values.empty()) wall.transmittance = band_numbers(entry.transmittance, bands);
   for (int band = 0; band < bands && !entry.radiance.values.empty(); ++band) {
     const Value& value = value_of(entry.radiance, band);
     wall.radiance_by_direction.emplace_back();

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,7 @@
 #include "solver/problem/phase_function.h"
 #include "solver/radiosity/radiosity_method.h"
 #include "solver/sensors/sensor.h"
+#include "solver/surfaces/reflectance.h"
 
 namespace etendue {
 
@@ -105,9 +107,11 @@ struct LightCase {
 };
 
 struct WallCase {
-  BandValues radiance;           ///< empty values: 0
-  BandValues diffuse, specular;  ///< numbers; empty values: 0
-  double refractive_index = 1;   ///< of the domain over that of what is behind
+  BandValues radiance;                                     ///< empty values: 0
+  BandValues diffuse, specular;                            ///< numbers; empty values: 0
+  BandValues transmittance;                                ///< numbers; empty values: 0
+  std::vector<std::shared_ptr<const Reflectance>> glossy;  ///< [band]; empty: none
+  double refractive_index = 1;                             ///< of the domain over that of what is behind
   Uncollided uncollided = Uncollided::automatic;
   std::optional<LightCase> beam;
   Origin origin;

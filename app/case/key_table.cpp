@@ -40,6 +40,9 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "media.NAME.phase.mix", .form = list, .help = "Of the model mixture: its parts."},
       {.path = "walls", .help = "Every wall has an entry; \"*\" stands for the rest."},
       {.path = "walls.NAME", .help = "What the wall NAME does; an empty entry is black and cold."},
+      {.path = "walls.NAME.glossy",
+       .help = "A reflectance f_r beside the diffuse and the mirror one; of all together at most 1 is "
+               "reflected at every angle."},
       {.path = "walls.NAME.beam", .help = "Collimated light that enters here; the wall must not mirror."},
       {.path = "light",
        .form = list,

@@ -14,7 +14,7 @@ std::vector<KeyDeclaration> light_keys() {
        band_numbers,
        {.default_value = "0.0",
         .range = fraction,
-        .help = "Lambertian reflectance; diffuse + specular is at most 1."}},
+        .help = "Lambertian reflectance; diffuse + specular + transmittance + what is glossy is at most 1."}},
       {"walls.NAME",
        "specular",
        band_numbers,
@@ -28,6 +28,13 @@ std::vector<KeyDeclaration> light_keys() {
             "Of the domain over that of what is behind the wall. Other than 1 the wall is a smooth "
             "surface: it mirrors what Fresnel's formulas say and lets the rest out; radiance, beams and suns "
             "are those behind it, and refracted as they come in."}},
+      {"walls.NAME",
+       "transmittance",
+       band_numbers,
+       {.default_value = "0.0",
+        .range = fraction,
+        .help = "Of a side of a [[mesh.sheet]]: the part of the light that arrives here and leaves diffusely "
+                "on the other side; the same on both."}},
       {"walls.NAME",
        "radiance",
        band_values,
@@ -43,6 +50,44 @@ std::vector<KeyDeclaration> light_keys() {
         .help = "Whether the uncollided part of the radiance and of the beam is integrated along rays as "
                 "that of a light; auto: of a beam, and of the radiance where the wall is below 5 % of the "
                 "boundary."}},
+
+      {"walls.NAME.glossy",
+       "model",
+       text,
+       {.choices = {"phong", "ggx", "table"},
+        .need = required,
+        .help = "The reflectance: a lobe cos^n about the mirrored direction (Lafortune and Willems 1994), a "
+                "rough surface of small mirrors (Walter et al. 2007), or measured."}},
+      {"walls.NAME.glossy",
+       "reflectance",
+       band_numbers,
+       {.default_value = "1.0",
+        .range = fraction,
+        .help =
+            "Of phong: the part that is reflected of light along the normal; of ggx: of a facet met along "
+            "its normal; of table: a factor."}},
+      {"walls.NAME.glossy",
+       "exponent",
+       number,
+       {.range = {.lowest = 0, .highest = 1e5}, .help = "Of phong: n; the larger, the narrower the lobe."}},
+      {"walls.NAME.glossy",
+       "roughness",
+       number,
+       {.range = {.lowest = 1e-3, .highest = 1},
+        .help = "Of ggx: a, about the root mean square slope; near 0: a mirror."}},
+      {"walls.NAME.glossy",
+       "fresnel",
+       text,
+       {.default_value = "\"constant\"",
+        .choices = {"constant", "schlick"},
+        .help = "Of ggx: whether a facet reflects more of light that grazes it, up to all of it (Schlick "
+                "1994)."}},
+      {"walls.NAME.glossy",
+       "file",
+       text,
+       {.help =
+            "Of table: a CSV file of angle_in, angle_out, azimuth [degree] and value [1/sr], a whole grid; "
+            "the azimuth is 180 on the mirror's side."}},
 
       {"walls.NAME.beam",
        "direction",

@@ -61,6 +61,14 @@ std::vector<KeyDeclaration> picture_keys() {
             "Rays that look from each vertex of a wall for the light that directions brought there: free of "
             "their rays, at the cost of as many rays. 0: as the solution has it."}},
       {"camera",
+       "glossy",
+       integer,
+       {.default_value = "16",
+        .range = {.lowest = 0, .highest = 1024},
+        .help =
+            "Rays from a point of a glossy wall, drawn from its reflectance. 0: it is seen as a diffuse one "
+            "that reflects as much on the mean. Without effect on a photon map."}},
+      {"camera",
        "errors",
        boolean,
        {.default_value = "false",

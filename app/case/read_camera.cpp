@@ -59,6 +59,7 @@ CameraCase read_camera(Section& section) {
   result.camera.samples = section.integer("samples");
   result.camera.shafts = section.integer("shafts");
   result.camera.gather = section.integer("gather");
+  result.camera.glossy = section.integer("glossy");
   result.camera.errors = section.boolean("errors");
   result.exposure = section.number_if("exposure");
   if (const auto tone = tones.find(section.text("tone")); tone != tones.end()) result.tone = tone->second;

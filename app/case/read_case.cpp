@@ -43,7 +43,7 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   read_directions(top.section("directions"), result);
   result.media = read_media(top.section("media"), {result.bands, result.angular_space, file.parent_path(),
                                                    [&result] { return ordinate_count(result); }});
-  result.walls = read_walls(top.section("walls"), result.bands);
+  result.walls = read_walls(top.section("walls"), result.bands, file.parent_path());
   result.lights = read_lights(top, result.bands, file.parent_path());
   for (const auto& [name, wall] : result.walls)
     if (wall.beam) result.lights.push_back(*wall.beam);

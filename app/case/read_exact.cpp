@@ -42,8 +42,11 @@ void check_walls(const Case& input, Faults& faults) {
   for (const auto& [name, wall] : input.walls) {
     refuse(wall.radiance, "emits in a case with [exact] (what enters follows from the radiance); remove it",
            faults);
-    for (const BandValues* reflectance : {&wall.diffuse, &wall.specular})
+    for (const BandValues* reflectance : {&wall.diffuse, &wall.specular, &wall.transmittance})
       refuse(*reflectance, "reflects in a case with [exact] (not in this version); use black walls", faults);
+    if (!wall.glossy.empty())
+      faults.push_back(fault_at(wall.origin, "",
+                                "reflects in a case with [exact] (not in this version); use black walls"));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "app/case/band_values.h"
 #include "app/case/medium_coefficients.h"
 #include "app/case/read_directional.h"
+#include "app/case/read_glossy.h"
 #include "app/case/read_light.h"
 #include "app/case/read_phase.h"
 #include "solver/problem/angular_formula.h"
@@ -18,6 +19,8 @@ namespace {
 
 // What a person computed with a few digits may exceed 1 by its rounding.
 constexpr double reflectance_rounding = 1e-12;
+// Of the integrals that the albedo of a glossy surface is known by.
+constexpr double albedo_error = 1e-6;
 
 std::string band_prefix(const Bands& bands, int band) {
   return bands.count() == 1 ? "" : "band " + bands.names[static_cast<std::size_t>(band)] + ": ";
@@ -211,18 +214,33 @@ void check_reflectances(Section& section, const WallCase& wall, const Bands& ban
   for (int band = 0; band < bands.count(); ++band) {
     const double diffuse = std::get<double>(value_of(wall.diffuse, band));
     const double specular = std::get<double>(value_of(wall.specular, band));
-    if (diffuse + specular <= 1 + reflectance_rounding) continue;
+    const double transmittance = std::get<double>(value_of(wall.transmittance, band));
+    const double even = diffuse + specular + transmittance;
+    const auto b = static_cast<std::size_t>(band);
+    if (b < wall.glossy.size() && wall.glossy[b] != nullptr) {
+      const AlbedoTable& lobe = wall.glossy[b]->albedo();
+      if (even + lobe.largest() <= 1 + albedo_error) continue;
+      return section.fault(fmt::format(
+          "{}glossy reflects {:.4g} of light at {:.3g} degrees to the normal, and diffuse + specular + "
+          "transmittance = {} (more light would leave than arrives); use at most 1 together",
+          band_prefix(bands, band), lobe.largest(), lobe.angle_of_largest(), even));
+    }
+    if (even <= 1 + reflectance_rounding) continue;
     return section.fault(
-        fmt::format("{}diffuse + specular = {} (more light would leave than arrives); use at most 1",
-                    band_prefix(bands, band), diffuse + specular));
+        fmt::format("{}diffuse + specular{} = {} (more light would leave than arrives); use "
+                    "at most 1",
+                    band_prefix(bands, band), transmittance > 0 ? " + transmittance" : "", even));
   }
 }
 
-WallCase read_wall(const std::string& name, Section section, const Bands& bands) {
+WallCase read_wall(const std::string& name, Section section, const Bands& bands,
+                   const std::filesystem::path& case_folder) {
   WallCase wall;
   wall.origin = section.origin();
   wall.diffuse = read_band_values_or_default(section, "diffuse", bands);
   wall.specular = read_band_values_or_default(section, "specular", bands);
+  wall.transmittance = read_band_values_or_default(section, "transmittance", bands);
+  if (section.has("glossy")) wall.glossy = read_glossy(section.section("glossy"), bands, case_folder);
   wall.radiance = read_band_values_or_default(section, "radiance", bands, FormulaOf::place_and_direction);
   wall.uncollided = read_uncollided(section);
   check_uncollided(section, wall.uncollided,
@@ -232,7 +250,8 @@ WallCase read_wall(const std::string& name, Section section, const Bands& bands)
   wall.beam = read_beam(section, name, bands);
   if (wall.beam) wall.beam->uncollided = wall.uncollided;
   wall.refractive_index = section.number("refractive_index");
-  if (!any_faulty(section, {"diffuse", "specular"})) check_reflectances(section, wall, bands);
+  if (!any_faulty(section, {"diffuse", "specular", "transmittance"}))
+    check_reflectances(section, wall, bands);
   return wall;
 }
 
@@ -255,8 +274,12 @@ std::map<std::string, MediumCase> read_media(Section media, const MatterContext&
   return read_entries<MediumCase>(std::move(media), context.bands, "region", reader);
 }
 
-std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands) {
-  return read_entries<WallCase>(std::move(walls), bands, "wall", read_wall);
+std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands,
+                                           const std::filesystem::path& case_folder) {
+  const auto reader = [&case_folder](const std::string& name, Section section, const Bands& all) {
+    return read_wall(name, std::move(section), all, case_folder);
+  };
+  return read_entries<WallCase>(std::move(walls), bands, "wall", reader);
 }
 
 }  // namespace etendue

@@ -20,6 +20,7 @@ struct MatterContext {
 };
 
 std::map<std::string, MediumCase> read_media(Section media, const MatterContext& context);
-std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands);
+std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands,
+                                           const std::filesystem::path& case_folder);
 
 }  // namespace etendue

@@ -33,7 +33,8 @@ std::vector<int> sky_walls(const BakeRequest& request, const Problem& problem) {
   for (std::size_t w = 0; w < problem.walls().size(); ++w) {
     const Wall& wall = problem.walls()[w];
     names.push_back(wall.name);
-    const bool bare = zero(wall.radiance) && zero(wall.diffuse) && zero(wall.specular);
+    const bool bare = zero(wall.radiance) && zero(wall.diffuse) && zero(wall.specular) && !wall.is_glossy() &&
+                      !wall.transmits();
     if (request.sky.empty() ? bare : std::ranges::count(request.sky, wall.name) > 0)
       walls.push_back(static_cast<int>(w));
   }
@@ -157,6 +158,12 @@ ExitCode bake_results(const BakeRequest& request, std::ostream& out, std::ostrea
                          verbose_log(request, err));
   if (scene.problem.space() == AngularSpace::plane)
     throw InputError("command line: bake: not in flatland (not in this version)");
+  for (const Wall& wall : scene.problem.walls())
+    if (request.quantity == BakedQuantity::radiosity && (wall.is_glossy() || wall.transmits()))
+      throw InputError(
+          fmt::format("command line: bake: what the wall {} sends is not its diffuse reflectance times what "
+                      "it receives (it is glossy or lets light through); bake the irradiance",
+                      wall.name));
   const WallSurface surface = wall_surface(scene.mesh);
   const Baker baker(request, scene);
   Baked at_vertices = baker.at(vertex_places(surface, scene.mesh));

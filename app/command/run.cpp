@@ -166,7 +166,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   const RunDirections all_directions = run_directions(input, lights);
   const DirectionSet& directions = all_directions.sets.front();
   const CellLocator locator(mesh);
-  check_sensors(input.sensors, locator, mesh);
+  check_sensors(input.sensors, locator, problem);
   const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
   SolveOptions options = solve_options(input, directions, place_probes(input.probes, mesh, locator));
   if (exact) options.angular_input = &exact->input;

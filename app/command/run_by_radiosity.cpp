@@ -25,7 +25,7 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   place_probes(run.input.probes, run.problem.mesh(), locator);
   const LightSetup lights(run.problem);
   const DirectionSet directions = build_directions(run.input);
-  check_sensors(run.input.sensors, locator, run.problem.mesh());
+  check_sensors(run.input.sensors, locator, run.problem);
   const int threads = thread_count(run.input);
   out << fmt::format("radiosity; bands: {}; threads: {}\n", run.problem.band_count(), threads);
   // Until there is light on the walls a signal ends the program at once.

@@ -144,6 +144,17 @@ std::optional<Fault> fault_of_names(const SensorCase& sensor, const TetrahedralM
   return std::nullopt;
 }
 
+std::optional<Fault> fault_of_walls(const SensorCase& sensor, const Problem& problem) {
+  for (const Wall& wall : problem.walls())
+    if (wall.is_glossy() || (wall.transmits() && !sensor.region.empty()))
+      return fault_at(
+          sensor.origin, "",
+          fmt::format("an account of ordinates in a case where a wall ({}) is glossy or lets light "
+                      "through (not in this version); remove one of the two",
+                      wall.name));
+  return std::nullopt;
+}
+
 std::optional<Fault> fault_of(const SensorCase& sensor, const CellLocator& locator,
                               const TetrahedralMesh& mesh) {
   if (auto fault = fault_of_names(sensor, mesh)) return fault;
@@ -157,10 +168,13 @@ std::optional<Fault> fault_of(const SensorCase& sensor, const CellLocator& locat
 }  // namespace
 
 void check_sensors(const std::vector<SensorCase>& sensors, const CellLocator& locator,
-                   const TetrahedralMesh& mesh) {
+                   const Problem& problem) {
   std::vector<Fault> faults;
-  for (const SensorCase& sensor : sensors)
-    if (auto fault = fault_of(sensor, locator, mesh)) faults.push_back(*std::move(fault));
+  for (const SensorCase& sensor : sensors) {
+    if (auto fault = fault_of(sensor, locator, problem.mesh())) faults.push_back(*std::move(fault));
+    if (reads_ordinates(sensor, problem.space()))
+      if (auto fault = fault_of_walls(sensor, problem)) faults.push_back(*std::move(fault));
+  }
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 

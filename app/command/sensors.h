@@ -15,7 +15,7 @@ namespace etendue {
 /// Throws InputError with each sensor of which nothing lies in the mesh or that names what the mesh does not
 /// have.
 void check_sensors(const std::vector<SensorCase>& sensors, const CellLocator& locator,
-                   const TetrahedralMesh& mesh);
+                   const Problem& problem);
 
 /// What sensors look at; `rays` may be empty where all sensors read ordinates.
 struct SensorScene {

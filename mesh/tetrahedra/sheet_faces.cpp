@@ -53,4 +53,18 @@ std::vector<std::int32_t> vertices_of_sheets(const TetrahedralMesh& mesh) {
   return vertices;
 }
 
+std::vector<std::int32_t> faces_behind(const TetrahedralMesh& mesh) {
+  std::vector<std::pair<std::array<std::int32_t, 3>, std::int32_t>> sorted;  // vertices, face
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    sorted.emplace_back(mesh.vertices(FaceIndex(f)), f);
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::int32_t> behind(sorted.size(), -1);
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    if (sorted[i].first == sorted[i - 1].first) {
+      behind[at(sorted[i].second)] = sorted[i - 1].second;
+      behind[at(sorted[i - 1].second)] = sorted[i].second;
+    }
+  return behind;
+}
+
 }  // namespace etendue

@@ -25,4 +25,8 @@ std::vector<std::array<std::int32_t, 3>> sheet_faces(const MeshNumbering& number
 /// Rising.
 std::vector<std::int32_t> vertices_of_sheets(const TetrahedralMesh& mesh);
 
+/// [boundary face] the face on the other side of a sheet, with the same vertices in the same order; -1 where
+/// there is none.
+std::vector<std::int32_t> faces_behind(const TetrahedralMesh& mesh);
+
 }  // namespace etendue

@@ -151,6 +151,7 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
     add_walls(paths, *source, extended, threads, field.irradiance);
     for (std::size_t i = 0; i < field.fluence.size(); ++i) field.fluence[i] += field.by_source.back()[i];
   }
+  field.glossy = GlossyBeams(paths, sources, threads);
   return field;
 }
 

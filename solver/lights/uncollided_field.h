@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "solver/lights/glossy_beams.h"
 #include "solver/lights/light_source.h"
 
 namespace etendue {
@@ -15,6 +16,7 @@ struct UncollidedField {
   std::vector<double> fluence;                 ///< [cell][4][band] their sum
   std::vector<double> net_flux;                ///< [cell][4][3][band]
   std::vector<double> irradiance;              ///< [boundary face][3][band]
+  GlossyBeams glossy;                          ///< the directions of the light at glossy walls
   // Where something in the problem depends on the direction of light or varies in cells; else empty, and both
   // are coefficients times fluence.
   std::vector<std::vector<double>> collided_by_source;  ///< [source][cell][4][band] [power/length^3]

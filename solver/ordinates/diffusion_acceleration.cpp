@@ -21,6 +21,9 @@ constexpr double large_contrast = 100;
 constexpr double shortest_part = 0.5;
 constexpr double longest_chords = 100;
 
+/// Of what passes a sheet, at least this part is taken to be lost on one passage.
+constexpr double least_kept = 0.05;
+
 /// How far the low-order solve goes. Beside sweeps with moments it costs next to nothing.
 constexpr double accuracy_of_fluence = 0.5;
 constexpr double accuracy_with_moments = 0.05;
@@ -34,7 +37,8 @@ double seconds_since(Clock::time_point start) {
 double partial_current(AngularSpace space) { return half_range(space) / full_range(space); }
 
 double reflectance(const Wall& wall, std::size_t band) {
-  return std::min(1.0, wall.diffuse[band] + mirrored_part_of_isotropic(wall, band));
+  return std::min(1.0,
+                  wall.mean_reflectance(band) - wall.specular[band] + mirrored_part_of_isotropic(wall, band));
 }
 
 /// Mean length of the straight lines through a convex body.
@@ -85,6 +89,10 @@ DiffusionAcceleration::DiffusionAcceleration(const Problem& problem, TransportSw
     double& caution = caution_[i % caution_.size()];
     caution = std::max(caution, media_[i].slope.norm() / std::sqrt(3.0));
   }
+  // Diffusion ends at sheets: of light that goes to and fro through one it knows the first passage alone.
+  for (const Wall& wall : problem.walls())
+    for (std::size_t band = 0; band < wall.transmittance.size(); ++band)
+      caution_[band] = std::max(caution_[band], 1 / std::max(1 - wall.transmittance[band], least_kept));
   const auto start = Clock::now();
   const double accuracy = sweep.scattering().row_count() > 0 ? accuracy_with_moments : accuracy_of_fluence;
   std::vector<DiffusionCoefficients> known;

@@ -32,6 +32,7 @@ struct Sizes {
   double matrices = 0;
   double moments = 1;
   double mirrors = 0;  ///< faces
+  GlossyWalls::Size glossy;
 };
 
 bool scatters(const Problem& problem, CellIndex cell) {
@@ -85,6 +86,8 @@ Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const Sol
   sizes.moments = harmonic_count(directions.space(), highest);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     if (is_mirror(problem.wall(mesh.wall(FaceIndex(f))))) sizes.mirrors += 1;
+  sizes.glossy = GlossyWalls::size_of(problem, directions);
+  sizes.mirrors += sizes.glossy.faces;
   return sizes;
 }
 
@@ -119,7 +122,7 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double records =
       s.cells * static_cast<double>(s.record_length) * (s.dense_cells > 0 ? 1 + threads : 1) +
       2 * s.matrices * s.ordinates * s.ordinates + DirectionalEmission::table_size(problem, directions) +
-      s.absorptions * s.ordinates;
+      s.absorptions * s.ordinates + s.glossy.matrices + s.glossy.faces * s.ordinates / 2 * s.trace_length;
   // Sources of moments and matrices, the record of the last sweep, and the solution: fluence, three
   // components of flux, the state.
   const double results = moments + radiance + 3 * fields + 16 * s.cells * s.stride + state;

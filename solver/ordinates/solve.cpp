@@ -69,6 +69,7 @@ std::vector<std::string> notes_of(const TransportSweep& sweep, const SolveOption
   if (sweep.orders().lagged_total() > 0)
     notes.push_back(
         fmt::format("{} faces lagged to break cycles of the sweep order", sweep.orders().lagged_total()));
+  for (std::string& note : sweep.walls().glossy().notes()) notes.push_back(std::move(note));
   if (sweep.is_direct()) notes.push_back("nothing scatters or reflects: one sweep solves it");
   return notes;
 }
@@ -159,11 +160,12 @@ constexpr double little_return = 0.5;
 constexpr double few_scatterings = 1;
 constexpr double bright_wall = 0.8;
 
-/// The largest diffuse reflectance.
+/// The largest part of light that a wall sends back, or to its other side, otherwise than as a mirror.
 double brightest_wall(const Problem& problem) {
   double brightest = 0;
   for (const Wall& wall : problem.walls())
-    for (const double diffuse : wall.diffuse) brightest = std::max(brightest, diffuse);
+    for (std::size_t b = 0; b < wall.diffuse.size(); ++b)
+      brightest = std::max(brightest, wall.mean_reflectance(b) - wall.specular[b] + wall.transmitted(b));
   return brightest;
 }
 

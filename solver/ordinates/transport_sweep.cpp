@@ -161,7 +161,7 @@ bool TransportSweep::is_direct() const {
 }
 
 void TransportSweep::form_source(const TransportState& last) {
-  walls_.form_inflow(last, emission_, inflow_.span());
+  walls_.form_inflow(last, emission_, threads_, inflow_.span());
   const std::int32_t cells = problem_.mesh().cell_count();
 #pragma omp parallel for schedule(static) num_threads(threads_)
   for (std::int32_t first = 0; first < cells; first += merge_block) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/angle/ordinate_reflectance.h"
 #include "solver/ordinates/sweep_order.h"
 #include "solver/problem/mirror.h"
@@ -46,10 +47,14 @@ WallExchange::WallExchange(const Problem& problem, const DirectionSet& direction
       face_length_(static_cast<std::size_t>(face_nodes) * stride_),
       radiance_(padded(problem.walls(), &Wall::radiance, stride_)),
       diffuse_(padded(problem.walls(), &Wall::diffuse, stride_)),
-      specular_(padded(problem.walls(), &Wall::specular, stride_)) {
+      specular_(padded(problem.walls(), &Wall::specular, stride_)),
+      transmitted_(padded(problem.walls(), &Wall::transmittance, stride_)),
+      behind_(any_positive(transmitted_) ? faces_behind(mesh_) : std::vector<std::int32_t>()),
+      glossy_(problem, directions, wall_slots, stride, face_nodes) {
   wall_reflects_.reserve(problem.walls().size());
   for (const Wall& wall : problem.walls()) {
-    wall_reflects_.push_back(any_positive(wall.diffuse) || is_mirror(wall));
+    wall_reflects_.push_back(any_positive(wall.diffuse) || is_mirror(wall) || wall.is_glossy() ||
+                             wall.transmits());
   }
   half_range_.resize(static_cast<std::size_t>(mesh_.boundary_face_count()));
   for (std::int32_t f = 0; f < mesh_.boundary_face_count(); ++f) {
@@ -69,7 +74,8 @@ WallExchange::WallExchange(const Problem& problem, const DirectionSet& direction
     if (reflects(face)) reflecting_.push_back(f);
     if (mirror(face) != nullptr) mirror_faces_.push_back(f);
     for (std::size_t band = 0; band < stride_; ++band)
-      feeds_back_ = feeds_back_ || (range > out_of_reach && fed_back(face, band) > 0);
+      feeds_back_ = feeds_back_ || (range > out_of_reach && fed_back(face, band) > 0) ||
+                    transmitted_[faces_.back().wall * stride_ + band] > 0;
   }
   // Faces that light passes the same way stand together: whether it leaves is then easily foretold.
   for (std::vector<std::int32_t>* list : {&all_, &reflecting_})
@@ -160,16 +166,19 @@ double WallExchange::fed_back(FaceIndex face, std::size_t band) const {
   const Mirror* of = mirror(face);
   const bool turns_later = of != nullptr && planes_[of->plane].turn == Turn::next_sweep;
   return std::min(1.0, diffuse_[static_cast<std::size_t>(wall) * stride_ + band] +
-                           (turns_later ? mirrored_part_of_isotropic(problem_.wall(wall), band) : 0));
+                           (turns_later ? mirrored_part_of_isotropic(problem_.wall(wall), band) : 0) +
+                           glossy_.albedo(face, band));
 }
 
-// Of the two ordinates of a pair one leaves through a face: the pair's number is enough.
+// Of the two ordinates of a pair one leaves through a face: the pair's number is enough. What arrives at
+// glossy walls stands before the mirrors of the next sweep.
 std::size_t WallExchange::mirror_at(std::size_t row, std::int32_t ordinate) const {
   return row * row_size() + static_cast<std::size_t>(ordinate / 2) * face_length_;
 }
 
-void WallExchange::form_inflow(const TransportState& last, Emission emission,
-                               std::span<double> inflow) const {
+void WallExchange::form_inflow(const TransportState& last, Emission emission, int threads,
+                               std::span<double> inflow) {
+  glossy_.form(last.mirrors().first(glossy_.size()), threads);
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const std::size_t wall = faces_[f].wall * stride_;
     const double* irradiance = last.irradiance().data() + f * face_length_;
@@ -178,6 +187,14 @@ void WallExchange::form_inflow(const TransportState& last, Emission emission,
       const double sent = emission == Emission::included ? radiance_[wall + i % stride_] : 0;
       own[i] = sent + diffuse_[wall + i % stride_] * faces_[f].by_half_range * irradiance[i];
     }
+  }
+  // Both sides of a sheet have the same half range and the same nodes.
+  for (std::size_t f = 0; f < behind_.size(); ++f) {
+    if (behind_[f] < 0) continue;
+    const double* irradiance = last.irradiance().data() + static_cast<std::size_t>(behind_[f]) * face_length_;
+    for (std::size_t i = 0; i < face_length_; ++i)
+      inflow[f * face_length_ + i] +=
+          transmitted_[faces_[f].wall * stride_ + i % stride_] * faces_[f].by_half_range * irradiance[i];
   }
 }
 
@@ -195,7 +212,8 @@ void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::spa
     if (seen_area(face.area_normal, directions_.direction(m)) >= 0) continue;
     const Mirror& by = *mirror(FaceIndex(f));
     const MirrorPlane& plane = planes_[by.plane];
-    const std::span<const double> from = plane.turn == Turn::this_sweep ? passing : last.mirrors();
+    const std::span<const double> from =
+        plane.turn == Turn::this_sweep ? passing : last.mirrors().subspan(glossy_.size());
     const double* mirrored = from.data() + mirror_at(by.row, plane.partner[m.at()]);
     const double* own = inflow.data() + static_cast<std::size_t>(f) * face_length_;
     double* trace = slots.slot(wall_slots_.inflow(f));
@@ -207,6 +225,7 @@ void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::spa
     for (std::size_t i = 0; i < face_length_; ++i)
       trace[i] = own[i] + specular_[face.wall * stride_ + i % stride_] * mirrored[i];
   }
+  glossy_.add_reflected(m, inflow, slots);
 }
 
 void WallExchange::add_exitance(OrdinateIndex m, const SweepSlots& slots, std::span<double> exitance) const {
@@ -231,13 +250,15 @@ void WallExchange::receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what
   for (const std::int32_t f : mirror_faces_) {
     if (seen_area(faces_[static_cast<std::size_t>(f)].area_normal, directions_.direction(m)) <= 0) continue;
     const Mirror& by = *mirror(FaceIndex(f));
-    const std::span<double> to = planes_[by.plane].turn == Turn::this_sweep ? passing : mirrors;
+    const std::span<double> to =
+        planes_[by.plane].turn == Turn::this_sweep ? passing : mirrors.subspan(glossy_.size());
     double* kept = to.data() + mirror_at(by.row, m.value());
     for (std::size_t i = 0; i < face_length_; i += stride_) {
       const double* trace = slots.face_node(wall_slots_.inside(f), i / stride_);
       std::copy(trace, trace + stride_, kept + i);
     }
   }
+  glossy_.receive(m, slots, mirrors);
 }
 
 template <std::size_t LinearBands>
@@ -262,10 +283,17 @@ void WallExchange::add_irradiance(OrdinateIndex m, const SweepSlots& slots,
 
 void WallExchange::add_leaving(FaceIndex face, std::size_t band, std::span<const double> before,
                                std::span<const double> after, std::span<double> mirrors) const {
-  const Mirror* by = mirror(face);
-  if (by == nullptr || planes_[by->plane].turn == Turn::this_sweep) return;
   // The half ranges of both sides are equal: with every direction its opposite is in the set.
   const double by_half_range = 1 / half_range_[face.at()];
+  if (glossy_.albedo(face, band) > 0) {
+    std::vector<double> even;
+    for (std::size_t i = face.at() * face_length_ + band; i < (face.at() + 1) * face_length_; i += stride_)
+      even.push_back(by_half_range * (after[i] - before[i]));
+    glossy_.add_arriving(face, band, even, mirrors);
+  }
+  const Mirror* by = mirror(face);
+  if (by == nullptr || planes_[by->plane].turn == Turn::this_sweep) return;
+  mirrors = mirrors.subspan(glossy_.size());
   for (std::int32_t m = 0; m < directions_.count(); ++m) {
     if (seen_area(mesh_.area_normal(face), directions_.direction(OrdinateIndex(m))) <= 0) continue;
     double* radiance = mirrors.data() + mirror_at(by->row, m);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/angle/direction_set.h"
+#include "solver/ordinates/glossy_walls.h"
 #include "solver/ordinates/ordinate_schedule.h"
 #include "solver/ordinates/sweep_slots.h"
 #include "solver/ordinates/transport_state.h"
@@ -19,8 +20,8 @@ enum class TakeUp { reflecting, all };
 
 /// What the walls send in and take up, direction by direction:
 ///
-///     u_in = radiance + (diffuse / pi_h) E + specular u_out(mirrored),    pi_h = sum of w |w.n| over w.n <
-///     0,
+///     u_in = radiance + (diffuse / pi_h) E + (transmittance / pi_h) E(behind) + specular u_out(mirrored)
+///            + f_r by a matrix (GlossyWalls),    pi_h = sum of w |w.n| over w.n < 0,
 ///
 /// with the discrete half range pi_h in place of pi, so that a wall gives back exactly what it reflects.
 /// Where a wall refracts Fresnel's reflectance r of the ordinate stands for `specular` and n^2 (1 - r) before
@@ -34,28 +35,29 @@ class WallExchange {
 
   std::size_t irradiance_size() const;
   /// Of what the mirrors reflect in the next sweep, and of what they reflect within the same.
-  std::size_t mirror_size() const { return mirror_rows(Turn::next_sweep) * row_size(); }
+  std::size_t mirror_size() const { return glossy_.size() + mirror_rows(Turn::next_sweep) * row_size(); }
   std::size_t passing_size() const { return mirror_rows(Turn::this_sweep) * row_size(); }
   /// Whether the next sweep brings back some of what arrives at a wall.
   bool feeds_back() const { return feeds_back_; }
-  /// Of what arrives at a face, the part that the next sweep brings back.
+  /// Of what arrives at a face, the part that the next sweep brings back to this side.
   double fed_back(FaceIndex face, std::size_t band) const;
   /// [boundary face] [sr]
   const std::vector<double>& half_range() const { return half_range_; }
   /// [boundary face] what a radiance of 1 of its wall sends in [sr]: the half range but where it refracts
   std::vector<double> emission_range() const;
-  /// Boundary faces whose walls reflect in some band.
+  const GlossyWalls& glossy() const { return glossy_; }
+  /// Boundary faces whose walls reflect or transmit in some band.
   bool reflects(FaceIndex face) const {
     return wall_reflects_[static_cast<std::size_t>(mesh_.wall(face))] != 0;
   }
 
-  /// What every direction brings in, from the last state: the walls' own radiance and what they reflect
-  /// diffusely, [boundary face][face node][stride].
-  void form_inflow(const TransportState& last, Emission emission, std::span<double> inflow) const;
+  /// What every direction brings in, from the last state: the walls' own radiance and what they reflect or
+  /// transmit diffusely, [boundary face][face node][stride]. What is glossy is reflected too, and kept.
+  void form_inflow(const TransportState& last, Emission emission, int threads, std::span<double> inflow);
   /// Writes all inflow slots. They keep their values until they are written again.
   void fill(std::span<const double> inflow, const SweepSlots& slots) const;
-  /// Writes the inflow slots of the mirrors along ordinate m: `inflow` and what they reflect of the last
-  /// state or, where the schedule allows it, of this sweep (`passing`).
+  /// Writes the inflow slots of mirrors and glossy walls along ordinate m: `inflow` and what they reflect of
+  /// the last state or, where the schedule allows it, of this sweep (`passing`).
   void reflect(OrdinateIndex m, const TransportState& last, std::span<const double> passing,
                std::span<const double> inflow, const SweepSlots& slots) const;
   /// Adds what the inflow slots send along ordinate m to `exitance` [boundary face][face node][stride].
@@ -68,8 +70,8 @@ class WallExchange {
                std::span<double> mirrors, std::span<double> passing) const;
 
   /// Adds radiance that brings the irradiance `after` - `before` to one face, the same in all directions, to
-  /// what leaves along the ordinates there, in one band. Does nothing where the face is no mirror of the next
-  /// sweep.
+  /// what leaves along the ordinates there, in one band. Does nothing where the face is neither glossy nor a
+  /// mirror of the next sweep.
   void add_leaving(FaceIndex face, std::size_t band, std::span<const double> before,
                    std::span<const double> after, std::span<double> mirrors) const;
 
@@ -117,11 +119,15 @@ class WallExchange {
   const DirectionSet& directions_;
   const WallSlots& wall_slots_;
   std::size_t stride_;
-  std::size_t face_length_;              ///< face nodes times stride
-  std::vector<double> half_range_;       ///< [boundary face]
-  std::vector<double> radiance_;         ///< [wall][stride]
-  std::vector<double> diffuse_;          ///< [wall][stride]
-  std::vector<double> specular_;         ///< [wall][stride]
+  std::size_t face_length_;          ///< face nodes times stride
+  std::vector<double> half_range_;   ///< [boundary face]
+  std::vector<double> radiance_;     ///< [wall][stride]
+  std::vector<double> diffuse_;      ///< [wall][stride]
+  std::vector<double> specular_;     ///< [wall][stride]
+  std::vector<double> transmitted_;  ///< [wall][stride]
+  std::vector<std::int32_t>
+      behind_;  ///< [boundary face] other side of a sheet, -1: none; empty: no wall transmits
+  GlossyWalls glossy_;
   std::vector<char> wall_reflects_;      ///< [wall]
   std::vector<std::int32_t> mirror_of_;  ///< [boundary face] its mirror, -1 where it is none
   std::vector<Mirror> mirrors_;

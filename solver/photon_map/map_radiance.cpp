@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/lights/attenuation.h"
 #include "solver/picture/lit_triangle.h"
 #include "solver/problem/light.h"
@@ -44,7 +45,11 @@ struct MapRadiance::Stretch {
 };
 
 MapRadiance::MapRadiance(const Problem& problem, std::vector<BandHits> hits, std::size_t neighbours)
-    : problem_(problem), hits_(std::move(hits)), rays_(problem.mesh()), planes_(problem.mesh()) {
+    : problem_(problem),
+      hits_(std::move(hits)),
+      rays_(problem.mesh()),
+      planes_(problem.mesh()),
+      behind_(faces_behind(problem.mesh())) {
   for (BandHits& band : hits_) {
     surfaces_.emplace_back(problem.mesh(), planes_, neighbours, band.walls);
     volumes_.emplace_back(problem.mesh(), rays_, neighbours, band.matter);
@@ -66,12 +71,23 @@ Estimate MapRadiance::irradiance(FaceIndex face, const Vec3& point, int band, Wo
   return on_wall(face, point, band, work, [](const PhotonHit& hit) -> double { return hit.weight; });
 }
 
-Estimate MapRadiance::reflected(FaceIndex face, const Vec3& point, const Vec3&, int band,
+Estimate MapRadiance::reflected(FaceIndex face, const Vec3& point, const Vec3& travel, int band,
                                 Workspace& work) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
-  const double factor = wall.diffuse[static_cast<std::size_t>(band)] * std::numbers::inv_pi;
-  if (factor == 0) return {};
-  return on_wall(face, point, band, work, [&](const PhotonHit& hit) { return factor * hit.weight; });
+  const auto b = static_cast<std::size_t>(band);
+  const double factor = wall.diffuse[b] * std::numbers::inv_pi;
+  const Reflectance* lobe = wall.glossy_in(b);
+  const Vec3 normal = -problem_.mesh().area_normal(face).normalized();
+  Estimate sum;
+  if (factor > 0 || lobe != nullptr)
+    sum = on_wall(face, point, band, work, [&](const PhotonHit& hit) {
+      const double glossy = lobe != nullptr ? lobe->between(direction_of(hit), travel, normal) : 0;
+      return (factor + glossy) * hit.weight;
+    });
+  if (wall.transmitted(b) == 0) return sum;
+  const Estimate behind = irradiance(FaceIndex(behind_[face.at()]), point, band, work);
+  const double through = wall.transmitted(b) * std::numbers::inv_pi;
+  return {sum.value + through * behind.value, std::hypot(sum.error, through * behind.error)};
 }
 
 Estimate MapRadiance::scattered(CellIndex cell, const Vec3& point, const Vec3& travel, int band,

@@ -20,9 +20,10 @@ namespace etendue {
 /// A hit p brings the power dF_p in the direction w_p. Around a point of a wall those that fell on an area A,
 /// and around one in matter those that were scattered in a volume V, give
 ///
-///     L_wall(x, w) = sum of f_r(w_p -> w) dF_p / A        [power/(length^2 sr)], f_r = diffuse/pi (1) S(x,
-///     w)      = sum of p(w_p.w) dF_p / V             [power/(length^3 sr)]                           (2)
+///     L_wall(x, w) = sum of f_r(w_p -> w) dF_p / A        [power/(length^2 sr)]    (1)
+///     S(x, w)      = sum of p(w_p.w) dF_p / V             [power/(length^3 sr)] (2)
 ///
+/// with f_r = diffuse/pi + that of the lobe, and transmittance/pi for hits on the other side of a sheet, and
 /// where (2) is what scattering adds to the radiance on its way: photons are scattered at the rate sigma_s
 /// times the fluence, so that Jensen's division by sigma_s, which gives a mean of radiance, and the factor
 /// sigma_s of the transport equation cancel.
@@ -74,6 +75,7 @@ class MapRadiance {
   std::vector<BandHits> hits_;
   RayMesh rays_;
   WallPlanes planes_;
+  std::vector<std::int32_t> behind_;   ///< [boundary face] other side of a sheet, -1: none
   std::vector<SurfaceHits> surfaces_;  ///< [band]
   std::vector<VolumeHits> volumes_;    ///< [band]
 };

@@ -150,7 +150,7 @@ struct Forward {
   }
   ETENDUE_PHOTON_MEMBER void collide(const Photon&, bool) {}
   ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
-                                    const Four& coordinate) {
+                                    const Four& coordinate, double glossy) {
     double* sums = tally.faces + 4 * static_cast<std::ptrdiff_t>(face);
     const double a = coordinate[wall.corner[0]], b = coordinate[wall.corner[1]],
                  c = coordinate[wall.corner[2]];
@@ -158,6 +158,7 @@ struct Forward {
     sums[0] += share * a;
     sums[1] += share * b;
     sums[2] += share * c;
+    sums[3] += photon.weight * glossy;
   }
 };
 
@@ -172,8 +173,8 @@ struct Recording {
     if (scatters) keep(photon, photon.cell, rooms.matter);
   }
   ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
-                                    const Four&) {
-    if (wall.diffuse > 0) keep(photon, face, rooms.walls);
+                                    const Four&, double glossy) {
+    if (wall.diffuse + wall.transmittance + glossy > 0) keep(photon, face, rooms.walls);
   }
   ETENDUE_PHOTON_MEMBER static void keep(const Photon& photon, std::int32_t place, HitRoom& room) {
     if (room.count++ >= room.room) return;
@@ -197,24 +198,44 @@ struct Backward {
     score += cell.emission * weighted;
   }
   ETENDUE_PHOTON_MEMBER void collide(const Photon&, bool) {}
-  ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t, const PhotonFace& wall, const Four&) {
+  ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t, const PhotonFace& wall, const Four&,
+                                    double) {
     score += wall.radiance * photon.weight;
   }
 };
 
-/// Meets a wall. Whether anything is reflected.
+/// Meets a wall. Whether anything is reflected or transmitted. The glossy part is chosen by the albedo and
+/// its direction weighed by what the sample is off it.
 template <class Score>
 ETENDUE_PHOTON_INLINE bool arrive(const PhotonSceneView& scene, Photon& photon, std::int32_t face,
                                   const Passage& way, Score& score) {
   const PhotonFace& wall = scene.faces[face];
-  score.arrive(photon, face, wall, way.coordinate + way.rate * way.length);
-  const double kept = wall.diffuse + wall.specular;
+  const double* n = wall.normal;
+  const double glossy =
+      wall.glossy == nullptr
+          ? 0
+          : glossy_albedo(*wall.glossy, -(photon.w[0] * n[0] + photon.w[1] * n[1] + photon.w[2] * n[2]));
+  score.arrive(photon, face, wall, way.coordinate + way.rate * way.length, glossy);
+  const double back = wall.diffuse + glossy, kept = back + wall.transmittance + wall.specular;
   if (kept <= 0) return false;
   photon.weight *= kept;
   std::uint32_t word[4];
   photon.random.next(word);
-  reflect(scene, wall, uniform(word[0]) * kept < wall.diffuse, word, photon.w);
   photon.entered = way.exit;
+  const double lot = uniform(word[0]) * kept;
+  if (lot < wall.diffuse || lot >= back + wall.transmittance) {
+    reflect(scene, wall, lot < wall.diffuse, word, photon.w);
+    return true;
+  }
+  if (lot < back) {
+    photon.weight *=
+        reflect_glossily(*wall.glossy, wall.normal, uniform(word[1]), uniform(word[2]), photon.w) / glossy;
+    return photon.weight > 0;
+  }
+  const PhotonFace& behind = scene.faces[wall.behind];
+  reflect(scene, behind, true, word, photon.w);
+  photon.cell = behind.cell;
+  photon.entered = behind.local;
   return true;
 }
 

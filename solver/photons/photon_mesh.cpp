@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/problem/problem_checks.h"
 
 namespace etendue {
@@ -23,6 +24,17 @@ void copy(const Vec3& from, double (&to)[3]) { std::copy(from.begin(), from.end(
 }  // namespace
 
 double sampled_cosine(const PhaseSampler& sampler, double u) { return sampler.cosine(u); }
+
+double glossy_albedo(const Reflectance& glossy, double cos_in) { return glossy.albedo(cos_in); }
+
+double reflect_glossily(const Reflectance& glossy, const double (&n)[3], double u, double v, double (&w)[3]) {
+  const Vec3 normal(n[0], n[1], n[2]), light(-w[0], -w[1], -w[2]);
+  const double cos_in = std::min(1.0, light.dot(normal));
+  if (cos_in <= 0) return 0;
+  const ReflectedRay ray = glossy.sample(cos_in, u, v);
+  copy(from_frame(ray.direction, light, normal), w);
+  return ray.weight;
+}
 
 PhotonMesh::PhotonMesh(const Problem& problem, int band) : in_plane_(problem.space() == AngularSpace::plane) {
   add_cells(problem, band);
@@ -65,6 +77,7 @@ void PhotonMesh::add_cells(const Problem& problem, int band) {
 void PhotonMesh::add_faces(const Problem& problem, int band) {
   const TetrahedralMesh& mesh = problem.mesh();
   const auto b = static_cast<std::size_t>(band);
+  const std::vector<std::int32_t> behind = faces_behind(mesh);
   faces_.resize(static_cast<std::size_t>(mesh.boundary_face_count()));
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex index(f);
@@ -75,6 +88,9 @@ void PhotonMesh::add_faces(const Problem& problem, int band) {
     copy(tangent_of(normal), face.tangent);
     face.diffuse = wall.diffuse[b];
     face.specular = wall.specular[b];
+    face.transmittance = wall.transmitted(b);
+    face.glossy = wall.glossy_in(b);
+    face.behind = behind[index.at()];
     face.radiance = wall.radiance[b];
     face.cell = mesh.owner(index).value();
     const auto& faces = mesh.faces(mesh.owner(index));

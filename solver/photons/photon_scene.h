@@ -7,9 +7,15 @@
 namespace etendue {
 
 class PhaseSampler;
+class Reflectance;
 
 /// Draws a cosine of deflection (PhaseSampler::cosine), for code that must not include it.
 double sampled_cosine(const PhaseSampler& sampler, double u);
+/// What a glossy wall reflects in all directions of light at this cosine of incidence.
+double glossy_albedo(const Reflectance& glossy, double cos_in);
+/// Turns the direction of travel w at a wall with the unit normal n, which points into the domain. Gives f_r
+/// cos / density; 0 where the light does not leave the wall.
+double reflect_glossily(const Reflectance& glossy, const double (&n)[3], double u, double v, double (&w)[3]);
 
 /// A cell as photons see it, in one band. The barycentric coordinate of vertex i at x is
 /// gx[i] x + gy[i] y + gz[i] z + offset[i]; it vanishes on face i and is positive inside.
@@ -30,9 +36,12 @@ struct alignas(64) PhotonFace {
   double normal[3];   ///< unit, into the domain
   double tangent[3];  ///< unit; in the plane it lies in the plane too
   double diffuse, specular;
-  double radiance;           ///< [power/(length^2 sr)]
-  std::int32_t corner[3];    ///< places of its vertices among those of its cell
-  std::int32_t cell, local;  ///< the face is face `local` of this cell
+  double transmittance;       ///< to the other side of a sheet
+  const Reflectance* glossy;  ///< null: none
+  double radiance;            ///< [power/(length^2 sr)]
+  std::int32_t corner[3];     ///< places of its vertices among those of its cell
+  std::int32_t cell, local;   ///< the face is face `local` of this cell
+  std::int32_t behind;        ///< boundary face on the other side of a sheet, -1: none
 };
 
 /// How light turns in a medium.
@@ -63,7 +72,8 @@ struct PhotonStart {
 
 /// What a history leaves, as sums over histories. Cells: the moments of the barycentric coordinates,
 /// [cell][4 (1, wx, wy, wz)][4], each the sum of weight × integral of the coordinate along the track
-/// [power length]; faces: [face][4 (3 used)] the sum of weight × coordinate [power].
+/// [power length]; faces: [face][4] the sum of weight × coordinate, and of what is reflected glossily
+/// [power].
 struct PhotonTally {
   double* cells;
   double* faces;
@@ -84,7 +94,7 @@ struct HitRoom {
   std::size_t count = 0;
 };
 struct HitRooms {
-  HitRoom walls;   ///< those walls that reflect otherwise than as mirrors
+  HitRoom walls;   ///< those walls that reflect otherwise than as mirrors, or transmit
   HitRoom matter;  ///< where light is scattered
 };
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "mesh/tetrahedra/sheet_faces.h"
+
 namespace etendue {
 namespace {
 
@@ -63,8 +65,10 @@ void TallySums::to_fields(const Problem& problem, int band, double scale, Soluti
   for (std::size_t f = 0; f < static_cast<std::size_t>(mesh.boundary_face_count()); ++f) {
     const double factor = scale / mesh.area(FaceIndex(static_cast<std::int64_t>(f)));
     const double* m = faces_.data() + 4 * f;
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i) {
       fields.irradiance[(f * 3 + i) * bands + b] = factor * (12 * m[i] - 3 * (m[0] + m[1] + m[2]));
+      fields.exitance[(f * 3 + i) * bands + b] = factor * m[3];
+    }
   }
 }
 
@@ -77,6 +81,7 @@ Solution empty_fields(const Problem& problem) {
   fields.fluence.assign(4 * cells * bands, 0);
   fields.net_flux.assign(12 * cells * bands, 0);
   fields.irradiance.assign(3 * faces * bands, 0);
+  fields.exitance.assign(3 * faces * bands, 0);
   return fields;
 }
 
@@ -84,14 +89,19 @@ void complete_fields(const Problem& problem, Solution& fields) {
   const TetrahedralMesh& mesh = problem.mesh();
   const auto bands = static_cast<std::size_t>(problem.band_count());
   fields.half_range.assign(static_cast<std::size_t>(mesh.boundary_face_count()), half_range(problem.space()));
-  fields.exitance.assign(fields.irradiance.size(), 0);
+  const std::vector<std::int32_t> behind = faces_behind(mesh);
   for (std::size_t f = 0; f < fields.half_range.size(); ++f) {
     const Wall& wall = problem.wall(mesh.wall(FaceIndex(static_cast<std::int64_t>(f))));
     for (std::size_t node = 3 * f; node < 3 * f + 3; ++node)
-      for (std::size_t b = 0; b < bands; ++b)
-        fields.exitance[node * bands + b] =
+      for (std::size_t b = 0; b < bands; ++b) {
+        fields.exitance[node * bands + b] +=
             fields.half_range[f] * wall.radiance[b] +
             (wall.diffuse[b] + wall.specular[b]) * fields.irradiance[node * bands + b];
+        if (wall.transmitted(b) > 0)
+          fields.exitance[node * bands + b] +=
+              wall.transmitted(b) *
+              fields.irradiance[(3 * static_cast<std::size_t>(behind[f]) + node % 3) * bands + b];
+      }
   }
   fields.lights.from_walls.assign(problem.walls().size(), std::vector<double>(bands, 0));
   fields.lights.inside.assign(bands, 0);

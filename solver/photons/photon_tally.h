@@ -20,20 +20,22 @@ class TallySums {
   PhotonTally view() { return {cells_.data(), faces_.data()}; }
 
   /// The P1 fields whose moments in each cell and face are `scale` times the sums, in one band of a solution:
-  /// fluence, net flux and irradiance. The inverse of the mass matrix V/20 (1 + delta_ij) of a tetrahedron is
-  /// 20/V (delta_ij - 1/5), that of A/12 (1 + delta_ij) of a triangle is 12/A (delta_ij - 1/4).
+  /// fluence, net flux and irradiance; the exitance is what is reflected glossily, even on each face. The
+  /// inverse of the mass matrix V/20 (1 + delta_ij) of a tetrahedron is 20/V (delta_ij - 1/5), that of A/12
+  /// (1 + delta_ij) of a triangle is 12/A (delta_ij - 1/4).
   void to_fields(const Problem& problem, int band, double scale, Solution& fields) const;
 
  private:
   std::vector<double> cells_;  ///< [cell][1, wx, wy, wz][4]
-  std::vector<double> faces_;  ///< [boundary face][4], three of them used
+  std::vector<double> faces_;  ///< [boundary face][4]
 };
 
 /// A solution with zeros in its fields.
 Solution empty_fields(const Problem& problem);
 
 /// What a solution by photons has beside its fields, so that all measures can be taken of it: half ranges,
-/// what beams and lights send, and the exitance, which is what is emitted and the reflected irradiance.
+/// what beams and lights send, and to the exitance what is emitted, and what is reflected and transmitted of
+/// the irradiance otherwise than glossily.
 void complete_fields(const Problem& problem, Solution& fields);
 
 }  // namespace etendue

@@ -92,6 +92,7 @@ class PhotonRun {
     sums_.net_flux.add(fields.net_flux, weight);
     sums_.irradiance.add(fields.irradiance, weight);
     sums_.face_means.add(node_means(fields.irradiance, 3, bands_), weight);
+    if (is_glossy_) sums_.exitance.add(fields.exitance, weight);
     if (reader_) add_derived(reader_(fields), weight);
     sums_.histories += number;
     report_.segments += static_cast<double>(outcome.counts.segments);
@@ -158,7 +159,10 @@ class PhotonRun {
     solution.fluence = sums_.fluence.means();
     solution.net_flux = sums_.net_flux.means();
     solution.irradiance = sums_.irradiance.means();
+    solution.exitance.assign(solution.irradiance.size(), 0);
     complete_fields(problem_, solution);
+    // It does not follow from the irradiance alone.
+    if (is_glossy_) solution.exitance = sums_.exitance.means();
     solution.interrupted = stopped_;
     solution.history = std::move(history_);
     report_.error = errors();
@@ -204,12 +208,13 @@ class PhotonRun {
   std::vector<double> last_error_;
   double begun_with_ = 0;
   bool stopped_ = false;
+  bool is_glossy_ = std::ranges::any_of(problem_.walls(), [](const Wall& wall) { return wall.is_glossy(); });
   Clock::time_point start_ = Clock::now();
 };
 
-constexpr std::array statistics_of_sums = {&PhotonSums::fluence,    &PhotonSums::cell_means,
-                                           &PhotonSums::net_flux,   &PhotonSums::irradiance,
-                                           &PhotonSums::face_means, &PhotonSums::derived};
+constexpr std::array statistics_of_sums = {
+    &PhotonSums::fluence,    &PhotonSums::cell_means, &PhotonSums::net_flux, &PhotonSums::irradiance,
+    &PhotonSums::face_means, &PhotonSums::derived,    &PhotonSums::exitance};
 
 }  // namespace
 
@@ -230,6 +235,8 @@ PhotonSums PhotonSums::unpacked(std::span<const double> numbers) {
   sums.histories = static_cast<std::uint64_t>(numbers[0]);
   numbers = numbers.subspan(1);
   for (const auto part : statistics_of_sums) {
+    // Runs without glossy walls may end before it.
+    if (part == &PhotonSums::exitance && numbers.empty()) break;
     if (numbers.empty() || !(numbers[0] >= 0) || numbers[0] > static_cast<double>(numbers.size() - 1))
       throw cut();
     const auto size = static_cast<std::size_t>(numbers[0]);
@@ -245,7 +252,7 @@ std::size_t estimate_photon_memory(const Problem& problem, int threads) {
   const auto cells = static_cast<std::size_t>(problem.mesh().cell_count());
   const auto faces = static_cast<std::size_t>(problem.mesh().boundary_face_count());
   const auto bands = static_cast<std::size_t>(problem.band_count());
-  const std::size_t values = bands * (17 * cells + 4 * faces);
+  const std::size_t values = bands * (17 * cells + 7 * faces);
   const std::size_t records = bands * (cells * sizeof(PhotonCell) + faces * sizeof(PhotonFace));
   const std::size_t of_a_thread = (16 * cells + 4 * faces + values + bands * 3 * faces) * sizeof(double);
   return 7 * values * sizeof(double) + records + static_cast<std::size_t>(threads) * of_a_thread;

@@ -8,6 +8,9 @@
 
 namespace etendue {
 
+/// Enough for lobes that are not seen to be made of rays once pixels have four of them.
+inline constexpr int default_glossy_rays = 16;
+
 /// A pinhole camera, or one whose rays are parallel.
 struct Camera {
   Vec3 position = Vec3::Zero();
@@ -25,6 +28,9 @@ struct Camera {
   /// Rays, a square number, that look from each vertex of a wall for the light that directions brought there
   /// (final gathering); 0: it is taken as the solution has it.
   int gather = 0;
+  /// Rays from a point of a glossy wall into directions drawn from its reflectance; 0: it is taken for a
+  /// diffuse one of the same mean albedo.
+  int glossy = default_glossy_rays;
   bool errors = false;  ///< whether the error of each pixel is estimated, at the cost of more pictures
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/picture/gather.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,7 +40,7 @@ std::vector<double> irradiance_at(const RayRadiance& scene, const WallCorner& co
                           vertex + off_the_vertex * (mesh.centroid(corner.face) - vertex)};
   const Vec3 inwards = -mesh.area_normal(corner.face).normalized();
   const Vec3 u = inwards.unitOrthogonal(), v = inwards.cross(u);
-  const RayView view{.lights_shown = false};
+  const RayView view{.glossy = 0, .lights_shown = false};
   std::vector<double> sum(scene.bands(), 0), radiance(scene.bands());
   for (const Vec3& ray : rays) {
     scene.along(start, ray.x() * u + ray.y() * v + ray.z() * inwards, view, work, radiance);
@@ -49,10 +50,8 @@ std::vector<double> irradiance_at(const RayRadiance& scene, const WallCorner& co
   return sum;
 }
 
-bool is_diffuse(const Wall& wall) {
-  for (const double value : wall.diffuse)
-    if (value > 0) return true;
-  return false;
+bool uses_irradiance(const Wall& wall) {
+  return wall.transmits() || std::ranges::any_of(wall.diffuse, [](double value) { return value > 0; });
 }
 
 }  // namespace
@@ -67,7 +66,7 @@ WallIrradiance gather(const RayRadiance& scene, int rays, int threads) {
   const auto bring = [&](std::size_t p, RayRadiance::Workspace& work) {
     bool seen = false;
     for (const WallCorner& corner : planes[p])
-      seen = seen || is_diffuse(scene.problem().wall(mesh.wall(corner.face)));
+      seen = seen || uses_irradiance(scene.problem().wall(mesh.wall(corner.face)));
     if (!seen) return true;
     const std::vector<double> irradiance = irradiance_at(scene, planes[p].front(), directions, work);
     for (const WallCorner& corner : planes[p])

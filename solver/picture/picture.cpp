@@ -54,7 +54,8 @@ Picture take_picture(std::size_t bands, const std::function<RayLook()>& make_loo
 Picture take_picture(const RayRadiance& scene, const Camera& camera, int threads,
                      const PictureObserver& observer) {
   const WallIrradiance gathered = gather(scene, camera.gather, threads);
-  const RayView view{camera.shafts, camera.gather > 0 ? &gathered : nullptr};
+  const RayView view{
+      .shafts = camera.shafts, .brought = camera.gather > 0 ? &gathered : nullptr, .glossy = camera.glossy};
   const auto make_look = [&]() -> RayLook {
     return [&, work = std::make_shared<RayRadiance::Workspace>(scene)](const CameraRay& ray,
                                                                        std::span<double> radiance) {

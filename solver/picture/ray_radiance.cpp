@@ -8,6 +8,7 @@
 #include "solver/angle/gauss_legendre.h"
 #include "solver/lights/attenuation.h"
 #include "solver/picture/lit_triangle.h"
+#include "solver/picture/ray_stretch.h"
 #include "solver/problem/mirror.h"
 
 namespace etendue {
@@ -48,18 +49,6 @@ struct RayRadiance::Turn {
   Vec3 towards;
   std::vector<double> radiance;
   std::vector<double> weight;
-};
-
-/// A straight part of a ray, between mirrors.
-struct RayRadiance::Stretch {
-  Vec3 from;
-  Vec3 direction;
-  const RayView& view;
-  RayMatter::View light;        ///< what light that comes along it meets
-  bool wall_is_diffuse = true;  ///< the one at its end
-
-  Vec3 travel() const { return -direction; }
-  Vec3 at(double distance) const { return from + distance * direction; }
 };
 
 RayRadiance::RayRadiance(const LightSetup& lights, const DirectionSet& directions,
@@ -124,6 +113,7 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
     if (view.lights_shown) add_flat_lights(stretch, end.distance, work, radiance);
     add_cells(stretch, work, radiance);
     add_wall(*end.wall, end.point, stretch, work, radiance);
+    add_glossy(*end.wall, end.point, stretch, work, radiance);
     const Vec3 normal = problem_.mesh().area_normal(*end.wall).normalized();
     if (!reflect(*end.wall, towards.dot(normal), work)) return;
     towards = (towards - 2 * towards.dot(normal) * normal).normalized();
@@ -143,6 +133,7 @@ RayRadiance::DiffuseWall RayRadiance::diffuse_wall(const PointInCell& start, con
   const RayEnd end = walk(start, direction, work);
   DiffuseWall wall{end.distance, std::vector<double>(bands_, 0)};
   walls_.add_reflected(*end.wall, end.point, walls_.joined(), irradiance, wall.radiance);
+  walls_.add_transmitted(*end.wall, end.point, walls_.joined(), work.beams, wall.radiance);
   return wall;
 }
 

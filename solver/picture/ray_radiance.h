@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "solver/picture/camera.h"
 #include "solver/picture/collided_source.h"
 #include "solver/picture/once_scattered.h"
 #include "solver/picture/ray_entry.h"
@@ -17,8 +19,9 @@ namespace etendue {
 struct RayView {
   int shafts = 0;                           ///< as in Camera
   const WallIrradiance* brought = nullptr;  ///< what directions brought to the walls; null: as joined
-  bool first_wall_diffuse = true;  ///< else the wall that the ray meets first reflects as a mirror alone
-  bool lights_shown = true;        ///< else only what is scattered and reflected, and other emission
+  bool first_wall_diffuse = true;    ///< else the wall that the ray meets first reflects as a mirror alone
+  int glossy = default_glossy_rays;  ///< as in Camera
+  bool lights_shown = true;          ///< else only what is scattered and reflected, and other emission
 };
 
 /// The radiance that comes to a point along a ray, from a saved solution:
@@ -26,9 +29,10 @@ struct RayView {
 ///     L = integral of e^(-tau) (q + S) ds + e^(-tau) L_wall                                          (1)
 ///
 /// with S of CollidedSource and OnceScattered, linear in each cell, so that (1) is closed there. Walls send
-/// what they emit and what WallLight says; at mirrors the ray goes on. Lights are seen where they have an
-/// extent. What is seen of them, and what they are said to have scattered, goes through the whole extinction;
-/// the rest through that of CollidedSource.
+/// what they emit and what WallLight says; at mirrors the ray goes on, and at glossy walls it parts into rays
+/// that are drawn from f_r, which take a glossy wall that they meet for a diffuse one of the same mean
+/// albedo. Lights are seen where they have an extent. What is seen of them, and what they are said to have
+/// scattered, goes through the whole extinction; the rest through that of CollidedSource.
 class RayRadiance {
  public:
   /// `options` are those of the solution (elements, meters). The arguments must
@@ -54,6 +58,7 @@ class RayRadiance {
     std::vector<double> factor;      ///< [band] of mirrors
     std::vector<double> at_point;    ///< [band]
     std::optional<CollidedSource::View> view;
+    std::unique_ptr<Workspace> inner;  ///< of rays that leave a glossy wall
     /// [wall][band] radiance by formulas of place and direction, where there are any; a thread has its own
     std::vector<std::vector<std::optional<AngularFormula>>> wall_formulas;
   };
@@ -94,6 +99,12 @@ class RayRadiance {
                        std::span<double> radiance) const;
   void add_wall(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
                 std::span<double> radiance) const;
+  void add_glossy(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
+                  std::span<double> radiance) const;
+  void add_glossy_lights(FaceIndex face, const Vec3& point, const Vec3& travel, Workspace& work,
+                         std::span<double> sum) const;
+  void add_glossy_rays(FaceIndex face, const Vec3& point, const Vec3& travel, int rays, Workspace& work,
+                       std::span<double> sum) const;
   bool reflect(FaceIndex face, double cosine, Workspace& work) const;
   std::vector<double> weights_left(const Workspace& work) const;
   /// Whether the rounds of a ray that is back at its first mirror could be added up.

@@ -5,6 +5,8 @@
 #include <array>
 #include <numbers>
 
+#include "mesh/tetrahedra/sheet_faces.h"
+
 namespace etendue {
 namespace {
 
@@ -15,7 +17,10 @@ constexpr double uneven = 0.1;
 
 WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, const SavedState& state,
                      std::size_t face_nodes)
-    : lights_(lights), problem_(lights.problem()), bands_(lights.paths().bands()) {
+    : lights_(lights),
+      problem_(lights.problem()),
+      bands_(lights.paths().bands()),
+      behind_(faces_behind(problem_.mesh())) {
   const TetrahedralMesh& mesh = problem_.mesh();
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     joined_.half_range.push_back(directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
@@ -27,35 +32,55 @@ WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, c
 void WallLight::add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought,
                               LightBeams& beams, std::span<double> radiance) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
-  if (std::all_of(wall.diffuse.begin(), wall.diffuse.end(), [](double value) { return value == 0; })) return;
+  if (std::ranges::any_of(wall.diffuse, [](double value) { return value > 0; }))
+    add_sent_on(face, point, wall.diffuse, brought, beams, radiance);
+  add_transmitted(face, point, brought, beams, radiance);
+}
+
+void WallLight::add_transmitted(FaceIndex face, const Vec3& point, const WallIrradiance& brought,
+                                LightBeams& beams, std::span<double> radiance) const {
+  const Wall& wall = problem_.wall(problem_.mesh().wall(face));
+  if (wall.transmits())
+    add_sent_on(FaceIndex(behind_[face.at()]), point, wall.transmittance, brought, beams, radiance);
+}
+
+void WallLight::add_sent_on(FaceIndex face, const Vec3& point, std::span<const double> share,
+                            const WallIrradiance& brought, LightBeams& beams,
+                            std::span<double> radiance) const {
   const Vec3 outwards = problem_.mesh().area_normal(face).normalized();
   std::vector<double> irradiance(bands_, 0);
   add_light({problem_.mesh().owner(face), point}, outwards, beams, irradiance);
-  add_reflected(face, point, brought, irradiance, radiance);
+  add_sent_on(face, point, share, brought, irradiance, radiance);
 }
 
 void WallLight::add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought,
                               std::span<const double> irradiance, std::span<double> radiance) const {
-  const Wall& wall = problem_.wall(problem_.mesh().wall(face));
+  add_sent_on(face, point, problem_.wall(problem_.mesh().wall(face)).diffuse, brought, irradiance, radiance);
+}
+
+void WallLight::add_sent_on(FaceIndex face, const Vec3& point, std::span<const double> share,
+                            const WallIrradiance& brought, std::span<const double> irradiance,
+                            std::span<double> radiance) const {
   const std::array<double, 3> weights = barycentric(problem_.mesh(), face, point);
   const double half_range = brought.half_range[face.at()];
   for (std::size_t i = 0; i < 3 && half_range > 0; ++i)
     for (std::size_t b = 0; b < bands_; ++b)
-      radiance[b] +=
-          wall.diffuse[b] / half_range * weights[i] * brought.values[(face.at() * 3 + i) * bands_ + b];
-  for (std::size_t b = 0; b < bands_; ++b)
-    radiance[b] += wall.diffuse[b] * std::numbers::inv_pi * irradiance[b];
+      radiance[b] += share[b] / half_range * weights[i] * brought.values[(face.at() * 3 + i) * bands_ + b];
+  for (std::size_t b = 0; b < bands_; ++b) radiance[b] += share[b] * std::numbers::inv_pi * irradiance[b];
+}
+
+void WallLight::look_at_light(const LightSource& source, const PointInCell& point, LightBeams& beams) const {
+  beams.clear();
+  source.add_beams(point, Sight::attenuated, wall_light_detail, beams);
+  if (!is_penumbra(source, point, beams)) return;
+  beams.clear();
+  source.add_beams(point, Sight::attenuated, penumbra_detail, beams);
 }
 
 void WallLight::add_light(const PointInCell& point, const Vec3& normal, LightBeams& beams,
                           std::span<double> irradiance) const {
   for (const auto& source : lights_.sources()) {
-    beams.clear();
-    source->add_beams(point, Sight::attenuated, wall_light_detail, beams);
-    if (is_penumbra(*source, point, beams)) {
-      beams.clear();
-      source->add_beams(point, Sight::attenuated, penumbra_detail, beams);
-    }
+    look_at_light(*source, point, beams);
     for (std::size_t i = 0; i < beams.size(); ++i) {
       const double cosine = std::max(0.0, normal.dot(beams.direction(i)));
       for (std::size_t b = 0; b < bands_; ++b) irradiance[b] += cosine * beams.fluence(i)[b];

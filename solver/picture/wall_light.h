@@ -30,15 +30,27 @@ class WallLight {
   WallLight(const LightSetup& lights, const DirectionSet& directions, const SavedState& state,
             std::size_t face_nodes);
 
-  /// Adds the radiance [band] that a wall reflects diffusely at a point of a face: of the light that
-  /// directions carried, (diffuse/pi_h) E with the values around it joined continuously, and of the lights'
-  /// own, (diffuse/pi) E_0 by rays to them.
+  /// Adds the radiance [band] that a wall reflects diffusely at a point of a face, or transmits from behind:
+  /// of the light that directions carried, (diffuse/pi_h) E with the values around it joined continuously,
+  /// and of the lights' own, (diffuse/pi) E_0 by rays to them.
   void add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought, LightBeams& beams,
                      std::span<double> radiance) const;
 
-  /// The same where the lights are known to bring `irradiance` [band] to the point.
+  /// What is transmitted from behind alone.
+  void add_transmitted(FaceIndex face, const Vec3& point, const WallIrradiance& brought, LightBeams& beams,
+                       std::span<double> radiance) const;
+
+  /// What is reflected alone, where the lights are known to bring `irradiance` [band] to the point.
   void add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought,
                      std::span<const double> irradiance, std::span<double> radiance) const;
+
+  /// Adds the part `share` [band] of what arrives at a face as radiance that is the same in all directions,
+  /// by rays to the lights.
+  void add_sent_on(FaceIndex face, const Vec3& point, std::span<const double> share,
+                   const WallIrradiance& brought, LightBeams& beams, std::span<double> radiance) const;
+
+  /// The beams of one light at a point of a cell, as many as its shadows ask for.
+  void look_at_light(const LightSource& source, const PointInCell& point, LightBeams& beams) const;
 
   /// Adds the irradiance [band] of the lights at a point of a cell, on the side that light with w.n > 0
   /// meets.
@@ -49,11 +61,16 @@ class WallLight {
   const WallIrradiance& joined() const { return joined_; }
 
  private:
+  /// The same with the irradiance that the lights are known to bring.
+  void add_sent_on(FaceIndex face, const Vec3& point, std::span<const double> share,
+                   const WallIrradiance& brought, std::span<const double> irradiance,
+                   std::span<double> radiance) const;
   bool is_penumbra(const LightSource& source, const PointInCell& point, const LightBeams& seen) const;
 
   const LightSetup& lights_;
   const Problem& problem_;
   std::size_t bands_;
+  std::vector<std::int32_t> behind_;  ///< [boundary face] other side of a sheet, -1: none
   WallIrradiance joined_;
 };
 

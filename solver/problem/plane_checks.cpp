@@ -25,6 +25,11 @@ bool is_cold_mirror(const Wall& wall) {
 void check_plane_walls(const Problem& problem, std::vector<Fault>& faults) {
   const TetrahedralMesh& mesh = problem.mesh();
   std::vector<char> told(problem.walls().size(), 0);
+  for (const Wall& wall : problem.walls())
+    if (wall.is_glossy())
+      faults.push_back(fault_at(origin_of(wall, "glossy"), "",
+                                "not in flatland (it reflects into all directions of space); use diffuse or "
+                                "specular, or another direction set"));
   for (int f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     const auto index = static_cast<std::size_t>(mesh.wall(face));

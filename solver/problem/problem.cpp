@@ -37,7 +37,9 @@ void require_sizes(const TetrahedralMesh& mesh, const Bands& bands, const std::v
     good = good && medium.absorption.size() == n && medium.scattering.size() == n &&
            medium.emission.size() == n && medium.phase.size() == n;
   for (const Wall& wall : walls)
-    good = good && wall.radiance.size() == n && wall.diffuse.size() == n && wall.specular.size() == n;
+    good = good && wall.radiance.size() == n && wall.diffuse.size() == n && wall.specular.size() == n &&
+           (wall.glossy.empty() || wall.glossy.size() == n) &&
+           (wall.transmittance.empty() || wall.transmittance.size() == n);
   if (!good)
     throw std::invalid_argument("a problem needs a medium per region, a wall per wall, a value per band");
 }
@@ -107,6 +109,7 @@ Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> m
   emission_ = means({&Medium::emission, "emission"});
   for (const Medium& medium : media_) check_phase(medium, bands_, faults);
   for (const Wall& wall : walls_) check_wall(wall, bands_, faults);
+  check_sheets(*this, faults);
   if (space_ == AngularSpace::plane) check_plane_walls(*this, faults);
   if (faults.empty()) check_steady_state(*this, faults);
   if (!faults.empty()) throw InputError(std::move(faults));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,7 @@
 #include "solver/problem/light.h"
 #include "solver/problem/phase_function.h"
 #include "solver/problem/scattering_choice.h"
+#include "solver/surfaces/reflectance.h"
 
 namespace etendue {
 
@@ -53,7 +55,8 @@ struct Medium {
   }
 };
 
-/// What one wall does, per band. Reflectances: diffuse + specular <= 1.
+/// What one wall does, per band. Of light from any direction
+/// diffuse + specular + glossy albedo + transmittance <= 1.
 struct Wall {
   std::string name;
   std::vector<double> radiance;  ///< [band] sent into the domain [power/(length^2 sr)], isotropic
@@ -66,6 +69,23 @@ struct Wall {
   /// Of the domain over that of what is behind the wall. Other than 1 it mirrors as a smooth surface does
   /// (Fresnel) and sends the rest out, it reflects nothing else, and `radiance` is that of what is behind.
   double refractive_index = 1;
+  /// [band] what is reflected beside `diffuse` and `specular`; empty or null: nothing. Shared since walls are
+  /// copied.
+  std::vector<std::shared_ptr<const Reflectance>> glossy = {};
+  /// [band] of a sheet: what arrives here and leaves diffusely on its other side; empty: none
+  std::vector<double> transmittance = {};
+
+  const Reflectance* glossy_in(std::size_t band) const {
+    return band < glossy.size() ? glossy[band].get() : nullptr;
+  }
+  double transmitted(std::size_t band) const { return band < transmittance.size() ? transmittance[band] : 0; }
+  bool is_glossy() const;
+  bool transmits() const;
+  /// Of light that is the same from all directions, what comes back to the same side.
+  double mean_reflectance(std::size_t band) const {
+    const Reflectance* lobe = glossy_in(band);
+    return diffuse[band] + specular[band] + (lobe != nullptr ? lobe->albedo().mean() : 0);
+  }
 };
 
 /// What is asked: the coefficients of the transport equation on every cell and wall. Valid by construction.

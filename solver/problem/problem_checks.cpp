@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "mesh/tetrahedra/sheet_faces.h"
+
 namespace etendue {
 namespace {
 
@@ -22,8 +24,11 @@ Origin with_key(const Origin& origin, const std::string& table, const std::strin
 std::string shown(double value) { return fmt::format("{:.6g}", value); }
 
 bool reflects_fully(const Wall& wall, std::size_t band) {
-  return wall.diffuse[band] + wall.specular[band] >= 1 - rounding;
+  return wall.mean_reflectance(band) + wall.transmitted(band) >= 1 - rounding;
 }
+
+/// Of the integrals that the albedo of a glossy surface is known by.
+constexpr double albedo_error = 1e-6;
 
 /// One number of a wall that must lie in [0, most].
 void check_range(const Wall& wall, const std::string& what, double value, double most,
@@ -93,17 +98,62 @@ void check_wall(const Wall& wall, const Bands& bands, std::vector<Fault>& faults
     check_range(wall, "diffuse", wall.diffuse[band], 1, name, faults);
     check_range(wall, "specular", wall.specular[band], 1, name, faults);
     if (wall.refractive_index != 1 &&
-        (wall.diffuse[band] > 0 || wall.specular[band] > 0 || is_given(wall.radiance_by_direction, band)))
+        (wall.diffuse[band] > 0 || wall.specular[band] > 0 || wall.glossy_in(band) != nullptr ||
+         wall.transmitted(band) > 0 || is_given(wall.radiance_by_direction, band)))
       faults.push_back(fault_at(
           origin_of(wall, "refractive_index"), shown(wall.refractive_index),
           fmt::format("with a reflectance or a formula for the radiance (band {}; what a smooth surface "
                       "reflects and lets in follows from the index); give one or the other",
                       name)));
-    const double sum = wall.diffuse[band] + wall.specular[band];
-    if (faults.size() == before && sum > 1 + rounding)
-      faults.push_back(
-          fault_at(origin_of(wall, "diffuse + specular"), shown(sum),
-                   fmt::format("reflects more light than arrives (band {}); give at most 1 together", name)));
+    check_range(wall, "transmittance", wall.transmitted(band), 1, name, faults);
+    const double even = wall.diffuse[band] + wall.specular[band] + wall.transmitted(band);
+    const AlbedoTable lobe = wall.glossy_in(band) != nullptr ? wall.glossy_in(band)->albedo() : AlbedoTable();
+    if (faults.size() > before || even + lobe.largest() <= 1 + (lobe.largest() > 0 ? albedo_error : rounding))
+      continue;
+    if (lobe.largest() > 0)
+      faults.push_back(fault_at(
+          origin_of(wall, "glossy"), shown(lobe.largest()),
+          fmt::format(
+              "of light at {:.3g} degrees to the normal this part is reflected, and {:.6g} otherwise: "
+              "more light than arrives (band {}); give at most 1 together at every angle",
+              lobe.angle_of_largest(), even, name)));
+    else
+      faults.push_back(fault_at(
+          origin_of(wall, wall.transmits() ? "diffuse + specular + transmittance" : "diffuse + specular"),
+          shown(even),
+          fmt::format("reflects more light than arrives (band {}); give at most 1 together", name)));
+  }
+}
+
+void check_sheets(const Problem& problem, std::vector<Fault>& faults) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  if (std::ranges::none_of(problem.walls(), [](const Wall& wall) { return wall.transmits(); })) return;
+  const std::vector<std::int32_t> behind = faces_behind(mesh);
+  std::vector<char> told(problem.walls().size(), 0);
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const int number = mesh.wall(FaceIndex(f));
+    const Wall& wall = problem.wall(number);
+    const std::int32_t other = behind[static_cast<std::size_t>(f)];
+    if (told[static_cast<std::size_t>(number)] || !wall.transmits()) continue;
+    std::string problem_text;
+    if (other < 0) {
+      const Vec3 at = mesh.centroid(FaceIndex(f));
+      problem_text = fmt::format(
+          "the wall is no sheet at ({:.6g}, {:.6g}, {:.6g}): nothing is behind it; give transmittance to the "
+          "sides of a [[mesh.sheet]]",
+          at.x(), at.y(), at.z());
+    } else {
+      const Wall& back = problem.wall(mesh.wall(FaceIndex(other)));
+      for (std::size_t b = 0; b < wall.transmittance.size() && problem_text.empty(); ++b)
+        if (std::abs(wall.transmitted(b) - back.transmitted(b)) > rounding)
+          problem_text = fmt::format(
+              "the other side of the sheet, {}, has {:.6g} (band {}; light goes both ways alike); give both "
+              "the same",
+              back.name, back.transmitted(b), problem.bands().names[b]);
+    }
+    if (problem_text.empty()) continue;
+    told[static_cast<std::size_t>(number)] = 1;
+    faults.push_back(fault_at(origin_of(wall, "transmittance"), shown(wall.transmitted(0)), problem_text));
   }
 }
 

@@ -15,8 +15,13 @@ Origin origin_of(const Wall& wall, const std::string& what);
 /// Faults of the asymmetries: -1 < g < 1.
 void check_phase(const Medium& medium, const Bands& bands, std::vector<Fault>& faults);
 
-/// Faults of a wall: radiance and reflectances not negative, reflectances at most 1 together.
+/// Faults of a wall: radiance and reflectances not negative; reflectances, transmittance and the albedo of
+/// what is glossy at most 1 together at every angle.
 void check_wall(const Wall& wall, const Bands& bands, std::vector<Fault>& faults);
+
+/// Faults of transmittance: on walls that are no sheets, or that differs between the two sides of one, which
+/// would make light of nothing (by reciprocity both ways of light are alike).
+void check_sheets(const Problem& problem, std::vector<Fault>& faults);
 
 /// Faults of bands in which something emits, nothing absorbs and every wall reflects fully.
 void check_steady_state(const Problem& problem, std::vector<Fault>& faults);

@@ -22,7 +22,10 @@ class Selection {
     cut(medium.absorption, medium.scattering, medium.emission, medium.phase, medium.choice,
         medium.directional, medium.absorption_by_direction, medium.emission_by_direction);
   }
-  void cut(Wall& wall) const { cut(wall.radiance, wall.diffuse, wall.specular, wall.radiance_by_direction); }
+  void cut(Wall& wall) const {
+    cut(wall.radiance, wall.diffuse, wall.specular, wall.radiance_by_direction, wall.glossy,
+        wall.transmittance);
+  }
   void cut(PointLight& light) const { cut(light.power); }
   void cut(BeamLight& light) const { cut(light.irradiance); }
   void cut(SurfaceLight& light) const { cut(light.radiance); }

@@ -15,7 +15,7 @@ struct PatchLight {
   std::vector<std::int32_t> walls;         ///< [triangle]
   std::vector<std::int32_t> patches;       ///< [triangle]
   std::vector<double> irradiance;          ///< [triangle][band] [power/length^2]
-  std::vector<double> exitance;            ///< [triangle][band] pi L + rho H [power/length^2]
+  std::vector<double> exitance;            ///< [triangle][band] pi L + rho H + tau H(behind) [power/length^2]
 };
 
 /// Of irradiances [patch][band].

@@ -30,13 +30,23 @@ double still_to_come(double exitant, double reflected) {
 
 }  // namespace
 
+std::vector<double> RadiosityEquation::sent_on(const std::vector<double>& irradiance) const {
+  std::vector<double> sent(irradiance.size());
+  for (std::size_t i = 0; i < sent.size(); ++i) sent[i] = reflectance[i] * irradiance[i];
+  for (const SheetPassage& passage : passages)
+    for (std::size_t b = 0; b < bands; ++b)
+      sent[passage.to * bands + b] +=
+          transmittance[passage.to * bands + b] * passage.share * irradiance[passage.from * bands + b];
+  return sent;
+}
+
 RadiosityState solve_directly(const RadiosityEquation& equation) {
   const std::size_t n = equation.exchange.size();
   const auto size = static_cast<Eigen::Index>(n);
   RadiosityState state;
   state.irradiance.assign(n * equation.bands, 0);
   for (std::size_t b = 0; b < equation.bands; ++b) {
-    // (A - G rho) H = G E
+    // (A - G (rho + tau P)) H = G E
     Eigen::MatrixXd matrix(size, size);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
     for (std::size_t j = 0; j < n; ++j) {
@@ -47,6 +57,10 @@ RadiosityState solve_directly(const RadiosityEquation& equation) {
         matrix(row, static_cast<Eigen::Index>(k)) = -g * equation.reflectance[k * equation.bands + b];
       }
       matrix(row, row) += area_of(equation, j);
+      for (const SheetPassage& passage : equation.passages)
+        matrix(row, static_cast<Eigen::Index>(passage.from)) -=
+            equation.exchange.value(j, passage.to) * passage.share *
+            equation.transmittance[passage.to * equation.bands + b];
     }
     const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
     for (std::size_t j = 0; j < n; ++j)
@@ -71,8 +85,8 @@ RadiosityState solve_by_gathering(const RadiosityEquation& equation, const Radio
     for (std::size_t i = 0; i < incident.size(); ++i) {
       incident[i] /= area_of(equation, i / bands);
       state.irradiance[i] += incident[i];
-      sent[i] = equation.reflectance[i] * incident[i];
     }
+    sent = equation.sent_on(incident);
     const std::vector<double> in = powers(equation, incident), reflected = powers(equation, sent);
     state.converged = true;
     for (std::size_t b = 0; b < bands; ++b) {
@@ -117,16 +131,22 @@ RadiosityState solve_by_shooting(const RadiosityEquation& equation, const Radios
   for (std::size_t shot = 1; !state.converged; ++shot) {
     const auto j = static_cast<std::size_t>(std::ranges::max_element(power) - power.begin());
     const std::vector<double> row = equation.exchange.row(j);
+    const std::vector<double> shot_power(unsent.begin() + static_cast<std::ptrdiff_t>(j * bands),
+                                         unsent.begin() + static_cast<std::ptrdiff_t>((j + 1) * bands));
+    for (std::size_t b = 0; b < bands; ++b) unsent[j * bands + b] = 0;
+    for (const SheetPassage& passage : equation.passages)
+      for (std::size_t b = 0; b < bands; ++b)
+        unsent[passage.to * bands + b] += equation.transmittance[passage.to * bands + b] * passage.share *
+                                          row[passage.from] / area_of(equation, passage.from) * shot_power[b];
     for (std::size_t k = 0; k < n; ++k) {
       for (std::size_t b = 0; b < bands; ++b) {
-        const double incident = row[k] / area_of(equation, k) * unsent[j * bands + b];
+        const double incident = row[k] / area_of(equation, k) * shot_power[b];
         state.irradiance[k * bands + b] += incident;
         if (k != j) unsent[k * bands + b] += equation.reflectance[k * bands + b] * incident;
       }
       power[k] = waiting(k);
     }
-    for (std::size_t b = 0; b < bands; ++b) unsent[j * bands + b] = 0;
-    power[j] = 0;
+    power[j] = waiting(j);
     state.passes = static_cast<int>((shot + n - 1) / n);
     if (shot % between != 0 &&
         power[static_cast<std::size_t>(std::ranges::max_element(power) - power.begin())] > 0)

@@ -8,12 +8,24 @@
 
 namespace etendue {
 
-/// B_j = E_j + rho_j H_j,  A_j H_j = sum over k of G_jk B_k. Arrays are [patch][band].
+/// What passes from a patch of a sheet to one on its other side.
+struct SheetPassage {
+  std::size_t from, to;  ///< patches
+  double share;          ///< area that they have in common, of that of `to`
+};
+
+/// B_j = E_j + rho_j H_j + tau_j sum over passages k to j of share H_k,  A_j H_j = sum over k of G_jk B_k.
+/// Arrays are [patch][band].
 struct RadiosityEquation {
   const ExchangeMatrix& exchange;
   std::size_t bands = 1;
   std::vector<double> emission;     ///< E, what a patch sends by itself [power/length^2]
   std::vector<double> reflectance;  ///< rho
+  std::vector<SheetPassage> passages = {};
+  std::vector<double> transmittance = {};  ///< tau, where there are passages
+
+  /// rho H + tau H(behind) of an irradiance H.
+  std::vector<double> sent_on(const std::vector<double>& irradiance) const;
 };
 
 /// The powers of one band in one pass of the light from all walls to all walls.

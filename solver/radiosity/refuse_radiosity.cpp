@@ -58,6 +58,9 @@ void refuse_for_radiosity(const Problem& problem) {
       faults.add(origin_of(wall, "specular"), "is a mirror (radiosity knows diffuse walls alone)");
     if (wall.refractive_index != 1)
       faults.add(origin_of(wall, "refractive_index"), "refracts (radiosity knows diffuse walls alone)");
+    if (wall.is_glossy())
+      faults.add(origin_of(wall, "glossy"),
+                 "reflects into some directions more than into others (radiosity knows diffuse walls alone)");
     if (any(wall.radiance_by_direction))
       faults.add(origin_of(wall, "radiance"),
                  "depends on the place or the direction (not in this version for radiosity)");

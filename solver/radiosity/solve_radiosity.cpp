@@ -5,6 +5,8 @@
 #include <chrono>
 #include <numbers>
 
+#include "mesh/tetrahedra/sheet_faces.h"
+#include "solver/radiosity/sheet_passages.h"
 #include "solver/radiosity/wall_factors.h"
 
 namespace etendue {
@@ -87,8 +89,11 @@ RadiosityEquation RadiosityRoom::equation() const {
     for (std::size_t b = 0; b < bands_; ++b) {
       equation.emission.push_back(pi * wall.radiance[b]);
       equation.reflectance.push_back(wall.diffuse[b]);
+      equation.transmittance.push_back(wall.transmitted(b));
     }
   }
+  if (std::ranges::any_of(problem_.walls(), [](const Wall& wall) { return wall.transmits(); }))
+    equation.passages = sheet_passages(problem_.mesh(), patches_);
   return equation;
 }
 
@@ -118,8 +123,8 @@ Solution RadiosityRoom::solve(const RadiosityObserver& observer) {
   report_.solve_seconds = seconds_since(start);
   irradiance_ = state.irradiance;
   exitance_ = asked.emission;
-  for (std::size_t i = 0; i < exitance_.size(); ++i)
-    exitance_[i] += asked.reflectance[i] * state.irradiance[i];
+  const std::vector<double> sent_on = asked.sent_on(state.irradiance);
+  for (std::size_t i = 0; i < exitance_.size(); ++i) exitance_[i] += sent_on[i];
   Solution solution;
   solution.method = "radiosity";
   fields_on_walls(state.irradiance, solution);
@@ -145,15 +150,23 @@ void RadiosityRoom::fields_on_walls(const std::vector<double>& irradiance, Solut
   fields.irradiance.assign(faces * 3 * bands_, 0);
   fields.exitance.assign(faces * 3 * bands_, 0);
   fields.half_range.assign(faces, pi);
+  const std::vector<std::int32_t> behind = faces_behind(mesh);
+  const auto mean_on = [&](std::size_t face, std::size_t band) {
+    double mean = 0;
+    for (const FacePart& part : patches_.of_faces[face])
+      mean += part.share * irradiance[part.patch * bands_ + band];
+    return mean;
+  };
   for (std::size_t f = 0; f < faces; ++f) {
     const Wall& wall = problem_.wall(mesh.wall(FaceIndex(static_cast<std::int64_t>(f))));
     for (std::size_t b = 0; b < bands_; ++b) {
-      double mean = 0;
-      for (const FacePart& part : patches_.of_faces[f])
-        mean += part.share * irradiance[part.patch * bands_ + b];
+      const double mean = mean_on(f, b);
+      double sent = pi * wall.radiance[b] + wall.diffuse[b] * mean;
+      if (wall.transmitted(b) > 0)
+        sent += wall.transmitted(b) * mean_on(static_cast<std::size_t>(behind[f]), b);
       for (std::size_t node = 3 * f; node < 3 * f + 3; ++node) {
         fields.irradiance[node * bands_ + b] = mean;
-        fields.exitance[node * bands_ + b] = pi * wall.radiance[b] + wall.diffuse[b] * mean;
+        fields.exitance[node * bands_ + b] = sent;
       }
     }
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/tetrahedra/sheet_faces.h"
 #include "mesh/tetrahedra/vertex_cells.h"
 #include "solver/lights/vertex_light.h"
 #include "solver/split/matter_table.h"
@@ -59,7 +60,9 @@ FirstCollision::FirstCollision(const LightSetup& lights, const UncollidedField& 
       field_(field),
       directions_(directions),
       phases_(problem_),
-      matter_(lights.paths().matter()) {
+      matter_(lights.paths().matter()),
+      behind_(faces_behind(problem_.mesh())),
+      glossy_(problem_, field, directions, threads) {
   const TetrahedralMesh& mesh = problem_.mesh();
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     half_range_.push_back(directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
@@ -159,13 +162,20 @@ void FirstCollision::add_source(OrdinateIndex m, CellIndex cell, std::span<doubl
   }
 }
 
-void FirstCollision::add_inflow(OrdinateIndex, FaceIndex face, std::span<double> values) const {
+void FirstCollision::add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const {
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t b = 0; b < bands; ++b)
       values[i * bands + b] +=
           wall.diffuse[b] / half_range_[face.at()] * field_.irradiance[(face.at() * 3 + i) * bands + b];
+  // Both sides of a sheet have the same half range and the same nodes.
+  for (std::size_t b = 0; b < wall.transmittance.size(); ++b)
+    for (std::size_t i = 0; i < 3 && wall.transmittance[b] > 0; ++i)
+      values[i * bands + b] +=
+          wall.transmittance[b] / half_range_[face.at()] *
+          field_.irradiance[(static_cast<std::size_t>(behind_[face.at()]) * 3 + i) * bands + b];
+  glossy_.add(m, face, values);
 }
 
 std::size_t FirstCollision::memory(const LightSetup& lights, const DirectionSet& directions) {
@@ -177,7 +187,8 @@ std::size_t FirstCollision::memory(const LightSetup& lights, const DirectionSet&
   const std::size_t kinds = PhaseList(lights.problem()).phases().size() + matter.kind_count();
   const std::size_t tables = sources * kinds * vertices * static_cast<std::size_t>(directions.count());
   const std::size_t fields = (matter.empty() ? 1 : 2) * sources + 8;
-  return sizeof(double) * (fields * cells * 4 * bands + tables + 2 * cells * bands);
+  return sizeof(double) * (fields * cells * 4 * bands + tables + 2 * cells * bands) +
+         GlossyReflection::memory(lights.problem(), directions);
 }
 
 }  // namespace etendue

@@ -7,6 +7,7 @@
 #include "solver/lights/light_setup.h"
 #include "solver/ordinates/angular_input.h"
 #include "solver/problem/phase_list.h"
+#include "solver/split/glossy_reflection.h"
 
 namespace etendue {
 
@@ -17,7 +18,8 @@ namespace etendue {
 /// with the exact phase function p, divided by its sum over the set so that the scattered power is sigma_s
 /// phi, and tilted so that its net flux is that of p; where matter depends on the directions themselves, with
 /// its kernel k(w' -> w_m) in place of p and the integral of sigma_s(w') over the light; and at walls the
-/// radiance that is diffusely reflected, (diffuse / pi_h) E.
+/// radiance that is diffusely reflected, (diffuse / pi_h) E, transmitted from the other side of a sheet,
+/// (transmittance / pi_h) E(behind), and reflected by f_r (GlossyReflection).
 ///
 /// The direction w' of the light enters by its distribution at the vertices; phi is the P1 projection.
 class FirstCollision : public AngularInput {
@@ -47,7 +49,9 @@ class FirstCollision : public AngularInput {
   const RayMatter& matter_;
   /// [source * tables + table] [ordinate][vertex] [1/sr]: of phase functions, then of kinds of matter
   std::vector<std::vector<double>> scattered_;
-  std::vector<double> half_range_;  ///< [boundary face] [sr]
+  std::vector<double> half_range_;    ///< [boundary face] [sr]
+  std::vector<std::int32_t> behind_;  ///< [boundary face] other side of a sheet, -1: none
+  GlossyReflection glossy_;
 };
 
 }  // namespace etendue

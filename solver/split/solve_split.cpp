@@ -105,13 +105,16 @@ std::vector<UncollidedBalance> balance_of(const LightSetup& lights, const Uncoll
       balance.collided += problem.scattering(CellIndex(c), static_cast<int>(b)) * fluence;
     }
     for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
-      double irradiance = 0;
-      for (std::size_t i = 0; i < 3; ++i)
-        irradiance += field.irradiance[(static_cast<std::size_t>(f) * 3 + i) * bands + b] / 3;
       const Wall& wall = problem.wall(mesh.wall(FaceIndex(f)));
-      const double arrived = irradiance * mesh.area(FaceIndex(f));
-      balance.reflected += wall.diffuse[b] * arrived;
-      balance.kept += (1 - wall.diffuse[b] - wall.specular[b]) * arrived;
+      const std::int32_t glossy = field.glossy.place_of(FaceIndex(f));
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double arrived =
+            field.irradiance[(static_cast<std::size_t>(f) * 3 + i) * bands + b] / 3 * mesh.area(FaceIndex(f));
+        const double lobe =
+            glossy < 0 ? 0 : field.glossy.albedo(problem, static_cast<std::size_t>(glossy), i, b);
+        balance.reflected += (wall.diffuse[b] + wall.transmitted(b) + lobe) * arrived;
+        balance.kept += (1 - wall.diffuse[b] - wall.transmitted(b) - lobe - wall.specular[b]) * arrived;
+      }
     }
     const double found = balance.absorbed + balance.collided + balance.reflected + balance.kept;
     balance.residual = balance.sent > 0 ? (balance.sent - found) / balance.sent : 0;

@@ -37,7 +37,8 @@ const Check keys[] = {
     {"MisplacedOrMisspelt", "[output]\nfield = 1\nfile = \"a\"\n",
      "slab.toml:8: output.field = 1: unknown key; did you mean \"fields\"?\n"
      "slab.toml:9: output.file = \"a\": misplaced key; \"file\" belongs in [mesh], "
-     "[media.NAME.phase] (NAME: a region or \"*\") or [[media.NAME.phase.mix]] (NAME: a region or \"*\")"},
+     "[media.NAME.phase] (NAME: a region or \"*\"), [[media.NAME.phase.mix]] (NAME: a region or \"*\") or "
+     "[walls.NAME.glossy] (NAME: a wall or \"*\")"},
     {"MisspeltAndMisplaced", "[space]\nabsorbtion = 1\n",
      "slab.toml:8: space.absorbtion = 1: unknown key; did you mean \"absorption\", which belongs in "
      "[media.NAME] (NAME: a "
