@@ -43,7 +43,7 @@ AccountScope scope_of(const SensorCase& sensor, const TetrahedralMesh& mesh) {
   const int region = number_of(sensor.region, mesh.region_names());
   if (sensor.sensor.kind == SensorKind::region) return region_scope(mesh, region, travel_of(sensor));
   if (sensor.region.empty())
-    return {-1, wall_surface(mesh, number_of(sensor.wall, mesh.wall_names())), travel_of(sensor)};
+    return {-1, surface_of_wall(mesh, number_of(sensor.wall, mesh.wall_names())), travel_of(sensor)};
   const int beyond = number_of(sensor.beyond, mesh.region_names());
   return {-1,
           surface_of(mesh, region, {beyond, beyond < 0 ? number_of(sensor.beyond, mesh.wall_names()) : -1}),

@@ -47,10 +47,8 @@ std::vector<std::array<Vec3, 3>> triangles_of(const SurfaceLight& light) {
 }  // namespace
 
 LightIrradiance::LightIrradiance(const LightSetup& lights) : lights_(lights) {
-  if (lights.paths().mirrors().empty())
-    find_flat_lights();
-  else
-    for (const auto& source : lights.sources()) others_.push_back(source.get());
+  find_flat_lights();
+  if (!flat_.empty()) images_ = lights.paths().mirrors().images_of_point();
 }
 
 // The sources of a set-up are the problem's lights, then media, then walls.
@@ -90,19 +88,27 @@ UncollidedAtPoint LightIrradiance::at(const PointInCell& point, const Vec3& norm
   for (const FlatLight& flat : flat_) {
     add(*flat.source, Sight::attenuated, each_triangle, 1);
     add(*flat.source, Sight::clear, each_triangle, -1);
-    for (const std::array<Vec3, 3>& triangle : flat.triangles) {
-      const std::array<Vec3, 3> seen = {triangle[0] - point.position, triangle[1] - point.position,
-                                        triangle[2] - point.position};
-      const Vec3 front = (seen[1] - seen[0]).cross(seen[2] - seen[0]);
-      if (front.dot(seen[0]) >= 0) continue;  // it shines the other way
-      const double across = polygon_irradiance(seen, normal), all = triangle_solid_angle(seen);
-      for (std::size_t b = 0; b < bands; ++b) {
-        light.irradiance[b] += flat.radiance[b] * across;
-        light.fluence[b] += flat.radiance[b] * all;
-      }
-    }
+    for (const MirrorSet mirrors : images_) add_clear(flat, mirrors, point.position, normal, light);
   }
   return light;
+}
+
+// Through mirrors the meter is moved behind them instead of the light.
+void LightIrradiance::add_clear(const FlatLight& flat, MirrorSet mirrors, const Vec3& position,
+                                const Vec3& normal, UncollidedAtPoint& light) const {
+  const MirrorPlanes& planes = lights_.paths().mirrors();
+  const Vec3 eye = planes.image(mirrors, position), up = planes.image_direction(mirrors, normal);
+  for (const std::array<Vec3, 3>& triangle : flat.triangles) {
+    const std::array<Vec3, 3> seen = {triangle[0] - eye, triangle[1] - eye, triangle[2] - eye};
+    const Vec3 front = (seen[1] - seen[0]).cross(seen[2] - seen[0]);
+    if (front.dot(seen[0]) >= 0) continue;  // it shines the other way
+    const double across = polygon_irradiance(seen, up), all = triangle_solid_angle(seen);
+    for (std::size_t b = 0; b < flat.radiance.size(); ++b) {
+      const double arrives = flat.radiance[b] * planes.reflectance(mirrors, b);
+      light.irradiance[b] += arrives * across;
+      light.fluence[b] += arrives * all;
+    }
+  }
 }
 
 }  // namespace etendue

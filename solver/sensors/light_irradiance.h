@@ -22,8 +22,9 @@ struct UncollidedAtPoint {
 /// the irradiance of its triangles in empty space, closed (polygon_irradiance), less what media and obstacles
 /// keep of the beams (transmittance T, 0 in the shadow) that it is cut into. Where nothing stands in the way
 /// that is exact to rounding; else the error is that of the beams times the part that is lost. The same holds
-/// of the fluence, with solid angles. Lights of other kinds, and all beside mirrors, are the sums of their
-/// beams: exact for points, spots and the sun.
+/// of the fluence, with solid angles, and of the light's images behind mirrors, of which E_polygon is taken
+/// whole and what the edges of a mirror cut off is lost like that behind an obstacle. Lights of other kinds
+/// are the sums of their beams: exact for points, spots and the sun.
 class LightIrradiance {
  public:
   /// The lights must outlive it.
@@ -39,9 +40,13 @@ class LightIrradiance {
     std::vector<std::array<Vec3, 3>> triangles;  ///< counterclockwise seen from the side that shines
   };
   void find_flat_lights();
+  /// What would arrive of one of its images in empty space.
+  void add_clear(const FlatLight& flat, MirrorSet mirrors, const Vec3& position, const Vec3& normal,
+                 UncollidedAtPoint& light) const;
 
   const LightSetup& lights_;
   std::vector<FlatLight> flat_;
+  std::vector<MirrorSet> images_;  ///< behind which flat lights are seen
   std::vector<const LightSource*> others_;
 };
 

@@ -29,7 +29,7 @@ std::vector<SurfaceFace> surface_of(const TetrahedralMesh& mesh, int region, con
   return surface;
 }
 
-std::vector<SurfaceFace> wall_surface(const TetrahedralMesh& mesh, int wall) {
+std::vector<SurfaceFace> surface_of_wall(const TetrahedralMesh& mesh, int wall) {
   std::vector<SurfaceFace> surface;
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     if (mesh.wall(FaceIndex(f)) == wall)

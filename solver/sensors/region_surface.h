@@ -26,6 +26,6 @@ struct Beyond {
 std::vector<SurfaceFace> surface_of(const TetrahedralMesh& mesh, int region, const Beyond& beyond = {});
 
 /// The inner side of a whole wall.
-std::vector<SurfaceFace> wall_surface(const TetrahedralMesh& mesh, int wall);
+std::vector<SurfaceFace> surface_of_wall(const TetrahedralMesh& mesh, int wall);
 
 }  // namespace etendue

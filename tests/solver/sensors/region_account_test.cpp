@@ -246,7 +246,7 @@ TEST(RegionAccount, SurfacesHaveParts) {
   const RegionAccount whole = solved.account(outer, cone);
   EXPECT_NEAR(parts.flowing_out[0] / whole.flowing_out[0], 1, 1e-12);
   EXPECT_NEAR(parts.flowing_in[0] / whole.flowing_in[0], 1, 1e-12);
-  EXPECT_EQ(surface_of(mesh, outer, {.wall = 0}).size(), wall_surface(mesh, 0).size());
+  EXPECT_EQ(surface_of(mesh, outer, {.wall = 0}).size(), surface_of_wall(mesh, 0).size());
 }
 
 // A wide lamp is many beams, and theirs is the error.

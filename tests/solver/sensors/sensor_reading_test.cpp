@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "solver/sensors/polygon_irradiance.h"
 #include "solver/split/solve_split.h"
 #include "tests/solver/ordinates/sample_problems.h"
 #include "tests/solver/sensors/block_mesh.h"
@@ -292,6 +294,47 @@ TEST(SensorReader, MeasuresTheFluxThroughAPolygonWithinACone) {
   EXPECT_NEAR(laboratory.value(sensor, 0), 0.01 * pi * 4, 1e-6);
   EXPECT_NEAR(laboratory.value(sensor, 1), 0.01 * pi * 4, 1e-6);
   EXPECT_NEAR(laboratory.value(sensor, 2), 0, 1e-7);
+}
+
+// A ceiling that shines and its image behind a mirror: E = L (E_p + rho E_p of the moved meter), and so the
+// fluence; behind two mirrors at right angles there are three images.
+TEST(SensorReader, SeesLightsInMirrorsExactly) {
+  const TetrahedralMesh mesh =
+      block_mesh({{{0, 0.4, 1}, {0, 0.5, 1}, {0, 0.5, 1}}}, [](const Vec3&, const Vec3& out) {
+        if (out.z() > 0.5) return "ceiling";
+        return out.x() > 0.5 ? "mirror" : out.y() > 0.5 ? "dim" : "side";
+      });
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    walls.push_back(uniform_wall(1, name == "ceiling" ? 2 : 0, 0,
+                                 name == "mirror" ? 0.8
+                                 : name == "dim"  ? 0.5
+                                                  : 0));
+    walls.back().name = name;
+    walls.back().uncollided = Uncollided::yes;
+  }
+  const Problem room(mesh, {}, {uniform_medium(1, 0, 0, 0)}, walls);
+  const LightSetup lights(room);
+  const Vec3 place(0.7, 0.35, 0.2), normal = Vec3(0.4, 0.2, 0.9).normalized();
+  const std::array<Vec3, 4> ceiling = {Vec3(0, 0, 1), {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  double irradiance = 0, fluence = 0;
+  for (const bool in_x : {false, true})
+    for (const bool in_y : {false, true}) {
+      const double left = (in_x ? 0.8 : 1) * (in_y ? 0.5 : 1) * 2;
+      std::array<Vec3, 4> seen = ceiling;
+      for (Vec3& corner : seen) {
+        if (in_x) corner.x() = 2 - corner.x();
+        if (in_y) corner.y() = 2 - corner.y();
+        corner -= place;
+      }
+      irradiance += left * polygon_irradiance(seen, normal);
+      fluence += left * (triangle_solid_angle({seen[0], seen[1], seen[2]}) +
+                         triangle_solid_angle({seen[0], seen[2], seen[3]}));
+    }
+  const UncollidedAtPoint found =
+      LightIrradiance(lights).at({CellLocator(mesh).find(place).front().cell, place}, normal);
+  EXPECT_NEAR(found.irradiance[0] / irradiance, 1, 1e-9);
+  EXPECT_NEAR(found.fluence[0] / fluence, 1, 1e-9);
 }
 
 // A bulb inside a closed box of polygons sends its power through them, at order 2 and better in their parts.

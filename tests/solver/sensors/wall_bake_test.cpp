@@ -55,6 +55,49 @@ TEST(WallBake, FindsTheSkyOfAWell) {
   EXPECT_EQ(seen, 1);
 }
 
+/// The part of the sky, weighted by the cosine, that a level element sees through a rectangle a by b at the
+/// height h, one corner above it (Howell, catalogue of view factors, B-3).
+double through_corner(double a, double b, double h) {
+  const double s = std::hypot(a, h), t = std::hypot(b, h);
+  return (a / s * std::atan(b / s) + b / t * std::atan(a / t)) / (2 * pi);
+}
+
+/// Of a well of mouth 1 x 1 from a point of its bottom.
+double sky_of_well(double x, double y, double depth) {
+  double sum = 0;
+  for (const double a : {x, 1 - x})
+    for (const double b : {y, 1 - y}) sum += through_corner(a, b, depth);
+  return sum;
+}
+
+// Every vertex of the bottoms of wells, at the place beside it where it is read. The middle and the corner
+// are rows of validation/reference/ambient_occlusion.csv.
+TEST(WallBake, FindsTheSkyAtEveryPointOfABottom) {
+  struct Row {
+    double depth, centre, corner;
+  };
+  for (const Row& row : {Row{0.5, 0.55412642398, 0.207757125039}, Row{1, 0.239456470461, 0.138531605995},
+                         Row{3, 0.0341067948997, 0.0308293973515}}) {
+    EXPECT_NEAR(sky_of_well(0.5, 0.5, row.depth), row.centre, 1e-11);
+    EXPECT_NEAR(sky_of_well(0, 0, row.depth), row.corner, 1e-11);
+    const TetrahedralMesh mesh =
+        block_mesh({{{0, 0.3, 0.5, 1}, {0, 0.5, 1}, {0, row.depth / 2, row.depth}}},
+                   [](const Vec3&, const Vec3& out) { return out.z() > 0.5 ? "mouth" : "wall"; });
+    const WallSurface surface = wall_surface(mesh);
+    const int mouth = mesh.wall_names()[0] == "mouth" ? 0 : 1;
+    const auto places = vertex_places(surface, mesh);
+    const std::vector<double> visibility = bake_sky_visibility(places, mesh, {mouth}, 1);
+    int seen = 0;
+    for (std::size_t v = 0; v < visibility.size(); ++v) {
+      if (surface.vertices[v].normal.z() < 0.5) continue;
+      const Vec3& at = places[v].position;
+      EXPECT_NEAR(visibility[v], sky_of_well(at.x(), at.y(), row.depth), 1e-9) << at.transpose();
+      ++seen;
+    }
+    EXPECT_EQ(seen, 12);
+  }
+}
+
 // A lamp of radiance L fills the mouth; directions brought 0.3: E = 0.3 + pi L F, and B = rho E + pi L.
 TEST(WallBake, AddsLightsExactlyToWhatDirectionsBrought) {
   const TetrahedralMesh mesh = well();
