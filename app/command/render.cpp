@@ -84,7 +84,8 @@ ExitCode render_results(const RenderRequest& request, std::ostream& out, std::os
   check_views(cameras, {}, saved.problem);
   interruption.note_the_first();
   const RayRadiance scene(saved.lights, saved.directions, saved.options, saved.state, saved.options.threads);
-  const ErrorScenes errors(cameras, saved.lights, saved.directions, saved.options, saved.state, {});
+  const ErrorScenes errors(cameras, saved.lights, saved.directions, saved.options, saved.state,
+                           saved.result.direction_error);
   const bool done =
       write_pictures(saved.input, cameras, scene, errors, saved.options.threads, directory,
                      resolved_style(request.progress, out), out, [&] { return interruption.noted(); });

@@ -41,6 +41,7 @@ SavedScene::SavedScene(Case asked, const std::filesystem::path& results, const s
       directions(build_directions(input)),
       lights(problem),
       options(options_of_run(input, results, threads, mesh)),
-      state(read_initial(InputFile{results / "solution.vtu", {"command line", 0, command}}, input, mesh)) {}
+      result(read_result(InputFile{results / "solution.vtu", {"command line", 0, command}}, input, mesh)),
+      state(result.state) {}
 
 }  // namespace etendue

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/case/case.h"
+#include "app/write/solution_file.h"
 #include "mesh/base/log.h"
 #include "solver/lights/light_setup.h"
 #include "solver/ordinates/solve.h"
@@ -30,7 +31,8 @@ class SavedScene {
   const DirectionSet directions;
   const LightSetup lights;
   const SolveOptions options;  ///< as the run had them: its probes decide in which cells moments were kept
-  const SavedState state;
+  const SavedResult result;
+  const SavedState& state;  ///< that of the result
 };
 
 }  // namespace etendue

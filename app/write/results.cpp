@@ -51,8 +51,8 @@ WrittenResults write_results(const RunResult& result) {
   write_fields(result, folder.add("fields.vtu"), directory / "fields.vtu");
   write_walls(result, folder.add("walls.vtp"), directory / "walls.vtp");
   if (!result.solution.state.fluence.empty())
-    write_solution(result.input, result.problem, result.solution.state, folder.add("solution.vtu"),
-                   directory / "solution.vtu");
+    write_solution(result.input, result.problem, result.solution.state, result.solution.direction_error,
+                   folder.add("solution.vtu"), directory / "solution.vtu");
   if (!result.probes.empty()) folder.add_text("probes.csv", probes_csv(result));
   add_sensor_files(result, folder);
   folder.add_text("walls.csv", walls_csv(result));

@@ -28,6 +28,7 @@ namespace etendue {
 namespace {
 
 constexpr const char* file_name = "solution.vtu";
+constexpr const char* direction_error_name = "direction_error";
 // Changes with the meaning of what is in the file.
 constexpr const char* format = "etendue solution 2";
 
@@ -51,7 +52,7 @@ std::vector<std::string> lines_of(const std::vector<CasePart>& case_parts) {
 
 /// What a file says of itself, beside the state.
 struct SavedSolution {
-  SavedState state;
+  SavedResult result;
   std::string mesh;
   int cells = 0;
   std::vector<CasePart> case_parts;
@@ -91,6 +92,7 @@ int read_to_file(const std::filesystem::path& path, std::FILE* file) {
   write_array(file, std::vector<std::int64_t>{grid->GetNumberOfCells()});
   write_array(file, values_of(grid->GetCellData()->GetArray("collided_fluence")));
   for (const Part& part : parts) write_array(file, values_of(fields.GetArray(part.name)));
+  write_array(file, values_of(grid->GetCellData()->GetArray(direction_error_name)));
   return 0;
 }
 
@@ -115,10 +117,11 @@ SavedSolution take_solution(std::string_view bytes) {
     const auto blank = line.rfind(' ');
     saved.case_parts.push_back({line.substr(0, blank), line.substr(blank + 1)});
   }
-  saved.state.bands = static_cast<int>(take_lines(bytes).size());
+  saved.result.state.bands = static_cast<int>(take_lines(bytes).size());
   for (const std::int64_t count : take_array<std::int64_t>(bytes)) saved.cells = static_cast<int>(count);
-  saved.state.fluence = take_array<double>(bytes);
-  for (const Part& part : parts) saved.state.*part.values = take_array<double>(bytes);
+  saved.result.state.fluence = take_array<double>(bytes);
+  for (const Part& part : parts) saved.result.state.*part.values = take_array<double>(bytes);
+  saved.result.direction_error = take_array<double>(bytes);
   return saved;
 }
 
@@ -144,12 +147,12 @@ std::string quoted(const InputFile& file) { return "\"" + file.path.string() + "
 
 /// Of the method of the case: photons add histories to histories, sweeps go on from moments.
 void check_method(const InputFile& file, const Case& input, const SavedSolution& saved) {
-  if (input.photons && saved.state.photons.empty())
+  if (input.photons && saved.result.state.photons.empty())
     throw InputError(
         fault_at(file.origin, quoted(file),
                  "is not a solution by photons (histories are added to those of an earlier run); "
                  "start from one, or without"));
-  if (!input.photons && !saved.state.photons.empty())
+  if (!input.photons && !saved.result.state.photons.empty())
     throw InputError(fault_at(file.origin, quoted(file),
                               "is a solution by photons, and sweeps cannot go on from it; start from one by "
                               "ordinates, or without"));
@@ -170,7 +173,8 @@ SavedSolution read_of_case(const InputFile& file, const Case& input) {
 }  // namespace
 
 void write_solution(const Case& input, const Problem& problem, const SavedState& state,
-                    const std::filesystem::path& path, const std::filesystem::path& shown) {
+                    std::span<const double> direction_error, const std::filesystem::path& path,
+                    const std::filesystem::path& shown) {
   const TetrahedralMesh& mesh = problem.mesh();
   const vtkSmartPointer<vtkUnstructuredGrid> grid = joined_cells(mesh);
   vtkFieldData& fields = *grid->GetFieldData();
@@ -183,6 +187,8 @@ void write_solution(const Case& input, const Problem& problem, const SavedState&
   grid->GetCellData()->AddArray(vtk_array(
       {"collided_fluence", {}, {}},
       static_cast<int>(state.fluence.size() / static_cast<std::size_t>(mesh.cell_count())), state.fluence));
+  if (!direction_error.empty())
+    grid->GetCellData()->AddArray(vtk_array({direction_error_name, {}, {}}, state.bands, direction_error));
   for (const Part& part : parts) {
     const std::vector<double>& values = state.*part.values;
     if (!values.empty()) fields.AddArray(vtk_array({part.name, {}, {}}, state.bands, values));
@@ -195,6 +201,10 @@ void write_solution(const Case& input, const Problem& problem, const SavedState&
 void check_initial(const InputFile& file, const Case& input) { read_of_case(file, input); }
 
 SavedState read_initial(const InputFile& file, const Case& input, const TetrahedralMesh& mesh) {
+  return std::move(read_result(file, input, mesh).state);
+}
+
+SavedResult read_result(const InputFile& file, const Case& input, const TetrahedralMesh& mesh) {
   SavedSolution saved = read_of_case(file, input);
   if (saved.mesh != mesh_hash(mesh))
     throw InputError(fault_at(
@@ -202,13 +212,13 @@ SavedState read_initial(const InputFile& file, const Case& input, const Tetrahed
         fmt::format("is a solution on another mesh (of {} cells; here are {}); start from a result of the "
                     "same mesh, or without",
                     saved.cells, mesh.cell_count())));
-  return std::move(saved.state);
+  return std::move(saved.result);
 }
 
 void write_checkpoint(const Case& input, const Problem& problem, const SavedState& state) {
   const std::filesystem::path& directory = input.output.directory;
   OutputFolder folder(directory);
-  write_solution(input, problem, state, folder.add(file_name), directory / file_name);
+  write_solution(input, problem, state, {}, folder.add(file_name), directory / file_name);
   folder.publish(files_of_earlier_run(directory));
 }
 

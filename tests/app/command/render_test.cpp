@@ -59,6 +59,20 @@ TEST(Render, MakesThePicturesOfTheRunAgain) {
   }
 }
 
+// The result keeps how much the rotated sets differ, so that the layer of the directions comes out again.
+TEST(Render, HasTheErrorLayersOfTheRun) {
+  const CaseFolder folder(hazy_case());
+  const Outcome run = etendue_says(
+      {"run", folder.file(), "--set", "directions.rotations=2", "--set", "camera.0.errors=true"});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  const std::filesystem::path results = folder.results();
+  const std::string exr = text_of(results / "front.exr");
+  EXPECT_TRUE(has(exr, "error.directions.red"));
+  std::filesystem::remove(results / "front.exr");
+  ASSERT_EQ(etendue_says({"render", folder.results()}).code, ExitCode::done);
+  EXPECT_EQ(text_of(results / "front.exr"), exr);
+}
+
 TEST(Render, TakesCamerasOfAnotherCase) {
   const CaseFolder folder;
   ASSERT_EQ(etendue_says({"run", folder.file()}).code, ExitCode::done);
