@@ -183,6 +183,9 @@ struct Units {
   std::string power = "W";
   std::string illuminance = "lx";  ///< of what is written
   std::string luminance = "cd/m^2";
+  std::string luminous_flux = "lm";
+  std::string luminous_intensity = "cd";
+  std::string luminous_energy = "lm s";
 };
 
 /// A case file as data, every default filled in, every value with its line. Nothing is meshed or solved yet.

@@ -21,7 +21,13 @@ namespace etendue {
 namespace {
 
 Units read_units(Section units) {
-  return {units.text("length"), units.text("power"), units.text("illuminance"), units.text("luminance")};
+  return {.length = units.text("length"),
+          .power = units.text("power"),
+          .illuminance = units.text("illuminance"),
+          .luminance = units.text("luminance"),
+          .luminous_flux = units.text("luminous_flux"),
+          .luminous_intensity = units.text("luminous_intensity"),
+          .luminous_energy = units.text("luminous_energy")};
 }
 
 /// 0 where the directions were refused already.

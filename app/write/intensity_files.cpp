@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
 
 #include "app/write/csv_field.h"
 #include "app/write/unit_labels.h"
@@ -33,14 +35,16 @@ class Diagram {
   double azimuth_degrees(int j) const { return 360. * j / count_[0]; }
   double uncollided(int k, int j, std::size_t band) const { return grid_.uncollided[at(k, j, band)]; }
   double collided(int k, int j, std::size_t band) const { return grid_.collided[at(k, j, band)]; }
-  std::vector<double> all(int k, int j) const {
-    std::vector<double> values;
-    for (std::size_t b = 0; b < bands_; ++b) values.push_back(uncollided(k, j, b) + collided(k, j, b));
-    return values;
+  std::span<const double> uncollided(int k, int j) const {
+    return std::span(grid_.uncollided).subspan(at(k, j, 0), bands_);
+  }
+  std::span<const double> collided(int k, int j) const {
+    return std::span(grid_.collided).subspan(at(k, j, 0), bands_);
   }
   double sum(int k, int j) const {
     double total = 0;
-    for (const double value : all(k, j)) total += value;
+    for (const std::span<const double> part : {uncollided(k, j), collided(k, j)})
+      for (const double value : part) total += value;
     return total;
   }
 
@@ -55,6 +59,22 @@ class Diagram {
   const GridReading& grid_;
   std::size_t bands_;
   std::array<int, 2> count_;
+};
+
+/// From radiant intensity to candela.
+class CandelaScale {
+ public:
+  explicit CandelaScale(const RunResult& result)
+      : photometry_(result.problem.bands()),
+        scale_(si_scale(result.input.units.length, result.input.units.power)) {}
+  /// Whether the eye sees the bands, and the units are known.
+  bool known() const { return photometry_.known() && scale_; }
+  const std::string& rule() const { return photometry_.rule(); }
+  double of(std::span<const double> radiant) const { return scale_->power * photometry_.luminous(radiant); }
+
+ private:
+  Photometry photometry_;
+  std::optional<SiScale> scale_;
 };
 
 /// The corners of a curve: one plane through the axis, from one side to the other, downwards.
@@ -73,14 +93,23 @@ std::string curve(const Diagram& diagram, int azimuth, double scale) {
 
 std::string intensity_csv(const RunResult& result, const SensorRow& row) {
   const Diagram diagram(result, row);
+  const CandelaScale candela(result);
   const std::vector<std::string>& bands = result.problem.bands().names;
-  std::string table = "polar,azimuth,band,uncollided,collided,intensity\n";
+  const UnitLabels labels(result.input.units);
+  std::string table = "polar,azimuth,band,uncollided,collided,intensity,unit\n";
   for (int k = 0; k < diagram.polar_angles(); ++k)
-    for (int j = 0; j < diagram.azimuths(); ++j)
+    for (int j = 0; j < diagram.azimuths(); ++j) {
+      const auto add = [&](const std::string& band, double uncollided, double collided,
+                           const std::string& unit) {
+        table += fmt::format("{},{},{},{},{},{},{}\n", diagram.polar_degrees(k), diagram.azimuth_degrees(j),
+                             csv_field(band), uncollided, collided, uncollided + collided, csv_field(unit));
+      };
       for (std::size_t b = 0; b < bands.size(); ++b)
-        table += fmt::format("{},{},{},{},{},{}\n", diagram.polar_degrees(k), diagram.azimuth_degrees(j),
-                             csv_field(bands[b]), diagram.uncollided(k, j, b), diagram.collided(k, j, b),
-                             diagram.uncollided(k, j, b) + diagram.collided(k, j, b));
+        add(bands[b], diagram.uncollided(k, j, b), diagram.collided(k, j, b), labels.intensity);
+      if (candela.known())
+        add("photopic", candela.of(diagram.uncollided(k, j)), candela.of(diagram.collided(k, j)),
+            result.input.units.luminous_intensity);
+    }
   return table;
 }
 
@@ -120,19 +149,19 @@ std::string intensity_svg(const RunResult& result, const SensorRow& row) {
 }
 
 std::string intensity_ies(const RunResult& result, const SensorRow& row) {
-  const Photometry photometry(result.problem.bands());
-  const auto scale = si_scale(result.input.units.length, result.input.units.power);
-  if (!photometry.known() || !scale) return "";
+  const CandelaScale candela(result);
+  if (!candela.known()) return "";
   const Diagram diagram(result, row);
   std::string text = fmt::format(
       "IESNA:LM-63-2002\n[TEST] {}\n[TESTLAB] etendue\n[ISSUEDATE] none\n[MANUFAC] none\n[LUMINAIRE] light "
       "that leaves by the wall {}; {}\nTILT=NONE\n1 -1 1 {} {} 1 2 0 0 0\n1 1 0\n",
-      row.place.name, row.place.wall, photometry.rule(), diagram.polar_angles(), diagram.azimuths() + 1);
+      row.place.name, row.place.wall, candela.rule(), diagram.polar_angles(), diagram.azimuths() + 1);
   for (int k = 0; k < diagram.polar_angles(); ++k) text += fmt::format("{:.6g}\n", diagram.polar_degrees(k));
   for (int j = 0; j <= diagram.azimuths(); ++j) text += fmt::format("{:.6g}\n", diagram.azimuth_degrees(j));
   for (int j = 0; j <= diagram.azimuths(); ++j)
     for (int k = 0; k < diagram.polar_angles(); ++k)
-      text += fmt::format("{:.6g}\n", scale->power * photometry.luminous(diagram.all(k, j)));
+      text +=
+          fmt::format("{:.6g}\n", candela.of(diagram.uncollided(k, j)) + candela.of(diagram.collided(k, j)));
   return text;
 }
 

@@ -72,18 +72,20 @@ std::string sensors_csv(const RunResult& result) {
 std::string spectrum_csv(const RunResult& result, const SensorRow& row) {
   const Bands& bands = result.problem.bands();
   std::string table =
-      "quantity,band,from_nm,to_nm,photon_energy_J,uncollided,collided,value,unit,per_nm,photons_per_s\n";
+      "quantity,band,from_nm,to_nm,photon_energy_J,uncollided,collided,value,unit,per_nm,photons,"
+      "photon_unit\n";
   const std::optional<SiScale> scale = si_scale(result.input.units.length, result.input.units.power);
   const Photometry photometry(bands);
   const std::span<const double> photons = photometry.photons_per_joule();
   for (const SensorTableRow& value : radiant_rows(result, row)) {
     const auto b = static_cast<std::size_t>(std::ranges::find(bands.names, value.band) - bands.names.begin());
     const double width = std::abs(bands.edges[b + 1] - bands.edges[b]);
-    table += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", value.quantity, csv_field(value.band),
+    table += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", value.quantity, csv_field(value.band),
                          std::min(bands.edges[b], bands.edges[b + 1]),
                          std::max(bands.edges[b], bands.edges[b + 1]), 1 / photons[b], value.uncollided,
                          value.collided, value.value(), csv_field(value.unit), value.value() / width,
-                         scale ? fmt::format("{}", value.value() * scale->power * photons[b]) : "");
+                         scale ? fmt::format("{}", value.value() * scale->power * photons[b]) : "",
+                         scale ? csv_field(value.photon_unit) : "");
   }
   return table;
 }

@@ -17,6 +17,7 @@ struct SensorTableRow {
   double collided = 0;
   double error = 0;
   std::string unit;
+  std::string photon_unit = {};  ///< of radiant_rows(): with photons per second in place of power
 
   double value() const { return uncollided + collided; }
 };

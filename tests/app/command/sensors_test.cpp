@@ -4,10 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <numbers>
 #include <sstream>
+#include <tuple>
 
+#include "app/case/ies_file.h"
+#include "solver/sensors/photometry.h"
 #include "tests/app/command/small_case.h"
 
 namespace etendue {
@@ -95,7 +99,7 @@ TEST(Sensors, GridsAndIntensitiesHaveTheirFiles) {
   EXPECT_EQ(std::count(grid.begin(), grid.end(), '\n'), 1 + 3 * 2 * 2);
   EXPECT_FALSE(text_of(results / "floor.grid.exr").empty());
   const std::string intensity = text_of(results / "out.intensity.csv");
-  EXPECT_EQ(std::count(intensity.begin(), intensity.end(), '\n'), 1 + 4 * 4 * 2);
+  EXPECT_EQ(std::count(intensity.begin(), intensity.end(), '\n'), 1 + 4 * 4 * 3) << "and as the eye sees it";
   // Straight down goes what the sky sends straight down: L A.
   const std::string down = "\n0,0,blue-green,";
   ASSERT_NE(intensity.find(down), std::string::npos) << intensity;
@@ -111,6 +115,142 @@ TEST(Sensors, GridsAndIntensitiesHaveTheirFiles) {
   EXPECT_NEAR(rows["air blue-green photon_density 1/m^3"].at(2) /
                   (rows["air blue-green energy_density J/m^3"].at(2) / (6.62607015e-34 * 299792458 / 500e-9)),
               1, 1e-9);
+}
+
+/// A furnace of radiance 1 and 2 in a box of volume 1, with sensors.
+std::string furnace_case(const std::string& sensors) {
+  return R"([mesh]
+edge_length = 1
+[[mesh.box]]
+region = "air"
+min = [0, 0, 0]
+max = [1, 1, 1]
+[bands]
+names = ["blue-green", "yellow"]
+edges = [450, 550, 600]
+[media.air]
+[walls."*"]
+radiance = [1, 2]
+uncollided = false
+[directions]
+set = "product"
+order = 4
+[solve]
+tolerance = 1e-12
+[output]
+directory = "results"
+)" + sensors;
+}
+
+/// Photons of a joule at the middle of a band, lambda/(h c) [1/J].
+double photons_of_a_joule(double nanometres) { return nanometres * 1e-9 / (6.62607015e-34 * 299792458); }
+
+// Energy u/c, photons of hc/lambda each, W and photons per second, and what the eye sees of it, all closed.
+TEST(Sensors, CountPhotonsOfAFurnace) {
+  const CaseFolder folder(furnace_case(
+      "[[sensor]]\nname = \"all\"\nkind = \"region\"\nregion = \"air\"\n[[sensor]]\nname = \"part\"\nkind = "
+      "\"region\"\nregion = \"air\"\ndirection = [0, 0, 1]\nangle = 60\n[[sensor]]\nname = \"out\"\nkind = "
+      "\"flux\"\nwall = \"zmin\"\n[[sensor]]\nname = \"air\"\nkind = \"fluence\"\nposition = [0.4, 0.5, "
+      "0.6]\n"));
+  const Outcome run = etendue_says({"run", folder.file(), "--set", "units.luminous_energy=\"talbot\"",
+                                    "--set", "units.luminous_flux=\"lumen\""});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
+  constexpr double c = 299792458;
+  const auto value = [&](const std::string& row) { return rows[row].at(2); };
+  for (const auto& [band, u, middle] : {std::tuple("blue-green", 1., 500.), std::tuple("yellow", 2., 575.)}) {
+    const std::string b = std::string(" ") + band + " ";
+    const double photons = photons_of_a_joule(middle);
+    EXPECT_NEAR(value("all" + b + "energy J") * c / (4 * pi * u), 1, 1e-9);
+    EXPECT_NEAR(value("all" + b + "photons 1") * c / (4 * pi * u * photons), 1, 1e-9);
+    const double cone = value("part" + b + "solid_angle sr");
+    EXPECT_NEAR(cone, pi, 1) << "ordinates in the cone";
+    EXPECT_NEAR(value("part" + b + "photons 1") * c / (cone * u * photons), 1, 1e-9);
+    EXPECT_NEAR(value("air" + b + "energy_density J/m^3") * c / (4 * pi * u), 1, 1e-5);
+    EXPECT_NEAR(value("air" + b + "photon_density 1/m^3") * c / (4 * pi * u * photons), 1, 1e-5);
+    EXPECT_NEAR(value("out" + b + "flux_forward W") / (pi * u), 1, 1e-5);
+    EXPECT_NEAR(
+        value("out" + b + "photon_flux_forward 1/s") / (photons * value("out" + b + "flux_forward W")), 1,
+        1e-12);
+  }
+  const double lumens = value("out photopic luminous_flux_forward lumen");
+  EXPECT_GT(lumens, 683 * pi);
+  EXPECT_NEAR(value("all photopic luminous_energy talbot") * c / (4 * lumens), 1, 1e-5);
+}
+
+// What is no power has another unit.
+TEST(Sensors, SpectraHaveTheUnitsOfTheirPhotons) {
+  const CaseFolder folder(furnace_case(
+      "[[sensor]]\nname = \"all\"\nkind = \"region\"\nregion = \"air\"\n[[sensor]]\nname = \"air\"\nkind = "
+      "\"fluence\"\nposition = [0.4, 0.5, 0.6]\n[[sensor]]\nname = \"eye\"\nkind = \"radiance\"\nposition = "
+      "[0.4, "
+      "0.5, 0.6]\ndirection = [1, 0, 0]\n"));
+  const Outcome run = etendue_says({"run", folder.file()});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  const auto last_of = [&](const std::string& sensor, const std::string& quantity) {
+    std::istringstream lines(text_of(folder.path() / "results" / (sensor + ".spectrum.csv")));
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with(quantity + ",")) return line.substr(line.rfind(',') + 1);
+    return std::string("none");
+  };
+  EXPECT_EQ(last_of("all", "absorbed"), "1/s");
+  EXPECT_EQ(last_of("all", "radiance_integral"), "m/s");
+  EXPECT_EQ(last_of("air", "fluence"), "1/(s m^2)");
+  EXPECT_EQ(last_of("eye", "radiance"), "1/(s m^2 sr)");
+}
+
+// I = L A cos, in candela as the eye sees the bands; the IES file says the same when it is read back.
+TEST(Sensors, IntensitiesAreInCandelaToo) {
+  const CaseFolder folder(
+      sky_case("[[sensor]]\nname = \"out\"\nkind = \"intensity\"\nwall = \"zmin\"\nparts = [8, 4]\n"));
+  const Outcome run = etendue_says({"run", folder.file(), "--set", "units.luminous_intensity=\"candela\""});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  const Photometry seen({{"blue-green", "yellow"}, {450, 550, 600}});
+  const double straight = seen.efficacy()[0] + 2 * seen.efficacy()[1];
+  auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
+  EXPECT_NEAR(rows["out photopic luminous_intensity_most candela"].at(2) / straight, 1, 1e-9);
+  std::vector<double> candela;
+  std::istringstream lines(text_of(folder.path() / "results" / "out.intensity.csv"));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "polar,azimuth,band,uncollided,collided,intensity,unit");
+  while (std::getline(lines, line)) {
+    std::vector<std::string> fields;
+    std::istringstream parts(line);
+    for (std::string field; std::getline(parts, field, ',');) fields.push_back(field);
+    if (fields[2] == "photopic") {
+      EXPECT_EQ(fields[6], "candela");
+      candela.push_back(std::stod(fields[5]));
+    }
+  }
+  ASSERT_EQ(candela.size(), 32U);
+  EXPECT_NEAR(candela[0] / straight, 1, 1e-9);
+  const std::filesystem::path file = folder.path() / "results" / "out.ies";
+  std::ifstream stream(file);
+  const LightTable table = read_ies(stream, file);
+  ASSERT_EQ(table.plane.size(), 9U);
+  ASSERT_EQ(table.angle, (std::vector<double>{0, 30, 60, 90}));
+  // A plane for each azimuth and the first again.
+  for (std::size_t plane = 0; plane < 9; ++plane)
+    for (std::size_t angle = 0; angle < 4; ++angle)
+      EXPECT_NEAR(table.intensity[plane * 4 + angle], candela[angle * 8 + plane % 8], 1e-5 * straight);
+}
+
+// Where the eye sees most is not where each band has most.
+TEST(Sensors, GridsHaveTheirMostAndLeastIlluminance) {
+  const CaseFolder folder(sky_case(
+      "[[sensor]]\nname = \"floor\"\nkind = \"grid\"\nposition = [0, 0, 0]\nalong = [1, 0, 0]\nacross = [0, "
+      "1, 0]\nparts = [3, 3]\n"));
+  const Outcome run = etendue_says({"run", folder.file()});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
+  const Photometry seen({{"blue-green", "yellow"}, {450, 550, 600}});
+  for (const std::string end : {"least", "most"}) {
+    const double blue = rows["floor blue-green irradiance_" + end + " W/m^2"].at(2);
+    EXPECT_NEAR(rows["floor photopic illuminance_" + end + " lx"].at(2) /
+                    (blue * (seen.efficacy()[0] + 2 * seen.efficacy()[1])),
+                1, 1e-9);
+  }
 }
 
 /// The small case with the account of its region.
@@ -130,9 +270,9 @@ TEST(Sensors, HaveSpectra) {
   std::istringstream lines(table);
   std::string line;
   std::getline(lines, line);
-  EXPECT_EQ(
-      line,
-      "quantity,band,from_nm,to_nm,photon_energy_J,uncollided,collided,value,unit,per_nm,photons_per_s");
+  EXPECT_EQ(line,
+            "quantity,band,from_nm,to_nm,photon_energy_J,uncollided,collided,value,unit,per_nm,photons,"
+            "photon_unit");
   std::map<std::string, std::vector<double>> rows;
   while (std::getline(lines, line)) {
     std::istringstream parts(line);
