@@ -159,8 +159,9 @@ struct RadiosityCase {
   double refine_change = 0;   ///< of the irradiance, of its mean; 0: patches stay
   double smallest_patch = 0;  ///< [length]
   RadiosityMethod solution = RadiosityMethod::gathering;
-  int rays = 16;   ///< between two patches
-  int passes = 0;  ///< that are written
+  int rays = 16;                 ///< between two patches
+  double link_tolerance = 3e-4;  ///< of the hierarchical solution
+  int passes = 0;                ///< that are written
 };
 
 /// A radiance that is meant to be the answer: source and inflow follow from it.

@@ -209,8 +209,10 @@ std::vector<KeyDeclaration> run_keys() {
        "solution",
        text,
        {.default_value = "\"gathering\"",
-        .choices = {"gathering", "shooting", "direct"},
-        .help = "Pass by pass from all patches to all; from the brightest patch first; or by elimination."}},
+        .choices = {"gathering", "shooting", "direct", "hierarchical"},
+        .help =
+            "Pass by pass from all patches to all; from the brightest patch first; by elimination; or pass "
+            "by pass along links between groups of patches, for tens of thousands of them."}},
       {"radiosity",
        "rays",
        integer,
@@ -218,6 +220,14 @@ std::vector<KeyDeclaration> run_keys() {
         .range = {.lowest = 1, .highest = 1e6},
         .help = "Between two patches where something may stand between them; eight times as many where "
                 "some are blocked."}},
+      {"radiosity",
+       "link_tolerance",
+       number,
+       {.default_value = "3e-4",
+        .range = open_fraction,
+        .help =
+            "Of the hierarchical solution: what a link may bring too much or too little to a place, of the "
+            "mean irradiance of all walls. The irradiance is off by some ten times that."}},
       {"radiosity",
        "passes",
        integer,

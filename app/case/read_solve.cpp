@@ -116,6 +116,7 @@ std::optional<PhotonCase> read_photons(Section& solve) {
 
 RadiosityMethod radiosity_method(const std::string& name) {
   if (name == "shooting") return RadiosityMethod::shooting;
+  if (name == "hierarchical") return RadiosityMethod::hierarchical;
   return name == "direct" ? RadiosityMethod::direct : RadiosityMethod::gathering;
 }
 
@@ -132,6 +133,7 @@ void read_radiosity(Section radiosity, bool chosen, Case& result) {
                     "an eighth then");
   read.solution = radiosity_method(radiosity.text("solution"));
   read.rays = radiosity.integer("rays");
+  read.link_tolerance = radiosity.number("link_tolerance");
   read.passes = radiosity.integer("passes");
   if (chosen) result.radiosity = read;
 }

@@ -85,13 +85,19 @@ RadiosityOptions radiosity_options(const Case& input, int threads) {
   options.refinement = {input.radiosity->refine_change, input.radiosity->smallest_patch};
   options.method = input.radiosity->solution;
   options.rays = input.radiosity->rays;
+  options.link_tolerance = input.radiosity->link_tolerance;
   options.limits = {input.solve.tolerance, input.solve.max_sweeps};
   options.threads = threads;
   return options;
 }
 
 std::string radiosity_memory_text(const RadiosityMemory& memory) {
-  const double matrix = static_cast<double>(ExchangeMatrix::bytes_of(memory.patches)) / (1024.0 * 1024.0);
+  constexpr double mebibyte = 1024.0 * 1024.0;
+  if (memory.links > 0)
+    return fmt::format("patches: {}; some {:.2g} links between groups of them take {:.3g} MiB\n",
+                       memory.patches, static_cast<double>(memory.links),
+                       static_cast<double>(ExchangeLinks::bytes_of(memory.links)) / mebibyte);
+  const double matrix = static_cast<double>(ExchangeMatrix::bytes_of(memory.patches)) / mebibyte;
   return fmt::format("patches: {}; their matrix would take {:.3g} MiB and is {}\n", memory.patches, matrix,
                      memory.kept ? "kept" : "made anew in each pass");
 }

@@ -50,6 +50,7 @@ Json as_json(const RadiosityReport& report) {
           {"largest_patch", report.largest_area},
           {"convex", report.convex},
           {"matrix_kept", report.kept},
+          {"links", report.links},
           {"row_sum_error", checks.row_sum},
           {"row_sum_error_mean", checks.row_sum_mean},
           {"row_sum_error_closed", checks.closed_row_sum},

@@ -36,7 +36,7 @@ void check_pair(const FlatPatch& j, const FlatPatch& k, FactorChecks& checks) {
 
 }  // namespace
 
-FactorChecks check_and_close(ExchangeMatrix& exchange, double tolerance) {
+FactorChecks check_and_close(Exchange& exchange, double tolerance) {
   const std::vector<FlatPatch>& patches = exchange.patches();
   FactorChecks checks;
   for (const FlatPatch& patch : patches)
@@ -48,7 +48,7 @@ FactorChecks check_and_close(ExchangeMatrix& exchange, double tolerance) {
     const auto j = word[0] % patches.size(), k = word[1] % patches.size();
     if (j != k) check_pair(patches[j], patches[k], checks);
   }
-  const ExchangeMatrix::RowSums found = exchange.row_sums();
+  const Exchange::RowSums found = exchange.row_sums();
   checks.row_sum = found.largest;
   checks.row_sum_mean = found.root_mean_square;
   checks.closing_passes = exchange.close(tolerance);

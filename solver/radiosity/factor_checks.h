@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "solver/radiosity/exchange_matrix.h"
+#include "solver/radiosity/exchange.h"
 
 namespace etendue {
 
@@ -17,6 +17,6 @@ struct FactorChecks {
 };
 
 /// Measures, and closes the matrix in between: to this error of the row sums.
-FactorChecks check_and_close(ExchangeMatrix& exchange, double tolerance);
+FactorChecks check_and_close(Exchange& exchange, double tolerance);
 
 }  // namespace etendue

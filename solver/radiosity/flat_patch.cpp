@@ -98,6 +98,20 @@ FlatPatch::FlatPatch(std::vector<TriangleCorners> triangles) : triangles_(std::m
   points_ = rule_on(triangles_);
 }
 
+Vec3 FlatPatch::point_at(double u, double v) const {
+  double rest = u * area_;
+  for (const TriangleCorners& t : triangles_) {
+    const double area = area_normal(t).norm();
+    if (rest > area && &t != &triangles_.back()) {
+      rest -= area;
+      continue;
+    }
+    const double root = std::sqrt(std::clamp(rest / area, 0.0, 1.0));
+    return (1 - root) * t[0] + root * (1 - v) * t[1] + root * v * t[2];
+  }
+  return centroid_;
+}
+
 FlatPatch FlatPatch::polygon(Corners corners) {
   std::vector<TriangleCorners> triangles;
   for (std::size_t i = 2; i < corners.size(); ++i)

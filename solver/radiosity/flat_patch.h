@@ -28,6 +28,8 @@ class FlatPatch {
   const std::vector<ContourEdge>& contour() const { return contour_; }
   /// Seven points of degree 5 of one triangle, else three of degree 2 in each.
   const std::vector<SurfacePoint>& points() const { return points_; }
+  /// A point for two numbers in (0, 1), even by area.
+  Vec3 point_at(double u, double v) const;
   const Vec3& normal() const { return normal_; }  ///< unit
   double area() const { return area_; }           ///< [length^2]
   const Vec3& centroid() const { return centroid_; }

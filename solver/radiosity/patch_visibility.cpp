@@ -16,53 +16,65 @@ constexpr int rays_of_shadows = 8;
 // Distance behind a plane, relative to the size of a patch and its distance, that is rounding.
 constexpr double behind = 1e-9;
 
-/// A sequence that fills the unit cube of four dimensions evenly: steps of 1/g, 1/g^2, …, g^5 = g + 1
-/// (Roberts 2018), begun somewhere.
+/// Steps of 1/g, 1/g^2, …, where g^(n+1) = g + 1 in n dimensions (Roberts 2018).
+template <std::size_t dimensions>
+constexpr std::array<double, dimensions> even_step;
+template <>
+constexpr std::array<double, 4> even_step<4> = {0.8566748838545029, 0.7338918566271260, 0.6287067210378087,
+                                                0.5385972572236101};
+template <>
+constexpr std::array<double, 6> even_step<6> = {0.8986537126286992, 0.8075784952213447, 0.7257334129697597,
+                                                0.6521830259439715, 0.5860866975779693, 0.5266889867007357};
+
+/// A sequence that fills the unit cube of so many dimensions evenly, begun somewhere.
+template <std::size_t dimensions>
 class EvenPoints {
  public:
   explicit EvenPoints(std::uint64_t number) {
     RandomStream stream(0, number, RandomUse::form_factor);
     std::uint32_t word[4];
-    stream.next(word);
-    for (std::size_t i = 0; i < 4; ++i) place_[i] = uniform(word[i]);
+    for (std::size_t i = 0; i < dimensions; ++i) {
+      if (i % 4 == 0) stream.next(word);
+      place_[i] = uniform(word[i % 4]);
+    }
   }
-  const std::array<double, 4>& next() {
-    constexpr std::array<double, 4> step = {0.8566748838545029, 0.7338918566271260, 0.6287067210378087,
-                                            0.5385972572236101};
-    for (std::size_t i = 0; i < 4; ++i) {
-      place_[i] += step[i];
+  const std::array<double, dimensions>& next() {
+    for (std::size_t i = 0; i < dimensions; ++i) {
+      place_[i] += even_step<dimensions>[i];
       place_[i] -= std::floor(place_[i]);
     }
     return place_;
   }
 
  private:
-  std::array<double, 4> place_{};
+  std::array<double, dimensions> place_{};
 };
 
-/// A point of a patch for two numbers in (0, 1).
-Vec3 point_of(const FlatPatch& patch, double u, double v) {
-  double rest = u * patch.area();
-  for (const TriangleCorners& t : patch.triangles()) {
-    const double area = (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2;
-    if (rest > area && &t != &patch.triangles().back()) {
-      rest -= area;
-      continue;
-    }
-    const double root = std::sqrt(std::clamp(rest / area, 0.0, 1.0));
-    return (1 - root) * t[0] + root * (1 - v) * t[1] + root * v * t[2];
+/// Whether nothing of a node, or of what is left of it, lies behind a plane.
+bool all_before(const PatchTree& tree, const PatchNode& node, const FlatPatch& plane) {
+  const Vec3 way = node.center - plane.centroid();
+  const double height = plane.normal().dot(way), close = behind * (way.norm() + node.radius + plane.radius());
+  if (height > node.radius - close) return true;
+  if (!node.is_patch()) {
+    const auto child = static_cast<std::size_t>(node.children);
+    return all_before(tree, tree.nodes()[child], plane) && all_before(tree, tree.nodes()[child + 1], plane);
   }
-  return patch.centroid();
+  const FlatPatch& patch = tree.patches()[static_cast<std::size_t>(tree.patches_of(node)[0])];
+  for (const TriangleCorners& t : patch.triangles())
+    for (const Vec3& corner : t)
+      if (plane.normal().dot(corner - plane.centroid()) < -close) return false;
+  return true;
 }
 
-bool all_before(const std::vector<FlatPatch>& patches, const FlatPatch& plane) {
-  for (const FlatPatch& patch : patches) {
-    const Vec3 way = patch.centroid() - plane.centroid();
-    if (plane.normal().dot(way) > patch.radius()) continue;
-    const double close = behind * (way.norm() + patch.radius() + plane.radius());
-    for (const TriangleCorners& t : patch.triangles())
-      for (const Vec3& corner : t)
-        if (plane.normal().dot(corner - plane.centroid()) < -close) return false;
+/// Looks once into each plane that patches lie in, one after the other.
+bool are_convex(const std::vector<FlatPatch>& patches) {
+  const PatchTree tree(patches);
+  const FlatPatch* last = nullptr;
+  for (const std::int32_t p : tree.order()) {
+    const FlatPatch& plane = patches[static_cast<std::size_t>(p)];
+    const bool same = last != nullptr && last->normal() == plane.normal() && last->offset() == plane.offset();
+    if (!same && !all_before(tree, tree.nodes()[0], plane)) return false;
+    last = &plane;
   }
   return true;
 }
@@ -70,53 +82,79 @@ bool all_before(const std::vector<FlatPatch>& patches, const FlatPatch& plane) {
 struct Seen {
   double open = 0, all = 0;
   int blocked = 0, sent = 0;
+
+  // Where no ray carries anything, hardly a corner of one is before the other.
+  double share() const { return all > 0 ? open / all : 1; }
 };
+
+/// Sends rays between points: `draw` gives both ends.
+template <class Draw>
+Seen look(const RayScene& scene, int rays, const Draw& draw) {
+  Seen seen;
+  const auto send = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      const auto [from, to] = draw();
+      const Vec3 way = to.position - from.position;
+      const double r2 = way.squaredNorm();
+      const double leaving = from.normal.dot(way), arriving = -to.normal.dot(way);
+      if (!(leaving > 0 && arriving > 0)) continue;
+      const double carried = leaving * arriving / (r2 * r2);
+      ++seen.sent;
+      seen.all += carried;
+      if (scene.is_blocked(from.position, to.position))
+        ++seen.blocked;
+      else
+        seen.open += carried;
+    }
+  };
+  send(rays);
+  if (seen.blocked > 0 && seen.blocked < seen.sent) send((rays_of_shadows - 1) * rays);
+  return seen;
+}
 
 }  // namespace
 
 PatchVisibility::PatchVisibility(const std::vector<FlatPatch>& patches, int rays, int threads)
     : patches_(patches), rays_(rays) {
-  if (!std::ranges::all_of(patches, [&](const FlatPatch& plane) { return all_before(patches, plane); }))
-    scene_ = std::make_unique<RayScene>(triangles_of(patches), threads);
+  if (!are_convex(patches)) scene_ = std::make_unique<RayScene>(triangles_of(patches), threads);
 }
 
 double PatchVisibility::share(std::size_t a, std::size_t b) const {
   if (is_convex()) return 1;
   const std::size_t low = std::min(a, b), high = std::max(a, b);
   const FlatPatch &first = patches_[low], &second = patches_[high];
-  EvenPoints points(low * patches_.size() + high);
-  Seen seen;
-  const auto send = [&](int rays) {
-    for (int i = 0; i < rays; ++i) {
-      const std::array<double, 4>& at = points.next();
-      const Vec3 from = point_of(first, at[0], at[1]), to = point_of(second, at[2], at[3]);
-      const Vec3 way = to - from;
-      const double r2 = way.squaredNorm();
-      const double carried = first.normal().dot(way) * -second.normal().dot(way) / (r2 * r2);
-      if (!(carried > 0)) continue;
-      ++seen.sent;
-      seen.all += carried;
-      if (scene_->is_blocked(from, to))
-        ++seen.blocked;
-      else
-        seen.open += carried;
-    }
-  };
-  send(rays_);
-  if (seen.blocked > 0 && seen.blocked < seen.sent) send((rays_of_shadows - 1) * rays_);
-  // Where no ray carries anything, hardly a corner of one is before the other.
-  return seen.all > 0 ? seen.open / seen.all : 1;
+  EvenPoints<4> points(low * patches_.size() + high);
+  return look(*scene_, rays_,
+              [&] {
+                const std::array<double, 4>& at = points.next();
+                return std::pair{SurfaceSite{first.point_at(at[0], at[1]), first.normal()},
+                                 SurfaceSite{second.point_at(at[2], at[3]), second.normal()}};
+              })
+      .share();
+}
+
+double PatchVisibility::share(const PatchTree& tree, std::size_t a, std::size_t b) const {
+  if (is_convex()) return 1;
+  const std::size_t low = std::min(a, b), high = std::max(a, b);
+  EvenPoints<6> points(low * tree.nodes().size() + high);
+  return look(*scene_, rays_,
+              [&] {
+                const std::array<double, 6>& at = points.next();
+                return std::pair{tree.site_of(tree.nodes()[low], at[0], at[1], at[2]),
+                                 tree.site_of(tree.nodes()[high], at[3], at[4], at[5])};
+              })
+      .share();
 }
 
 double PatchVisibility::share_from(const Vec3& point, std::size_t patch, int rays) const {
   if (is_convex()) return 1;
   const FlatPatch& seen = patches_[patch];
   if (rays == 1) return scene_->is_blocked(point, seen.centroid()) ? 0 : 1;
-  EvenPoints points(patch);
+  EvenPoints<4> points(patch);
   double open = 0, all = 0;
   for (int i = 0; i < rays; ++i) {
     const std::array<double, 4>& at = points.next();
-    const Vec3 to = point_of(seen, at[0], at[1]), way = to - point;
+    const Vec3 to = seen.point_at(at[0], at[1]), way = to - point;
     const double carried = -seen.normal().dot(way) / (way.squaredNorm() * way.norm());
     if (!(carried > 0)) continue;
     all += carried;

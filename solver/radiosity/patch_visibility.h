@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/radiosity/flat_patch.h"
+#include "solver/radiosity/patch_tree.h"
 #include "solver/radiosity/ray_scene.h"
 
 namespace etendue {
@@ -22,6 +23,8 @@ class PatchVisibility {
   /// The part of what two patches exchange that nothing stands in the way of: shares of rays between points
   /// all over both, each counting by what it carries. The same for a pair in either order.
   double share(std::size_t a, std::size_t b) const;
+  /// The same between two nodes of a tree of these patches.
+  double share(const PatchTree& tree, std::size_t a, std::size_t b) const;
   /// The part of a patch's solid angle that a point sees, by so many rays.
   double share_from(const Vec3& point, std::size_t patch, int rays) const;
 

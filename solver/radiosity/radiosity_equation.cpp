@@ -51,16 +51,16 @@ RadiosityState solve_directly(const RadiosityEquation& equation) {
     Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
     for (std::size_t j = 0; j < n; ++j) {
       const auto row = static_cast<Eigen::Index>(j);
+      const std::vector<double> areas = equation.exchange.row(j);
       for (std::size_t k = 0; k < n; ++k) {
-        const double g = equation.exchange.value(j, k);
+        const double g = areas[k];
         right[row] += g * equation.emission[k * equation.bands + b];
         matrix(row, static_cast<Eigen::Index>(k)) = -g * equation.reflectance[k * equation.bands + b];
       }
       matrix(row, row) += area_of(equation, j);
       for (const SheetPassage& passage : equation.passages)
         matrix(row, static_cast<Eigen::Index>(passage.from)) -=
-            equation.exchange.value(j, passage.to) * passage.share *
-            equation.transmittance[passage.to * equation.bands + b];
+            areas[passage.to] * passage.share * equation.transmittance[passage.to * equation.bands + b];
     }
     const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
     for (std::size_t j = 0; j < n; ++j)

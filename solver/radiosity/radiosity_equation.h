@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "solver/radiosity/exchange_matrix.h"
+#include "solver/radiosity/exchange.h"
 
 namespace etendue {
 
@@ -17,7 +17,7 @@ struct SheetPassage {
 /// B_j = E_j + rho_j H_j + tau_j sum over passages k to j of share H_k,  A_j H_j = sum over k of G_jk B_k.
 /// Arrays are [patch][band].
 struct RadiosityEquation {
-  const ExchangeMatrix& exchange;
+  const Exchange& exchange;
   std::size_t bands = 1;
   std::vector<double> emission;     ///< E, what a patch sends by itself [power/length^2]
   std::vector<double> reflectance;  ///< rho

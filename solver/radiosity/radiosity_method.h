@@ -4,6 +4,6 @@
 namespace etendue {
 
 /// How the equation of patches is solved.
-enum class RadiosityMethod { gathering, shooting, direct };
+enum class RadiosityMethod { gathering, shooting, direct, hierarchical };
 
 }  // namespace etendue

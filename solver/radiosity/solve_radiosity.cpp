@@ -34,8 +34,11 @@ RadiosityMemory radiosity_memory(const Problem& problem, const RadiosityOptions&
   const TetrahedralMesh& mesh = problem.mesh();
   const auto bands = static_cast<std::size_t>(problem.band_count());
   memory.patches = patches;
-  const std::size_t matrix = ExchangeMatrix::bytes_of(memory.patches);
-  memory.kept = matrix <= options.largest_kept;
+  const bool linked = options.method == RadiosityMethod::hierarchical;
+  if (linked) memory.links = ExchangeLinks::likely_count(patches, options.link_tolerance);
+  const std::size_t matrix =
+      linked ? ExchangeLinks::bytes_of(memory.links) : ExchangeMatrix::bytes_of(patches);
+  memory.kept = linked || matrix <= options.largest_kept;
   memory.bytes = (memory.kept ? matrix : 0) + memory.patches * (4096 + 8 * bands * sizeof(double)) +
                  static_cast<std::size_t>(mesh.cell_count()) * 16 * bands * sizeof(double);
   if (options.method == RadiosityMethod::direct) memory.bytes += 2 * matrix;
@@ -64,8 +67,40 @@ RadiosityRoom::RadiosityRoom(const Problem& problem, const RadiosityOptions& opt
   report_.smallest_area = smallest.area();
   report_.largest_area = largest.area();
   report_.convex = exchange_->visibility().is_convex();
-  report_.kept = exchange_->is_kept();
   report_.factor_seconds = seconds_since(start);
+}
+
+std::unique_ptr<Exchange> RadiosityRoom::exchange(const FactorProgress& progress) {
+  if (options_.method == RadiosityMethod::hierarchical) {
+    const LinkRule rule{options_.link_tolerance, brightness()};
+    auto links =
+        std::make_unique<ExchangeLinks>(patches_.patches, rule, options_.rays, options_.threads, progress);
+    report_.links = links->link_count();
+    return links;
+  }
+  auto matrix = std::make_unique<ExchangeMatrix>(patches_.patches, options_.rays, options_.threads,
+                                                 options_.largest_kept, progress);
+  report_.kept = matrix->is_kept();
+  return matrix;
+}
+
+// As if what is reflected came evenly to all walls: then H = sum of A E over sum of A (1 - rho).
+std::vector<double> RadiosityRoom::brightness() const {
+  std::vector<double> brightness(patches_.patches.size(), 0);
+  for (std::size_t b = 0; b < bands_; ++b) {
+    double emitted = 0, absorbing = 0;
+    for (std::size_t p = 0; p < brightness.size(); ++p) {
+      const Wall& wall = problem_.wall(patches_.walls[p]);
+      emitted += patches_.patches[p].area() * pi * wall.radiance[b];
+      absorbing += patches_.patches[p].area() * (1 - wall.diffuse[b]);
+    }
+    if (emitted <= 0 || absorbing <= 0) continue;
+    for (std::size_t p = 0; p < brightness.size(); ++p) {
+      const Wall& wall = problem_.wall(patches_.walls[p]);
+      brightness[p] = std::max(brightness[p], pi * wall.radiance[b] * absorbing / emitted + wall.diffuse[b]);
+    }
+  }
+  return brightness;
 }
 
 void RadiosityRoom::make_factors(const RadiosityWatcher& watcher) {
@@ -74,10 +109,11 @@ void RadiosityRoom::make_factors(const RadiosityWatcher& watcher) {
     stage.done = done;
     if (watcher) watcher(stage);
   };
-  tell(0);
+  tell(0);  // once alone
   exchange_.reset();
-  exchange_ = std::make_unique<ExchangeMatrix>(patches_.patches, options_.rays, options_.threads,
-                                               options_.largest_kept, tell);
+  exchange_ = exchange([&](double done) {
+    if (done > 0) tell(done);
+  });
   report_.checks = check_and_close(*exchange_, closed);
   report_.rounds.push_back(stage.patches);
 }
@@ -105,6 +141,7 @@ RadiosityState RadiosityRoom::solve(const RadiosityEquation& equation,
     case RadiosityMethod::shooting:
       return solve_by_shooting(equation, options_.limits, observer);
     case RadiosityMethod::gathering:
+    case RadiosityMethod::hierarchical:
       break;
   }
   return solve_by_gathering(equation, options_.limits, observer);

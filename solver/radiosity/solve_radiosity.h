@@ -9,6 +9,8 @@
 #include "solver/ordinates/saved_state.h"
 #include "solver/ordinates/solution.h"
 #include "solver/problem/problem.h"
+#include "solver/radiosity/exchange_links.h"
+#include "solver/radiosity/exchange_matrix.h"
 #include "solver/radiosity/factor_checks.h"
 #include "solver/radiosity/patch_light.h"
 #include "solver/radiosity/patch_refinement.h"
@@ -23,7 +25,8 @@ struct RadiosityOptions {
   double patch_size = 0;  ///< [length]; 0: each boundary face is a patch
   RefinementRule refinement;
   RadiosityMethod method = RadiosityMethod::gathering;
-  int rays = 16;  ///< between two patches, and eight times as many where some are blocked
+  int rays = 16;                 ///< between two patches, and eight times as many where some are blocked
+  double link_tolerance = 3e-4;  ///< of hierarchical: see LinkRule
   RadiosityLimits limits;
   int threads = 1;
   std::size_t largest_kept = largest_kept_matrix;  ///< bytes of a matrix
@@ -45,6 +48,7 @@ struct RadiosityReport {
   double smallest_area = 0, largest_area = 0;  ///< of a patch [length^2]
   bool convex = false;                         ///< nothing can stand between patches
   bool kept = true;                            ///< the matrix, and not made anew in each pass
+  std::size_t links = 0;                       ///< of a hierarchical solution, which has no matrix
   FactorChecks checks;
   std::vector<double> wall_factors;  ///< [wall][wall] see factors_of_walls()
   std::vector<Bounce> bounces;
@@ -61,7 +65,7 @@ class RadiosityRoom {
                 const RadiosityWatcher& watcher = {});
 
   const WallPatches& patches() const { return patches_; }
-  const ExchangeMatrix& exchange() const { return *exchange_; }
+  const Exchange& exchange() const { return *exchange_; }
   const RadiosityReport& report() const { return report_; }
 
   /// Solves; the observer gets states on the way, to be made fields of by fields_on_walls().
@@ -78,7 +82,10 @@ class RadiosityRoom {
   SavedState state(const std::vector<bool>& followed, std::span<const double> half_range) const;
 
  private:
+  /// [patch] what it sends out, of the mean irradiance, in the band where that is most: roughly.
+  std::vector<double> brightness() const;
   void make_factors(const RadiosityWatcher& watcher);
+  std::unique_ptr<Exchange> exchange(const FactorProgress& progress);
   RadiosityEquation equation() const;
   RadiosityState solve(const RadiosityEquation& equation, const RadiosityObserver& observer) const;
   void fill_cells(Solution& fields) const;
@@ -88,7 +95,7 @@ class RadiosityRoom {
   RadiosityOptions options_;
   std::size_t bands_;
   WallPatches patches_;
-  std::unique_ptr<ExchangeMatrix> exchange_;
+  std::unique_ptr<Exchange> exchange_;
   RadiosityReport report_;
   std::vector<double> irradiance_;  ///< [patch][band] of the solution
   std::vector<double> exitance_;    ///< [patch][band] of the solution
@@ -102,6 +109,7 @@ void refuse_for_radiosity(const Problem& problem);
 struct RadiosityMemory {
   std::size_t patches = 0;
   bool kept = true;
+  std::size_t links = 0;  ///< about so many, of a hierarchical solution
   std::size_t bytes = 0;
 };
 RadiosityMemory radiosity_memory(const Problem& problem, const RadiosityOptions& options,

@@ -4,7 +4,7 @@
 namespace etendue {
 
 // What arrives everywhere where one wall sends 1 and the others nothing: a column for each wall.
-std::vector<double> factors_of_walls(const ExchangeMatrix& exchange, const WallPatches& patches,
+std::vector<double> factors_of_walls(const Exchange& exchange, const WallPatches& patches,
                                      std::size_t walls) {
   const std::size_t count = exchange.size();
   std::vector<double> sent(count * walls, 0), area(walls, 0), factors(walls * walls, 0);

@@ -26,8 +26,8 @@ PatchView view_of(const Vec3& point, const FlatPatch& patch) {
 
 }  // namespace
 
-WallLightField::WallLightField(const ExchangeMatrix& exchange, std::vector<double> exitance,
-                               std::size_t bands, int rays)
+WallLightField::WallLightField(const Exchange& exchange, std::vector<double> exitance, std::size_t bands,
+                               int rays)
     : exchange_(exchange), exitance_(std::move(exitance)), bands_(bands), rays_(rays) {}
 
 void WallLightField::add_at(const Vec3& point, std::span<double> fluence, std::span<double> net_flux) const {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/radiosity/exchange_matrix.h"
+#include "solver/radiosity/exchange.h"
 
 namespace etendue {
 
@@ -21,14 +21,14 @@ struct WallLightValue {
 class WallLightField {
  public:
   /// `exitance` is [patch][band]; the matrix must outlive it. `rays` look at a patch from a point.
-  WallLightField(const ExchangeMatrix& exchange, std::vector<double> exitance, std::size_t bands, int rays);
+  WallLightField(const Exchange& exchange, std::vector<double> exitance, std::size_t bands, int rays);
 
   WallLightValue at(const Vec3& point, const std::optional<Vec3>& normal = {}) const;
   /// [band] fluence and [3 (x, y, z)][band] net flux alone.
   void add_at(const Vec3& point, std::span<double> fluence, std::span<double> net_flux) const;
 
  private:
-  const ExchangeMatrix& exchange_;
+  const Exchange& exchange_;
   std::vector<double> exitance_;
   std::size_t bands_;
   int rays_;

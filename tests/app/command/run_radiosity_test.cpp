@@ -104,6 +104,28 @@ TEST(RunRadiosity, CutsPatchesWhereTheLightChanges) {
   EXPECT_TRUE(has(endless.err, "give smallest_patch, or patch_size")) << endless.err;
 }
 
+// Links between groups of patches in place of the matrix: the same walls, to some ten times the tolerance of
+// a link, and the power closes as well.
+TEST(RunRadiosity, SolvesAlongLinksToo) {
+  const CaseFolder folder(empty_cube());
+  std::vector<double> means;
+  for (const char* solution : {"gathering", "hierarchical"}) {
+    const Outcome outcome =
+        etendue_says({"run", folder.file(), "--output", folder.results(), "--set", "radiosity.patch_size=0.3",
+                      "--set", std::string("radiosity.solution=\"") + solution + "\""});
+    ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+    EXPECT_EQ(has(outcome.out, " links between groups of patches"), means.size() == 1) << outcome.out;
+    const std::string walls = text_of(folder.path() / "results/walls.csv");
+    double mean = 0;
+    ASSERT_EQ(std::sscanf(walls.c_str() + walls.find("floor,red"), "floor,red,%*f,%lf", &mean), 1);
+    means.push_back(mean);
+  }
+  const json summary = summary_in(folder.results());
+  EXPECT_GT(summary["radiosity"]["links"].get<int>(), 0);
+  EXPECT_NEAR(means[1], means[0], 3e-3 * means[0]);
+  for (const json& balance : summary["balance"]) EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-7);
+}
+
 TEST(RunRadiosity, HasTheSameBitsForAnyNumberOfThreads) {
   const CaseFolder folder(empty_cube());
   for (const char* threads : {"1", "3"})

@@ -86,8 +86,9 @@ TEST(RadiosityConvergence, FactorsBehindACrateAreThoseOfRays) {
     if (mesh.wall_names()[wall] != "zmin") continue;
     floor.push_back(patches[j].triangles()[0]);
     area += patches[j].area();
+    const std::vector<double> row = room.exchange().row(j);
     for (std::size_t k = 0; k < patches.size(); ++k)
-      factors[static_cast<std::size_t>(room.patches().walls[k])] += room.exchange().value(j, k);
+      factors[static_cast<std::size_t>(room.patches().walls[k])] += row[k];
   }
   const RayScene scene(triangles_of(patches));
   const std::vector<DrawnFactor> drawn =

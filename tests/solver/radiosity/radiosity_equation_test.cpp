@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "reference_shapes.h"
+#include "solver/radiosity/exchange_matrix.h"
 #include "solver/radiosity/factor_checks.h"
 
 namespace etendue {
@@ -19,7 +20,7 @@ std::vector<FlatPatch> sphere_patches(int divisions) {
 }
 
 /// The upper half shines and reflects 0.8, the lower reflects 0.3.
-RadiosityEquation half_and_half(const ExchangeMatrix& exchange) {
+RadiosityEquation half_and_half(const Exchange& exchange) {
   RadiosityEquation equation{exchange, 1, {}, {}};
   for (const FlatPatch& patch : exchange.patches()) {
     const bool upper = patch.centroid()[2] > 0;
