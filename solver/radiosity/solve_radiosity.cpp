@@ -109,10 +109,10 @@ void RadiosityRoom::make_factors(const RadiosityWatcher& watcher) {
     stage.done = done;
     if (watcher) watcher(stage);
   };
-  tell(0);  // once alone
+  tell(0);
   exchange_.reset();
   exchange_ = exchange([&](double done) {
-    if (done > 0) tell(done);
+    if (done > 0) tell(done);  // 0 is told once
   });
   report_.checks = check_and_close(*exchange_, closed);
   report_.rounds.push_back(stage.patches);
@@ -228,12 +228,10 @@ SavedState RadiosityRoom::state(const std::vector<bool>& followed, std::span<con
     const std::vector<double> straight = irradiance_of(followed);
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= straight[i];
   }
-  Solution walls;
-  fields_on_walls(rest, walls);
   SavedState state;
   state.bands = static_cast<int>(bands_);
   state.fluence.assign(static_cast<std::size_t>(problem_.mesh().cell_count()) * 4 * bands_, 0);
-  state.irradiance = std::move(walls.irradiance);
+  state.irradiance = means_at_vertices(problem_.mesh(), patches_, rest, bands_);
   for (std::size_t i = 0; i < state.irradiance.size(); ++i)
     state.irradiance[i] *= half_range[i / (3 * bands_)] / pi;
   return state;

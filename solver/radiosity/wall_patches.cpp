@@ -148,6 +148,25 @@ WallPatches refined_patches(const TetrahedralMesh& mesh, const WallPatches& patc
   return maker.take();
 }
 
+std::vector<double> means_at_vertices(const TetrahedralMesh& mesh, const WallPatches& patches,
+                                      const std::vector<double>& values, std::size_t bands) {
+  std::vector<double> means(patches.of_faces.size() * 3 * bands, 0);
+  for (std::size_t p = 0; p < patches.pieces.size(); ++p)
+    for (const PatchPiece& piece : patches.pieces[p]) {
+      const FaceIndex face(piece.face);
+      const auto& v = mesh.vertices(face);
+      const Vec3 middle = (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 to = mesh.point(VertexIndex(v[(i + 1) % 3])) - middle;
+        const Vec3 and_to = mesh.point(VertexIndex(v[(i + 2) % 3])) - middle;
+        const double weight = to.cross(and_to).norm() / (2 * mesh.area(face));
+        for (std::size_t b = 0; b < bands; ++b)
+          means[(face.at() * 3 + i) * bands + b] += 3 * share_of(piece) * weight * values[p * bands + b];
+      }
+    }
+  return means;
+}
+
 std::vector<TriangleCorners> triangles_of(const std::vector<FlatPatch>& patches) {
   std::vector<TriangleCorners> triangles;
   for (const FlatPatch& patch : patches)

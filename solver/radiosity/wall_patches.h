@@ -47,6 +47,13 @@ TriangleCorners inward_triangle(const TetrahedralMesh& mesh, FaceIndex face);
 /// A quarter of a triangle: those at its corners 0, 1, 2 stand in place of these, 3 is in the middle.
 TriangleCorners quarter_of(const TriangleCorners& triangle, std::size_t quarter);
 
+/// [boundary face][3][band] Means of values [patch][band] over each face, weighted by the linear function
+/// that is 1 at one of its vertices and 0 at the others. Their mean by area over the faces around a vertex is
+/// the projection on continuous functions with a lumped mass matrix: the mean is kept, nothing becomes
+/// negative.
+std::vector<double> means_at_vertices(const TetrahedralMesh& mesh, const WallPatches& patches,
+                                      const std::vector<double>& values, std::size_t bands);
+
 /// All triangles of patches, one after the other.
 std::vector<TriangleCorners> triangles_of(const std::vector<FlatPatch>& patches);
 

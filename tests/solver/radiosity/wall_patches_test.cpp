@@ -43,6 +43,25 @@ TEST(WallPatches, AreCutAndJoinedToASize) {
   expect_cover(mesh, cut);
 }
 
+// Values of patches that are linear on a wall: means over faces stay, and at a vertex there is a quarter of
+// what it has more than the middle.
+TEST(WallPatches, HaveMeansAtVerticesThatKeepThoseOfFaces) {
+  const TetrahedralMesh mesh = cube_mesh(0.05);
+  const WallPatches walls = wall_patches(mesh, 0.1);
+  std::vector<double> values;
+  for (const FlatPatch& patch : walls.patches) values.push_back(1 + patch.centroid().x());
+  const std::vector<double> means = means_at_vertices(mesh, walls, values, 1);
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const auto at = 3 * static_cast<std::size_t>(f);
+    const double middle = mesh.centroid(FaceIndex(f)).x();
+    EXPECT_NEAR((means[at] + means[at + 1] + means[at + 2]) / 3, 1 + middle, 1e-12);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double here = mesh.point(VertexIndex(mesh.vertices(FaceIndex(f))[i])).x();
+      EXPECT_NEAR(means[at + i], 1 + middle + (here - middle) / 4, 0.02);
+    }
+  }
+}
+
 TEST(WallPatches, LookIntoTheDomain) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   for (const FlatPatch& patch : wall_patches(mesh, 0.4).patches)
