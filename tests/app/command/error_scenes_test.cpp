@@ -139,9 +139,7 @@ TEST(ErrorScenes, ErrorOfDirectionsTracksTheSpreadOfRotations) {
   const std::vector<DirectionSet> sets = rotated_copies(directions_product(4), 8, 1);
   std::vector<SavedState> states;
   const SolveOptions options = tight_options();
-  const auto reader = [&](const DirectionSet&, const Solution& found, const AngularInput*) {
-    states.push_back(found.state);
-  };
+  const auto reader = [&](const SweptLight& found) { states.push_back(found.solution.state); };
   const Solution mean = solve_rotated(lights, sets, options, {}, {}, reader);
   const RayRadiance scene(lights, sets.front(), options, mean.state, 1);
   const ErrorScenes errors(cameras(), lights, sets.front(), options, mean.state, mean.direction_error);
