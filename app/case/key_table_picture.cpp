@@ -69,6 +69,13 @@ std::vector<KeyDeclaration> picture_keys() {
             "Rays from a point of a glossy wall, drawn from its reflectance. 0: it is seen as a diffuse one "
             "that reflects as much on the mean. Without effect on a photon map."}},
       {"camera",
+       "shadow_rays",
+       integer,
+       {.default_value = "128",
+        .range = {.lowest = 1, .highest = 4096},
+        .help = "From each point of a wall to each light with an extent, at most. Beyond 16 they go where "
+                "those 16 are not all alike, and penumbras have no steps; 16 make quick pictures."}},
+      {"camera",
        "errors",
        boolean,
        {.default_value = "false",

@@ -60,6 +60,7 @@ CameraCase read_camera(Section& section) {
   result.camera.shafts = section.integer("shafts");
   result.camera.gather = section.integer("gather");
   result.camera.glossy = section.integer("glossy");
+  result.camera.shadow_rays = section.integer("shadow_rays");
   result.camera.errors = section.boolean("errors");
   result.exposure = section.number_if("exposure");
   if (const auto tone = tones.find(section.text("tone")); tone != tones.end()) result.tone = tone->second;

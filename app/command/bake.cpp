@@ -57,7 +57,7 @@ WallIrradiance brought(const BakeRequest& request, const SavedScene& scene) {
     return WallLight(scene.lights, scene.directions, scene.state, options.order == SpaceOrder::linear ? 3 : 1)
         .joined();
   const RayRadiance radiance(scene.lights, scene.directions, options, scene.state, options.threads);
-  return gather(radiance, request.gather, options.threads);
+  return gather(radiance, request.gather, fine_shadow_rays, options.threads);
 }
 
 /// Numbers at places, and how they are shown.

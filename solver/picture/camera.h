@@ -31,6 +31,8 @@ struct Camera {
   /// Rays from a point of a glossy wall into directions drawn from its reflectance; 0: it is taken for a
   /// diffuse one of the same mean albedo.
   int glossy = default_glossy_rays;
+  /// At most, from a point of a wall to a light with an extent (RayView).
+  int shadow_rays = 128;
   bool errors = false;  ///< whether the error of each pixel is estimated, at the cost of more pictures
 };
 

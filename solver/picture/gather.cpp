@@ -33,14 +33,15 @@ std::vector<Vec3> half_range_rays(int rays) {
 
 /// [band] at a corner of a boundary face.
 std::vector<double> irradiance_at(const RayRadiance& scene, const WallCorner& corner,
-                                  const std::vector<Vec3>& rays, RayRadiance::Workspace& work) {
+                                  const std::vector<Vec3>& rays, int shadow_rays,
+                                  RayRadiance::Workspace& work) {
   const TetrahedralMesh& mesh = scene.problem().mesh();
   const Vec3 vertex = mesh.point(VertexIndex(mesh.vertices(corner.face)[corner.node]));
   const PointInCell start{mesh.owner(corner.face),
                           vertex + off_the_vertex * (mesh.centroid(corner.face) - vertex)};
   const Vec3 inwards = -mesh.area_normal(corner.face).normalized();
   const Vec3 u = inwards.unitOrthogonal(), v = inwards.cross(u);
-  const RayView view{.glossy = 0, .lights_shown = false};
+  const RayView view{.glossy = 0, .lights_shown = false, .shadow_rays = shadow_rays};
   std::vector<double> sum(scene.bands(), 0), radiance(scene.bands());
   for (const Vec3& ray : rays) {
     scene.along(start, ray.x() * u + ray.y() * v + ray.z() * inwards, view, work, radiance);
@@ -56,7 +57,7 @@ bool uses_irradiance(const Wall& wall) {
 
 }  // namespace
 
-WallIrradiance gather(const RayRadiance& scene, int rays, int threads) {
+WallIrradiance gather(const RayRadiance& scene, int rays, int shadow_rays, int threads) {
   if (rays == 0) return {};
   const TetrahedralMesh& mesh = scene.problem().mesh();
   const auto faces = static_cast<std::size_t>(mesh.boundary_face_count());
@@ -68,7 +69,8 @@ WallIrradiance gather(const RayRadiance& scene, int rays, int threads) {
     for (const WallCorner& corner : planes[p])
       seen = seen || uses_irradiance(scene.problem().wall(mesh.wall(corner.face)));
     if (!seen) return true;
-    const std::vector<double> irradiance = irradiance_at(scene, planes[p].front(), directions, work);
+    const std::vector<double> irradiance =
+        irradiance_at(scene, planes[p].front(), directions, shadow_rays, work);
     for (const WallCorner& corner : planes[p])
       for (std::size_t b = 0; b < irradiance.size(); ++b)
         result.values[(corner.face.at() * 3 + corner.node) * irradiance.size() + b] = irradiance[b];

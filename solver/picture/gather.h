@@ -11,8 +11,9 @@ namespace etendue {
 ///     E = integral of L cos over the half range,   L of RayRadiance,
 ///
 /// so that it is free of the directions' rays to the next order. `rays` is a square number; they stand for
-/// equal parts of the cosine-weighted half range. Nothing for 0 rays. The same bits for any number of
+/// equal parts of the cosine-weighted half range; each sends `shadow_rays` to the lights where it ends, as in
+/// RayView. Nothing for 0 rays. The same bits for any number of
 /// threads.
-WallIrradiance gather(const RayRadiance& scene, int rays, int threads);
+WallIrradiance gather(const RayRadiance& scene, int rays, int shadow_rays, int threads);
 
 }  // namespace etendue

@@ -53,9 +53,11 @@ Picture take_picture(std::size_t bands, const std::function<RayLook()>& make_loo
 
 Picture take_picture(const RayRadiance& scene, const Camera& camera, int threads,
                      const PictureObserver& observer) {
-  const WallIrradiance gathered = gather(scene, camera.gather, threads);
-  const RayView view{
-      .shafts = camera.shafts, .brought = camera.gather > 0 ? &gathered : nullptr, .glossy = camera.glossy};
+  const WallIrradiance gathered = gather(scene, camera.gather, camera.shadow_rays, threads);
+  const RayView view{.shafts = camera.shafts,
+                     .brought = camera.gather > 0 ? &gathered : nullptr,
+                     .glossy = camera.glossy,
+                     .shadow_rays = camera.shadow_rays};
   const auto make_look = [&]() -> RayLook {
     return [&, work = std::make_shared<RayRadiance::Workspace>(scene)](const CameraRay& ray,
                                                                        std::span<double> radiance) {

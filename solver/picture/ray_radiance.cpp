@@ -133,7 +133,7 @@ RayRadiance::DiffuseWall RayRadiance::diffuse_wall(const PointInCell& start, con
   const RayEnd end = walk(start, direction, work);
   DiffuseWall wall{end.distance, std::vector<double>(bands_, 0)};
   walls_.add_reflected(*end.wall, end.point, walls_.joined(), irradiance, wall.radiance);
-  walls_.add_transmitted(*end.wall, end.point, walls_.joined(), work.beams, wall.radiance);
+  walls_.add_transmitted(*end.wall, end.point, walls_.joined(), fine_shadow_rays, work.beams, wall.radiance);
   return wall;
 }
 
@@ -231,8 +231,8 @@ void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const Stretch& str
   const Wall& wall = problem_.wall(number);
   std::fill(work.at_point.begin(), work.at_point.end(), 0.0);
   if (stretch.wall_is_diffuse)
-    walls_.add_reflected(face, point, view.brought != nullptr ? *view.brought : walls_.joined(), work.beams,
-                         work.at_point);
+    walls_.add_reflected(face, point, view.brought != nullptr ? *view.brought : walls_.joined(),
+                         view.shadow_rays, work.beams, work.at_point);
   for (std::size_t b = 0; b < bands_; ++b) {
     const double rest = std::exp(-work.depth_rest[b]);
     double emitted = rest;

@@ -15,13 +15,17 @@
 
 namespace etendue {
 
+/// How many rays a point of a wall sends to each light with an extent where nothing else is said.
+inline constexpr int fine_shadow_rays = 128;
+
 /// How a ray looks.
 struct RayView {
   int shafts = 0;                           ///< as in Camera
   const WallIrradiance* brought = nullptr;  ///< what directions brought to the walls; null: as joined
-  bool first_wall_diffuse = true;    ///< else the wall that the ray meets first reflects as a mirror alone
-  int glossy = default_glossy_rays;  ///< as in Camera
-  bool lights_shown = true;          ///< else only what is scattered and reflected, and other emission
+  bool first_wall_diffuse = true;      ///< else the wall that the ray meets first reflects as a mirror alone
+  int glossy = default_glossy_rays;    ///< as in Camera
+  bool lights_shown = true;            ///< else only what is scattered and reflected, and other emission
+  int shadow_rays = fine_shadow_rays;  ///< as in WallLight::add_light()
 };
 
 /// The radiance that comes to a point along a ray, from a saved solution:
@@ -101,9 +105,9 @@ class RayRadiance {
                 std::span<double> radiance) const;
   void add_glossy(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
                   std::span<double> radiance) const;
-  void add_glossy_lights(FaceIndex face, const Vec3& point, const Vec3& travel, Workspace& work,
+  void add_glossy_lights(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
                          std::span<double> sum) const;
-  void add_glossy_rays(FaceIndex face, const Vec3& point, const Vec3& travel, int rays, Workspace& work,
+  void add_glossy_rays(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
                        std::span<double> sum) const;
   bool reflect(FaceIndex face, double cosine, Workspace& work) const;
   std::vector<double> weights_left(const Workspace& work) const;

@@ -54,45 +54,48 @@ void RayRadiance::add_glossy(FaceIndex face, const Vec3& point, const Stretch& s
     std::vector<double> share;
     for (std::size_t b = 0; b < bands_; ++b)
       share.push_back(wall.glossy_in(b) != nullptr ? wall.glossy_in(b)->albedo().mean() : 0);
-    walls_.add_sent_on(face, point, share, walls_.joined(), work.beams, sum);
+    walls_.add_sent_on(face, point, share, walls_.joined(), stretch.view.shadow_rays, work.beams, sum);
   } else {
-    add_glossy_lights(face, point, stretch.travel(), work, sum);
-    add_glossy_rays(face, point, stretch.travel(), stretch.view.glossy, work, sum);
+    add_glossy_lights(face, point, stretch, work, sum);
+    add_glossy_rays(face, point, stretch, work, sum);
   }
   for (std::size_t b = 0; b < bands_; ++b)
     radiance[b] += work.factor[b] * std::exp(-work.depth_rest[b]) * sum[b];
 }
 
 // f_r E of each beam of the lights that the drawn rays do not see.
-void RayRadiance::add_glossy_lights(FaceIndex face, const Vec3& point, const Vec3& travel, Workspace& work,
-                                    std::span<double> sum) const {
+void RayRadiance::add_glossy_lights(FaceIndex face, const Vec3& point, const Stretch& stretch,
+                                    Workspace& work, std::span<double> sum) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   const Vec3 inwards = -problem_.mesh().area_normal(face).normalized();
   const bool rays_see_lamps = drawn_from(wall)->width() < narrow;
   for (const auto& source : lights_.sources()) {
     const WideSource* wide = source->as_wide();
     if (rays_see_lamps && wide != nullptr && !wide->is_soft()) continue;
-    walls_.look_at_light(*source, {problem_.mesh().owner(face), point}, work.beams);
+    walls_.find_beams(*source, {problem_.mesh().owner(face), point}, stretch.view.shadow_rays, work.beams);
     for (std::size_t k = 0; k < work.beams.size(); ++k) {
       const double cosine = -inwards.dot(work.beams.direction(k));
       for (std::size_t b = 0; b < bands_ && cosine > 0; ++b)
         if (const Reflectance* lobe = wall.glossy_in(b))
-          sum[b] +=
-              lobe->between(work.beams.direction(k), travel, inwards) * cosine * work.beams.fluence(k)[b];
+          sum[b] += lobe->between(work.beams.direction(k), stretch.travel(), inwards) * cosine *
+                    work.beams.fluence(k)[b];
     }
   }
 }
 
 // By reciprocity light comes from where a lobe around the light's own way back points.
-void RayRadiance::add_glossy_rays(FaceIndex face, const Vec3& point, const Vec3& travel, int rays,
-                                  Workspace& work, std::span<double> sum) const {
+void RayRadiance::add_glossy_rays(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
+                                  std::span<double> sum) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   const Reflectance& drawn = *drawn_from(wall);
   const Vec3 inwards = -problem_.mesh().area_normal(face).normalized();
+  const Vec3 travel = stretch.travel();
   const double cosine = std::min(1.0, travel.dot(inwards));
   if (cosine <= 0) return;
   if (work.inner == nullptr) work.inner = std::make_unique<Workspace>(*this);
-  const RayView view{.glossy = 0, .lights_shown = drawn.width() < narrow};
+  const RayView view{
+      .glossy = 0, .lights_shown = drawn.width() < narrow, .shadow_rays = stretch.view.shadow_rays};
+  const int rays = stretch.view.glossy;
   const Shift shift = shift_at(point);
   std::vector<double> incoming(bands_);
   for (int i = 0; i < rays; ++i) {

@@ -13,7 +13,24 @@ namespace {
 /// Transmittances to a light that differ by more show where each ray ends.
 constexpr double uneven = 0.1;
 
+/// Rays to a light with an extent that tell whether more are needed.
+constexpr int few_rays = 16;
+
+/// From one detail to the next coarser one, and an opening within which all of a light is one.
+constexpr double coarser = 1.3, whole = 20;
+
 }  // namespace
+
+LightDetail detail_within(const LightSource& source, const PointInCell& point, LightDetail detail, int rays,
+                          LightBeams& beams) {
+  while (true) {
+    beams.clear();
+    source.add_beams(point, Sight::clear, detail, beams);
+    if (beams.size() <= static_cast<std::size_t>(rays) || detail.opening > whole) return detail;
+    for (double* size : {&detail.opening, &detail.single, &detail.thickness, &detail.largest_side})
+      *size *= coarser;
+  }
+}
 
 WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, const SavedState& state,
                      std::size_t face_nodes)
@@ -30,26 +47,27 @@ WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, c
 }
 
 void WallLight::add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought,
-                              LightBeams& beams, std::span<double> radiance) const {
+                              int shadow_rays, LightBeams& beams, std::span<double> radiance) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   if (std::ranges::any_of(wall.diffuse, [](double value) { return value > 0; }))
-    add_sent_on(face, point, wall.diffuse, brought, beams, radiance);
-  add_transmitted(face, point, brought, beams, radiance);
+    add_sent_on(face, point, wall.diffuse, brought, shadow_rays, beams, radiance);
+  add_transmitted(face, point, brought, shadow_rays, beams, radiance);
 }
 
 void WallLight::add_transmitted(FaceIndex face, const Vec3& point, const WallIrradiance& brought,
-                                LightBeams& beams, std::span<double> radiance) const {
+                                int shadow_rays, LightBeams& beams, std::span<double> radiance) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   if (wall.transmits())
-    add_sent_on(FaceIndex(behind_[face.at()]), point, wall.transmittance, brought, beams, radiance);
+    add_sent_on(FaceIndex(behind_[face.at()]), point, wall.transmittance, brought, shadow_rays, beams,
+                radiance);
 }
 
 void WallLight::add_sent_on(FaceIndex face, const Vec3& point, std::span<const double> share,
-                            const WallIrradiance& brought, LightBeams& beams,
+                            const WallIrradiance& brought, int shadow_rays, LightBeams& beams,
                             std::span<double> radiance) const {
   const Vec3 outwards = problem_.mesh().area_normal(face).normalized();
   std::vector<double> irradiance(bands_, 0);
-  add_light({problem_.mesh().owner(face), point}, outwards, beams, irradiance);
+  add_light({problem_.mesh().owner(face), point}, outwards, shadow_rays, beams, irradiance);
   add_sent_on(face, point, share, brought, irradiance, radiance);
 }
 
@@ -69,18 +87,10 @@ void WallLight::add_sent_on(FaceIndex face, const Vec3& point, std::span<const d
   for (std::size_t b = 0; b < bands_; ++b) radiance[b] += share[b] * std::numbers::inv_pi * irradiance[b];
 }
 
-void WallLight::look_at_light(const LightSource& source, const PointInCell& point, LightBeams& beams) const {
-  beams.clear();
-  source.add_beams(point, Sight::attenuated, wall_light_detail, beams);
-  if (!is_penumbra(source, point, beams)) return;
-  beams.clear();
-  source.add_beams(point, Sight::attenuated, penumbra_detail, beams);
-}
-
-void WallLight::add_light(const PointInCell& point, const Vec3& normal, LightBeams& beams,
+void WallLight::add_light(const PointInCell& point, const Vec3& normal, int shadow_rays, LightBeams& beams,
                           std::span<double> irradiance) const {
   for (const auto& source : lights_.sources()) {
-    look_at_light(*source, point, beams);
+    find_beams(*source, point, shadow_rays, beams);
     for (std::size_t i = 0; i < beams.size(); ++i) {
       const double cosine = std::max(0.0, normal.dot(beams.direction(i)));
       for (std::size_t b = 0; b < bands_; ++b) irradiance[b] += cosine * beams.fluence(i)[b];
@@ -88,13 +98,23 @@ void WallLight::add_light(const PointInCell& point, const Vec3& normal, LightBea
   }
 }
 
+void WallLight::find_beams(const LightSource& source, const PointInCell& point, int shadow_rays,
+                           LightBeams& beams) const {
+  const auto look = [&](LightDetail detail) {
+    beams.clear();
+    source.add_beams(point, Sight::attenuated, detail, beams);
+  };
+  if (source.as_wide() == nullptr) return look(wall_light_detail);
+  LightBeams clear(bands_);
+  look(detail_within(source, point, wall_light_detail, std::min(shadow_rays, few_rays), clear));
+  if (shadow_rays > few_rays && is_penumbra(clear, beams))
+    look(detail_within(source, point, penumbra_detail, shadow_rays, clear));
+}
+
 // Without obstacles and media the same beams come in the same order, and no rays are needed to know them.
 // Behind mirrors it is not known which of them there are.
-bool WallLight::is_penumbra(const LightSource& source, const PointInCell& point,
-                            const LightBeams& seen) const {
-  if (source.as_wide() == nullptr || !lights_.paths().mirrors().empty()) return false;
-  LightBeams clear(bands_);
-  source.add_beams(point, Sight::clear, wall_light_detail, clear);
+bool WallLight::is_penumbra(const LightBeams& clear, const LightBeams& seen) const {
+  if (!lights_.paths().mirrors().empty()) return false;
   if (seen.size() < clear.size()) return true;
   for (std::size_t b = 0; b < bands_; ++b) {
     double least = 1, most = 0;

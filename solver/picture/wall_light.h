@@ -17,6 +17,12 @@ namespace etendue {
 inline constexpr LightDetail wall_light_detail{0.4, 0.02, 0.6, 0.9, TriangleRule::three_points};
 inline constexpr LightDetail penumbra_detail{0.12, 0.01, 0.15, 0.3, TriangleRule::three_points};
 
+/// The first of ever coarser details, from one on, by which a source sends no more than so many beams to a
+/// point where nothing stands in the way; the coarsest where it has more parts than that. `beams` is room to
+/// work in, and then holds these.
+LightDetail detail_within(const LightSource& source, const PointInCell& point, LightDetail detail, int rays,
+                          LightBeams& beams);
+
 /// What directions brought to the walls, as a picture takes it: continuous within each plane.
 struct WallIrradiance {
   std::vector<double> values;      ///< [boundary face][3][band] [power/length^2]
@@ -32,13 +38,13 @@ class WallLight {
 
   /// Adds the radiance [band] that a wall reflects diffusely at a point of a face, or transmits from behind:
   /// of the light that directions carried, (diffuse/pi_h) E with the values around it joined continuously,
-  /// and of the lights' own, (diffuse/pi) E_0 by rays to them.
-  void add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought, LightBeams& beams,
-                     std::span<double> radiance) const;
+  /// and of the lights' own, (diffuse/pi) E_0 as add_light() finds it.
+  void add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought, int shadow_rays,
+                     LightBeams& beams, std::span<double> radiance) const;
 
   /// What is transmitted from behind alone.
-  void add_transmitted(FaceIndex face, const Vec3& point, const WallIrradiance& brought, LightBeams& beams,
-                       std::span<double> radiance) const;
+  void add_transmitted(FaceIndex face, const Vec3& point, const WallIrradiance& brought, int shadow_rays,
+                       LightBeams& beams, std::span<double> radiance) const;
 
   /// What is reflected alone, where the lights are known to bring `irradiance` [band] to the point.
   void add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought,
@@ -47,14 +53,18 @@ class WallLight {
   /// Adds the part `share` [band] of what arrives at a face as radiance that is the same in all directions,
   /// by rays to the lights.
   void add_sent_on(FaceIndex face, const Vec3& point, std::span<const double> share,
-                   const WallIrradiance& brought, LightBeams& beams, std::span<double> radiance) const;
+                   const WallIrradiance& brought, int shadow_rays, LightBeams& beams,
+                   std::span<double> radiance) const;
 
-  /// The beams of one light at a point of a cell, as many as its shadows ask for.
-  void look_at_light(const LightSource& source, const PointInCell& point, LightBeams& beams) const;
+  /// The beams of one light at a point of a cell. From a light with an extent come 16 at most, or
+  /// `shadow_rays` where those are fewer; where these are more, so many at most come where the first are not
+  /// all alike.
+  void find_beams(const LightSource& source, const PointInCell& point, int shadow_rays,
+                  LightBeams& beams) const;
 
   /// Adds the irradiance [band] of the lights at a point of a cell, on the side that light with w.n > 0
   /// meets.
-  void add_light(const PointInCell& point, const Vec3& normal, LightBeams& beams,
+  void add_light(const PointInCell& point, const Vec3& normal, int shadow_rays, LightBeams& beams,
                  std::span<double> irradiance) const;
 
   /// What directions brought, as the solution has it, joined within each plane.
@@ -65,7 +75,7 @@ class WallLight {
   void add_sent_on(FaceIndex face, const Vec3& point, std::span<const double> share,
                    const WallIrradiance& brought, std::span<const double> irradiance,
                    std::span<double> radiance) const;
-  bool is_penumbra(const LightSource& source, const PointInCell& point, const LightBeams& seen) const;
+  bool is_penumbra(const LightBeams& clear, const LightBeams& seen) const;
 
   const LightSetup& lights_;
   const Problem& problem_;

@@ -22,6 +22,7 @@ TEST(ReadCamera, FillsInDefaults) {
   EXPECT_EQ(front.camera.pixels, (std::array<int, 2>{800, 600}));
   EXPECT_EQ(front.camera.samples, 1);
   EXPECT_EQ(front.camera.shafts, 0);
+  EXPECT_EQ(front.camera.shadow_rays, 128);
   EXPECT_FALSE(front.exposure);
   EXPECT_EQ(front.tone, Tone::linear);
 }
@@ -33,6 +34,7 @@ orthographic = 3
 pixels = [20, 10]
 samples = 9
 shafts = 2
+shadow_rays = 16
 gather = 64
 exposure = 0.5
 tone = "reinhard"
@@ -42,6 +44,7 @@ tone = "reinhard"
   EXPECT_EQ(front.camera.pixels, (std::array<int, 2>{20, 10}));
   EXPECT_EQ(front.camera.samples, 9);
   EXPECT_EQ(front.camera.shafts, 2);
+  EXPECT_EQ(front.camera.shadow_rays, 16);
   EXPECT_EQ(front.camera.gather, 64);
   EXPECT_EQ(front.exposure, 0.5);
   EXPECT_EQ(front.tone, Tone::reinhard);

@@ -29,7 +29,7 @@ TEST(Gather, FindsTheSkyFromTheCornersOfAWell) {
   const SolveOptions options = tight_options();
   const Solution solution = solve(well, directions, options);
   const RayRadiance scene(lights, directions, options, solution.state, 1);
-  const WallIrradiance gathered = gather(scene, 1024, 1);
+  const WallIrradiance gathered = gather(scene, 1024, 16, 1);
   int corners = 0;
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const bool bottom = mesh.wall_names()[static_cast<std::size_t>(mesh.wall(FaceIndex(f)))] == "zmin";
@@ -42,7 +42,7 @@ TEST(Gather, FindsTheSkyFromTheCornersOfAWell) {
     }
   }
   EXPECT_EQ(corners, 6);
-  EXPECT_TRUE(gather(scene, 0, 1).values.empty());
+  EXPECT_TRUE(gather(scene, 0, 16, 1).values.empty());
 }
 
 }  // namespace

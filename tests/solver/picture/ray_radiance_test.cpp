@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/geometry/arrangement.h"
+#include "mesh/tetrahedra/tetrahedralize.h"
 #include "solver/angle/micro_flakes.h"
 #include "solver/picture/picture.h"
 #include "solver/split/solve_split.h"
@@ -219,6 +221,49 @@ TEST(RayRadiance, ScattersTheSunInThickHaze) {
       scattering / (4 * pi) * 5 * std::exp(-extinction * depth) * (1 - std::exp(-extinction)) / extinction;
   EXPECT_NEAR(scene.along({0.4, -1, 1 - depth}, Vec3::UnitY(), 4), expected, 1e-6 * expected);
   EXPECT_NEAR(scene.along({0.4, -1, 1 - depth}, Vec3::UnitY()), expected, 3e-3 * expected);
+}
+
+/// The unit cube around a crate that the sun from above does not go through.
+TetrahedralMesh cube_with_crate() {
+  BoxPrimitive room, crate;
+  room.region = "haze";
+  room.min = Vec3(0, 0, 0);
+  room.max = Vec3(1, 1, 1);
+  crate.hole = true;
+  crate.name = "crate";
+  crate.min = Vec3(0.31, 0.3, 0.6);
+  crate.max = Vec3(0.67, 0.7, 0.8);
+  Geometry geometry;
+  geometry.primitives = {room, crate};
+  TetrahedraOptions options;
+  options.max_volume = {0.004};
+  return TetrahedralMesh(tetrahedralize(arrange(geometry), options));
+}
+
+// Shafts beside the shadow of a crate: of the ray's way from x = 0 to 1 only what lies outside of the shadow
+// is lit, so the integral of e^(-s x) leaves that stretch out. The cells do not know where the shadow's edges
+// are; the points on the ray do, to a cell's part.
+TEST(RayRadiance, ShaftsEndAtTheShadowOfACrate) {
+  const TetrahedralMesh mesh = cube_with_crate();
+  const double extinction = 1.5, scattering = 1e-6;
+  Problem haze =
+      with_lights(mesh, uniform_medium(1, extinction - scattering, scattering, 0), uniform_wall(1, 0, 0, 0),
+                  {{"sun", BeamLight{-Vec3::UnitZ(), {5}, {wall_of(mesh, "zmax")}}, {}}});
+  const Scene scene(haze, directions_ldfe_sq(1));
+  const auto stretch = [&](double from, double to) {
+    return (std::exp(-extinction * from) - std::exp(-extinction * to)) / extinction;
+  };
+  for (const double height : {0.2, 0.45}) {
+    const double sun = scattering / (4 * pi) * 5 * std::exp(-extinction * (1 - height));
+    const double lit = sun * (stretch(0, 0.31) + stretch(0.67, 1)), all = sun * stretch(0, 1);
+    const double fast = scene.along({-1, 0.45, height}, Vec3::UnitX());
+    const double crisp = scene.along({-1, 0.45, height}, Vec3::UnitX(), 64);
+    EXPECT_NEAR(crisp, lit, 3e-3 * lit) << height;
+    EXPECT_LT(std::abs(crisp - lit), std::abs(fast - lit) / 3) << height;
+    EXPECT_GT(all, 1.4 * lit);
+    // Beside the crate there is no shadow.
+    EXPECT_NEAR(scene.along({-1, 0.1, height}, Vec3::UnitX(), 4), all, 1e-6 * all);
+  }
 }
 
 TEST(RayRadiance, ShowsALampWithAnExtent) {

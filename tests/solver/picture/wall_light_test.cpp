@@ -7,6 +7,9 @@
 #include <map>
 #include <numbers>
 
+#include "mesh/geometry/arrangement.h"
+#include "mesh/tetrahedra/cell_locator.h"
+#include "mesh/tetrahedra/tetrahedralize.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
 namespace etendue {
@@ -67,9 +70,82 @@ TEST(WallLight, SendsBackTheLightOfALampExactly) {
     const double expected = mesh.area_normal(face).normalized().dot(way) / std::pow(way.norm(), 3) *
                             std::exp(-0.7 * way.norm()) * 0.5 / std::numbers::pi;
     std::vector<double> radiance(1, 0);
-    wall_light.add_reflected(face, point, wall_light.joined(), beams, radiance);
+    wall_light.add_reflected(face, point, wall_light.joined(), 16, beams, radiance);
     EXPECT_NEAR(radiance[0], expected, 1e-9 * expected);
   }
+}
+
+/// A ceiling that shines, a crate below it.
+TetrahedralMesh room_with_crate() {
+  BoxPrimitive room, crate;
+  room.region = "air";
+  room.min = Vec3(0, 0, 0);
+  room.max = Vec3(1, 1, 1);
+  crate.hole = true;
+  crate.name = "crate";
+  crate.min = Vec3(0.35, 0.35, 0.3);
+  crate.max = Vec3(0.65, 0.65, 0.5);
+  Geometry geometry;
+  geometry.primitives = {room, crate};
+  TetrahedraOptions options;
+  options.max_volume = {0.05};
+  return TetrahedralMesh(tetrahedralize(arrange(geometry), options));
+}
+
+/// Its floor's irradiance at a point, with at most so many rays to the ceiling.
+struct LitFloor {
+  LitFloor()
+      : mesh(room_with_crate()), problem(mesh, {}, {uniform_medium(1, 0, 0, 0)}, walls()), lights(problem) {}
+  std::vector<Wall> walls() const {
+    std::vector<Wall> all;
+    for (const std::string& name : mesh.wall_names()) {
+      all.push_back(uniform_wall(1, name == "zmax" ? 1 : 0, 0.5, 0));
+      all.back().name = name;
+      all.back().uncollided = Uncollided::yes;
+    }
+    return all;
+  }
+  double irradiance(double x, int rays) const {
+    SavedState state;
+    state.irradiance.resize(static_cast<std::size_t>(mesh.boundary_face_count()) * 3);
+    const WallLight light(lights, directions_ldfe_sq(1), state, 3);
+    LightBeams beams(1);
+    std::vector<double> found(1, 0);
+    const Vec3 place(x, 0.5, 0);
+    light.add_light({CellLocator(mesh).find(place).front().cell, place}, -Vec3::UnitZ(), rays, beams, found);
+    return found[0];
+  }
+
+  TetrahedralMesh mesh;
+  Problem problem;
+  LightSetup lights;
+};
+
+TEST(WallLight, SendsNoMoreRaysThanItMay) {
+  const LitFloor floor;
+  LightBeams beams(1);
+  for (const int rays : {4, 16, 64})
+    for (const double height : {0.0, 0.6, 0.98}) {
+      const Vec3 place(0.2, 0.3, height);
+      detail_within(*floor.lights.sources().front(),
+                    {CellLocator(floor.mesh).find(place).front().cell, place}, penumbra_detail, rays, beams);
+      EXPECT_LE(beams.size(), static_cast<std::size_t>(rays)) << height;
+      EXPECT_GE(beams.size(), static_cast<std::size_t>(rays) / 8) << height;
+    }
+}
+
+// In the penumbra of the crate more rays are nearer to the truth, here by 4000 of them; elsewhere they are
+// not sent.
+TEST(WallLight, LooksMoreCloselyAtPenumbras) {
+  const LitFloor floor;
+  double few = 0, many = 0;
+  for (const double x : {0.2, 0.25, 0.3, 0.35, 0.4}) {
+    const double truth = floor.irradiance(x, 4000);
+    few += std::abs(floor.irradiance(x, 16) - truth);
+    many += std::abs(floor.irradiance(x, 128) - truth);
+  }
+  EXPECT_LT(many, few / 2);
+  EXPECT_GT(few, 1e-3);
 }
 
 }  // namespace
