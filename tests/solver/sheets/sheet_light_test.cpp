@@ -15,6 +15,7 @@
 #include "solver/radiosity/solve_radiosity.h"
 #include "solver/split/solve_split.h"
 #include "tests/solver/ordinates/sample_problems.h"
+#include "tests/solver/sheets/sheet_rooms.h"
 
 namespace etendue {
 namespace {
@@ -30,54 +31,6 @@ TetrahedralMesh room_with_sheet(const Vec3& min, const Vec3& max, double max_vol
   geometry.primitives.emplace_back(room);
   geometry.sheets.push_back({rectangle_corners(min, max), "top", "under", {}});
   return TetrahedralMesh(tetrahedralize(arrange(geometry), {{max_volume}, 1.4, {}}));
-}
-
-struct Surface {
-  double radiance = 0, diffuse = 0;
-};
-
-/// Walls by name, the others black and cold.
-Problem room(const TetrahedralMesh& mesh, const Medium& medium, const std::map<std::string, Surface>& named,
-             std::vector<Light> lights = {}) {
-  std::vector<Wall> walls;
-  for (const std::string& name : mesh.wall_names()) {
-    const auto found = named.find(name);
-    const Surface surface = found == named.end() ? Surface{} : found->second;
-    walls.push_back(uniform_wall(1, surface.radiance, surface.diffuse, 0));
-    walls.back().name = name;
-  }
-  return Problem(mesh, {}, std::vector<Medium>(mesh.region_names().size(), medium), walls,
-                 AngularSpace::sphere, std::move(lights));
-}
-
-Solution by_ordinates(const Problem& problem) {
-  return solve_split(LightSetup(problem), directions_ldfe_sq(1), tight_options());
-}
-
-Solution by_radiosity(const Problem& problem) {
-  RadiosityOptions options;
-  options.limits = {1e-10, 2000};
-  return RadiosityRoom(problem, options).solve();
-}
-
-WallPower power_on(const Problem& problem, const Solution& solution, const std::string& wall) {
-  const auto& names = problem.mesh().wall_names();
-  const auto place = std::find(names.begin(), names.end(), wall) - names.begin();
-  return wall_powers(problem, solution)[static_cast<std::size_t>(place)][0];
-}
-
-/// By photons; `derived` holds what arrives at each wall.
-PhotonSolution by_photons(const Problem& problem, double photons) {
-  const CellLocator locator(problem.mesh());
-  PhotonOptions options;
-  options.photons = photons;
-  options.threads = 2;
-  return solve_photons(problem, locator, options, {}, [&](const Solution& batch) {
-    std::vector<double> incoming;
-    for (const std::string& wall : problem.mesh().wall_names())
-      incoming.push_back(power_on(problem, batch, wall).incoming);
-    return incoming;
-  });
 }
 
 /// Largest fluence in cells on one side of the plane z = 0.5.
@@ -177,7 +130,7 @@ TEST(SheetLight, ALampsShadowIsExact) {
   PointLight point;
   point.position = {0.5, 0.5, 0.75};
   point.power = {4 * pi};
-  const Problem problem = room(with_table(), nothing, {}, {{"lamp", point, {}}});
+  const Problem problem = room(with_table(), nothing, {}, {}, {{"lamp", point, {}}});
   const Solution solution = by_ordinates(problem);
   EXPECT_EQ(power_on(problem, solution, "under").incoming, 0);
   // The solid angle of a square of half side a at distance h (Khadjavi 1968).

@@ -19,6 +19,7 @@
 #include "solver/radiosity/solve_radiosity.h"
 #include "solver/split/solve_split.h"
 #include "tests/solver/ordinates/sample_problems.h"
+#include "tests/solver/sheets/sheet_rooms.h"
 
 namespace etendue {
 namespace {
@@ -45,63 +46,8 @@ const TetrahedralMesh& with_table() {
   return mesh;
 }
 
-struct Surface {
-  double radiance = 0, diffuse = 0, transmittance = 0, specular = 0;
-};
-
-/// Walls by name, the rest like `other`.
-Problem room(const TetrahedralMesh& mesh, const Medium& medium, const std::map<std::string, Surface>& named,
-             const Surface& other = {}, std::vector<Light> lights = {}) {
-  std::vector<Wall> walls;
-  for (const std::string& name : mesh.wall_names()) {
-    const auto found = named.find(name);
-    const Surface surface = found == named.end() ? other : found->second;
-    walls.push_back(uniform_wall(1, surface.radiance, surface.diffuse, surface.specular));
-    walls.back().transmittance = {surface.transmittance};
-    walls.back().name = name;
-  }
-  return Problem(mesh, {}, std::vector<Medium>(mesh.region_names().size(), medium), walls,
-                 AngularSpace::sphere, std::move(lights));
-}
-
 const Medium nothing = uniform_medium(1, 0, 0, 0);
 const Medium haze = uniform_medium(1, 0.3, 1, 0);
-
-Solution by_ordinates(const Problem& problem) {
-  return solve_split(LightSetup(problem), directions_ldfe_sq(1), tight_options());
-}
-
-Solution by_radiosity(const Problem& problem, RadiosityMethod method = RadiosityMethod::gathering,
-                      double patch_size = 0) {
-  RadiosityOptions options;
-  options.method = method;
-  options.patch_size = patch_size;
-  options.limits = {1e-10, 2000};
-  return RadiosityRoom(problem, options).solve();
-}
-
-std::size_t wall_number(const Problem& problem, const std::string& wall) {
-  const auto& names = problem.mesh().wall_names();
-  return static_cast<std::size_t>(std::find(names.begin(), names.end(), wall) - names.begin());
-}
-
-WallPower power_on(const Problem& problem, const Solution& solution, const std::string& wall) {
-  return wall_powers(problem, solution)[wall_number(problem, wall)][0];
-}
-
-/// By photons; `derived` holds what arrives at each wall.
-PhotonSolution by_photons(const Problem& problem, double photons) {
-  const CellLocator locator(problem.mesh());
-  PhotonOptions options;
-  options.photons = photons;
-  options.threads = 2;
-  return solve_photons(problem, locator, options, {}, [&](const Solution& batch) {
-    std::vector<double> incoming;
-    for (const std::string& wall : problem.mesh().wall_names())
-      incoming.push_back(power_on(problem, batch, wall).incoming);
-    return incoming;
-  });
-}
 
 void expect_balance(const Problem& problem, const Solution& solution, double tolerance = 1e-8) {
   EXPECT_LT(std::abs(balances(problem, solution)[0].residual), tolerance);
