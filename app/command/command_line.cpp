@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/command/command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -151,6 +153,12 @@ class Parser {
         ->required()
         ->check(CLI::Range(2, 20))
         ->type_name("N");
+    study_command_
+        ->add_option("--against", against_,
+                     "What errors are taken against where nothing is exact: the finest level, or where the "
+                     "last three go (richardson)")
+        ->check(CLI::IsMember({"finest", "richardson"}))
+        ->type_name("WHAT");
     study_command_->add_flag("--nested", study_.nested,
                              "Cut every cell into eight in place of a new mesh; a mesh file always is");
     study_command_->add_flag("!--no-plot", study_.plot, "Draw no study.svg");
@@ -288,6 +296,16 @@ class Parser {
     study_.refinement = *refine_ == "mesh"         ? Refinement::mesh
                         : *refine_ == "directions" ? Refinement::directions
                                                    : Refinement::both;
+    study_.against = against_ == "richardson" ? StudyReference::richardson : StudyReference::finest;
+    if (study_.against == StudyReference::richardson && study_.levels < 3)
+      throw InputError(
+          fmt::format("command line: study: --levels = {}: too few for --against richardson, "
+                      "which takes three",
+                      study_.levels));
+    if (study_.against == StudyReference::richardson && study_.refinement == Refinement::both)
+      throw InputError(
+          "command line: study: --against = richardson: where both are refined there is no one "
+          "size to go by; refine the mesh or the directions");
     study_.run = finished_run();
     return study_;
   }
@@ -322,6 +340,7 @@ class Parser {
   std::optional<int> threads_;
   std::optional<std::string> progress_;
   std::optional<std::string> refine_;
+  std::string against_ = "finest";
   std::string baked_ = "irradiance";
 };
 

@@ -52,9 +52,13 @@ struct BakeRequest : CaseRequest {
 /// What a study refines from level to level; both: on a grid of meshes and direction sets.
 enum class Refinement { mesh, directions, both };
 
+/// What the errors of a study are taken against where no exact value is known.
+enum class StudyReference { finest, richardson };
+
 struct StudyRequest {
   RunRequest run;
   Refinement refinement = Refinement::mesh;
+  StudyReference against = StudyReference::finest;
   int levels = 0;
   bool nested = false;  ///< finer meshes by cutting the cells of the first into eight
   bool resume = false;

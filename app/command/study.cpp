@@ -5,10 +5,13 @@
 
 #include <cmath>
 #include <exception>
+#include <new>
 
 #include "app/command/commands.h"
+#include "app/command/memory.h"
 #include "app/command/study_level.h"
 #include "app/command/study_plot.h"
+#include "app/write/fluence_distance.h"
 #include "app/write/output_folder.h"
 
 namespace etendue {
@@ -31,11 +34,30 @@ std::vector<Level> read_levels(const StudyRequest& study, const Case& input) {
   return levels;
 }
 
-void write_tables(const StudyRequest& request, const Case& input, const std::vector<StudyRow>& rows) {
+void write_tables(const StudyRequest& request, const Case& input, const std::vector<StudyRow>& rows,
+                  const std::vector<StudyFailure>& failures) {
   OutputFolder folder(input.output.directory);
   folder.add_text("study.csv", study_csv(rows, request.refinement));
-  folder.add_text("study.json", study_json(rows, request.refinement, input));
+  folder.add_text("study.json", study_json(rows, request.refinement, input, failures));
   folder.publish({});
+}
+
+/// A level's bands, in order.
+std::vector<std::string> bands_of(const LevelResult& result) {
+  std::vector<std::string> bands;
+  for (const StudyValue& value : result.values)
+    if (value.quantity == "balance") bands.push_back(value.band);
+  return bands;
+}
+
+void add_distances(const std::vector<FluenceError>& errors, LevelResult& result) {
+  const std::vector<std::string> bands = bands_of(result);
+  std::vector<StudyValue> norms;
+  for (std::size_t band = 0; band < errors.size() && band < bands.size(); ++band) {
+    norms.push_back({bands[band], "fluence_L2", errors[band].l2, {}});
+    norms.push_back({bands[band], "fluence_Linf", errors[band].linf, {}});
+  }
+  result.values.insert(result.values.begin(), norms.begin(), norms.end());
 }
 
 /// Runs the levels one after the other and keeps what those that end well came to.
@@ -58,15 +80,31 @@ class Study {
         save_level(result, level.input, request_.refinement);
         results_.push_back(std::move(result));
       }));
+    } catch (const std::bad_alloc&) {
+      fail(number, heading, out_of_memory_message());
     } catch (const std::exception& error) {
-      err_ << heading << " failed: " << error.what() << '\n';
-      note(ExitCode::not_converged);
+      fail(number, heading, error.what());
     }
     say_what_is_left(number);
     out_ << std::endl;
   }
 
+  /// Where nothing is exact, the norms of what the fluence of each level is off the finest level's.
+  void compare_fields(const std::vector<Level>& levels) {
+    if (levels.front().input.exact || results_.size() < 2) return;
+    const auto fields_of = [&](const LevelResult& result) {
+      return levels[static_cast<std::size_t>(result.level) - 1].input.output.directory / "fields.vtu";
+    };
+    for (LevelResult& result : results_) {
+      const bool finest = &result == &results_.back();
+      add_distances(finest ? std::vector<FluenceError>(bands_of(result).size())
+                           : fluence_distance(fields_of(result), fields_of(results_.back())),
+                    result);
+    }
+  }
+
   const std::vector<LevelResult>& results() const { return results_; }
+  const std::vector<StudyFailure>& failures() const { return failures_; }
   ExitCode code() const { return code_; }
 
  private:
@@ -95,6 +133,12 @@ class Study {
                         left / work(number) * results_.back().seconds);
   }
 
+  void fail(int number, const std::string& heading, const std::string& problem) {
+    err_ << heading << " failed: " << problem << '\n';
+    failures_.push_back({number, problem});
+    note(ExitCode::not_converged);
+  }
+
   void note(ExitCode code) {
     if (code != ExitCode::done && code_ != ExitCode::interrupted) code_ = code;
   }
@@ -103,6 +147,7 @@ class Study {
   std::ostream& out_;
   std::ostream& err_;
   std::vector<LevelResult> results_;
+  std::vector<StudyFailure> failures_;
   ExitCode code_ = ExitCode::done;
 };
 
@@ -113,14 +158,17 @@ ExitCode study_case(const StudyRequest& request, std::ostream& out, std::ostream
   check_output_directory(input.output.directory);
   const std::vector<Level> levels = read_levels(request, input);
   Study study(request, out, err);
-  std::vector<StudyRow> rows;
   for (std::size_t i = 0; i < levels.size() && study.goes_on(); ++i) {
     study.take(levels[i], static_cast<int>(i) + 1);
     // After every level: a study that is ended early leaves the table of what there is.
-    rows = study_rows(study.results(), request.refinement);
-    write_tables(request, input, rows);
+    write_tables(request, input, study_rows(study.results(), request.refinement, request.against),
+                 study.failures());
   }
-  out << study_text(rows, study.results(), request.refinement) << expectation_text(input, request.refinement);
+  study.compare_fields(levels);
+  const std::vector<StudyRow> rows = study_rows(study.results(), request.refinement, request.against);
+  write_tables(request, input, rows, study.failures());
+  out << study_text(rows, study.results(), request.refinement, study.failures())
+      << expectation_text(input, request.refinement);
   const std::string no_plot = request.plot ? draw_study(input.output.directory) : "not asked for";
   out << "written to " << input.output.directory.string() << ": study.csv study.json"
       << (no_plot.empty() ? " study.svg\n" : "\n");

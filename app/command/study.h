@@ -7,6 +7,7 @@
 
 #include "app/case/case.h"
 #include "app/command/command_line.h"
+#include "app/command/richardson.h"
 
 namespace etendue {
 
@@ -33,12 +34,31 @@ struct LevelResult {
   std::vector<StudyValue> values;
 };
 
+/// A level that came to nothing, and why.
+struct StudyFailure {
+  int level = 0;
+  std::string problem;
+};
+
+/// What an error is taken against.
+enum class ErrorReference { exact, finest, richardson };
+const char* name_of(ErrorReference reference);
+
 /// A row of study.csv.
 struct StudyRow {
   const LevelResult* level = nullptr;
   const StudyValue* value = nullptr;
+  ErrorReference reference = ErrorReference::finest;
   std::optional<double> error;
+  /// About how much of the value is the iteration's error; none of a balance, which is nothing else.
+  std::optional<double> iteration;
   std::optional<double> order;  ///< from the level before
+};
+
+/// Where a quantity without an exact value goes, by its last three levels.
+struct StudyLimit {
+  const StudyValue* finest = nullptr;
+  Extrapolation of;
 };
 
 /// "mesh", "directions" or "both".
@@ -46,17 +66,28 @@ const char* name_of(Refinement refinement);
 
 /// Errors and observed orders, quantity by quantity. The error of a fluence norm is the value itself; of
 /// other quantities it is the distance from the exact value, or else from that of the finest level, which
-/// then has none. Orders are against h, or against the size of the directions, (4 pi/directions)^(1/2)
-/// (in the plane 2 pi/directions). Where both are refined there are none: the larger error would hide the
-/// other.
-std::vector<StudyRow> study_rows(const std::vector<LevelResult>& levels, Refinement refinement);
+/// then has none, or from the limit of the last three levels. Orders are against h, or against the size of
+/// the directions, (4 pi/directions)^(1/2) (in the plane 2 pi/directions). Where both are refined there are
+/// none: the larger error would hide the other. Nor is there one where the iteration is seen.
+std::vector<StudyRow> study_rows(const std::vector<LevelResult>& levels, Refinement refinement,
+                                 StudyReference against = StudyReference::finest);
+
+/// Whether the error of the iteration is above a tenth of the row's error.
+bool iteration_is_seen(const StudyRow& row);
+bool is_same_quantity(const StudyRow& a, const StudyRow& b);
+/// A relative norm of the error of the fluence.
+bool is_norm(const std::string& quantity);
+
+/// Limits of the quantities that have one, in the order of the rows.
+std::vector<StudyLimit> study_limits(const std::vector<StudyRow>& rows, Refinement refinement);
 
 std::string study_csv(const std::vector<StudyRow>& rows, Refinement refinement);
-std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement, const Case& input);
+std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement, const Case& input,
+                       const std::vector<StudyFailure>& failures = {});
 /// What theory says of the orders of a family of exact solutions; empty where nothing is known.
 std::string expectation_text(const Case& input, Refinement refinement);
 /// The table for people, with what the errors are taken against and where the iteration disturbs them.
 std::string study_text(const std::vector<StudyRow>& rows, const std::vector<LevelResult>& levels,
-                       Refinement refinement);
+                       Refinement refinement, const std::vector<StudyFailure>& failures = {});
 
 }  // namespace etendue

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/command/study_level.h"
-#include "app/case/build.h"
 
 #include <fmt/format.h>
 
@@ -62,6 +61,7 @@ class Values {
     if (exact_) {
       add("fluence_L2", exact_->fluence[band].l2, 0.0);
       add("fluence_Linf", exact_->fluence[band].linf, 0.0);
+      add("fluence_mean_L2", exact_->fluence[band].l2_of_means, 0.0);
     }
     for (const ProbeRow& row : run_.probes)
       add(fmt::format("probe:{}:{}", row.name, row.index), row.values[band].fluence,

@@ -57,22 +57,29 @@ struct Norms {
   }
 };
 
+/// Of the field, and of its means over cells.
 FluenceError fluence_error(const TetrahedralMesh& mesh, const Solution& solution,
                            const FluenceSamples& samples, std::size_t band, std::size_t bands) {
-  Norms norms;
+  Norms norms, means;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
     const double* nodal = &solution.fluence[cell.at() * 4 * bands + band];
+    double mean = 0, exact_mean = 0;
     for (std::size_t i = 0; i < rule_size; ++i) {
+      const double exact = samples.in_cells[cell.at() * rule_size + i], weight = cell_rule()[i].weight;
       double value = 0;
       for (std::size_t j = 0; j < 4; ++j) value += cell_rule()[i].barycentric[j] * nodal[j * bands];
-      norms.add_point(value, samples.in_cells[cell.at() * rule_size + i],
-                      cell_rule()[i].weight * mesh.volume(cell));
+      norms.add_point(value, exact, weight * mesh.volume(cell));
+      mean += weight * value;
+      exact_mean += weight * exact;
     }
+    means.add_point(mean, exact_mean, mesh.volume(cell));
     for (std::size_t j = 0; j < 4; ++j)
       norms.add_point(nodal[j * bands], samples.at_vertices[VertexIndex(mesh.vertices(cell)[j]).at()], 0);
   }
-  return norms.relative();
+  FluenceError error = norms.relative();
+  error.l2_of_means = means.relative().l2;
+  return error;
 }
 
 std::vector<std::vector<double>> absorbed_powers(const Problem& problem, const FluenceSamples& samples) {

@@ -12,8 +12,9 @@ namespace etendue {
 
 /// How far the fluence is from the exact one, relative to the same norm of the exact one.
 struct FluenceError {
-  double l2 = 0;    ///< by a rule of degree 5 in each cell
-  double linf = 0;  ///< at the rule's points and the vertices
+  double l2 = 0;           ///< by a rule of degree 5 in each cell
+  double linf = 0;         ///< at the rule's points and the vertices
+  double l2_of_means = 0;  ///< of the means of cells
 };
 
 /// What a solution should be.

@@ -88,6 +88,20 @@ TEST(CommandLine, ReadsWhatToCompare) {
             std::string::npos);
 }
 
+TEST(CommandLine, TakesAStudyAgainstALimitOnlyWithThreeLevelsOfOneSize) {
+  const auto study = parsed<StudyRequest>(
+      {"study", "c.toml", "--refine", "mesh", "--levels", "3", "--against", "richardson"});
+  EXPECT_EQ(study.against, StudyReference::richardson);
+  EXPECT_EQ(parsed<StudyRequest>({"study", "c.toml", "--refine", "mesh", "--levels", "3"}).against,
+            StudyReference::finest);
+  EXPECT_NE(fault_of({"study", "c", "--refine", "mesh", "--levels", "2", "--against", "richardson"})
+                .find("too few for --against richardson"),
+            std::string::npos);
+  EXPECT_NE(fault_of({"study", "c", "--refine", "both", "--levels", "3", "--against", "richardson"})
+                .find("refine the mesh or the directions"),
+            std::string::npos);
+}
+
 TEST(CommandLine, ReadsWhatToRender) {
   const auto plain = parsed<RenderRequest>({"render", "results"});
   EXPECT_EQ(plain.results, "results");

@@ -103,6 +103,39 @@ TEST(StudyRows, ClaimNoOrderOfABalance) {
   EXPECT_FALSE(rows[1].order);
 }
 
+TEST(StudyRows, ClaimNoOrderWhereTheIterationIsSeen) {
+  std::vector<LevelResult> levels = {level_with(1, 10, {{"grey", "probe:a:0", 1.4, 1.0}}),
+                                     level_with(2, 80, {{"grey", "probe:a:0", 0.9, 1.0}})};
+  levels[1].residual = 0.1;  // of 0.9: just below a tenth of the error 0.1 would be 0.0111
+  const auto seen = study_rows(levels, Refinement::mesh);
+  EXPECT_DOUBLE_EQ(*seen[1].iteration, 0.09);
+  EXPECT_FALSE(seen[1].order);
+  EXPECT_TRUE(
+      has(study_text(seen, levels, Refinement::mesh), "level 2: the iteration errs by about 9.0e-02"));
+  levels[1].residual = 0.011;
+  const auto hidden = study_rows(levels, Refinement::mesh);
+  EXPECT_NEAR(*hidden[1].order, 2, 1e-12);
+  EXPECT_FALSE(has(study_text(hidden, levels, Refinement::mesh), "the iteration errs"));
+}
+
+TEST(StudyRows, MayBeTakenAgainstTheLimitOfTheLastThree) {
+  std::vector<LevelResult> levels;
+  for (int level = 1; level <= 4; ++level) {
+    const int cells = 10 << (3 * level);
+    levels.push_back(level_with(level, cells,
+                                {{"grey", "probe:a:0", 2 + std::pow(cells, -2.0 / 3), {}},
+                                 {"grey", "wall:a:incoming", std::pow(-1.0, level), {}}}));
+  }
+  const auto rows = study_rows(levels, Refinement::mesh, StudyReference::richardson);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(rows[i].reference, ErrorReference::richardson);
+    EXPECT_NEAR(*rows[i].error, std::pow(levels[i].cells, -2.0 / 3), 1e-9);
+  }
+  EXPECT_NEAR(*rows[1].order, 2, 1e-3);
+  EXPECT_EQ(rows[4].reference, ErrorReference::finest) << "what goes to and fro has no limit";
+  EXPECT_FALSE(rows[7].error);
+}
+
 TEST(StudyRows, SkipLevelsThatAreMissing) {
   const std::vector<LevelResult> levels = {level_with(1, 10, {{"grey", "probe:a:0", 1.4, 1.0}}),
                                            level_with(3, 640, {{"grey", "probe:a:0", 1.025, 1.0}})};
@@ -154,7 +187,13 @@ TEST(Study, TakesTheFinestLevelWithoutAnExactSolution) {
   const CaseFolder folder;
   ASSERT_EQ(etendue_says(study_of(folder.file(), "mesh", 2)).code, ExitCode::done);
   const json study = study_in(folder);
-  EXPECT_TRUE(rows_of(study, "fluence_L2").empty());
+  const std::vector<json> norms = rows_of(study, "fluence_L2");
+  ASSERT_EQ(norms.size(), 6U);  // three bands
+  EXPECT_EQ(norms[0]["reference"], "finest");
+  EXPECT_GT(norms[0]["error"], 1e-4);
+  EXPECT_LT(norms[0]["error"], 1);
+  EXPECT_LT(norms[0]["error"], rows_of(study, "fluence_Linf")[0]["error"]);
+  EXPECT_TRUE(norms[1]["error"].is_null());
   const std::vector<json> rows = rows_of(study, "probe:middle:0");
   ASSERT_EQ(rows.size(), 6U);  // three bands
   EXPECT_EQ(rows[0]["reference"], "finest");
@@ -229,6 +268,8 @@ TEST(Study, KeepsTheOtherLevelsWhereOneFails) {
   const std::vector<json> norms = rows_of(study_in(folder), "fluence_L2");
   ASSERT_EQ(norms.size(), 1U);
   EXPECT_EQ(norms[0]["level"], 2);
+  EXPECT_TRUE(has(outcome.out, "level 1 failed and is left out: ")) << outcome.out;
+  EXPECT_EQ(study_in(folder)["failed"][0]["level"], 1);
 }
 
 TEST(Study, SaysWhatCannotBeRefined) {
