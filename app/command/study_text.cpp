@@ -146,7 +146,7 @@ std::string expectation_text(const Case& input, Refinement refinement) {
   const std::string told = "\nexact.family = \"" + family.name + "\": ";
   if (!order) return told + "the elements hold it, so meshes do not err, only directions\n";
   if (refinement != Refinement::mesh) return "";
-  return told + fmt::format("theory promises order {} of fluence_L2 at least\n", *order);
+  return told + fmt::format("theory promises order {} of fluence_L2\n", *order);
 }
 
 std::string study_text(const std::vector<StudyRow>& rows, const std::vector<LevelResult>& levels,

@@ -2,6 +2,7 @@
 #include "solver/exact/exact_input.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -32,7 +33,7 @@ ExactInput::ExactInput(const Problem& problem, const DirectionSet& directions, c
     : problem_(problem),
       directions_(directions),
       plan_(plan_scattering(problem, directions)),
-      vertices_(static_cast<std::size_t>(problem.mesh().vertex_count())),
+      nodes_(problem.mesh()),
       harmonics_(directions, highest_degree(plan_)) {
   for (const Medium& medium : problem.media())
     for (int band = 0; band < problem.band_count(); ++band)
@@ -48,34 +49,33 @@ ExactInput::ExactInput(const Problem& problem, const DirectionSet& directions, c
 }
 
 void ExactInput::fill_values(const ExactRadiance& radiance) {
-  const TetrahedralMesh& mesh = problem_.mesh();
-  radiance_.resize(static_cast<std::size_t>(directions_.count()) * vertices_);
+  radiance_.resize(static_cast<std::size_t>(directions_.count()) * nodes_.count());
   streaming_.resize(radiance_.size());
 #pragma omp parallel for schedule(static)
   for (std::int32_t m = 0; m < directions_.count(); ++m) {
     const OrdinateIndex ordinate(m);
     const Vec3& direction = directions_.direction(ordinate);
-    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-      const Dual value = radiance.with_gradient(mesh.point(VertexIndex(v)), direction);
-      radiance_[at(ordinate, v)] = value.value;
-      streaming_[at(ordinate, v)] = direction.dot(value.gradient);
+    for (std::size_t node = 0; node < nodes_.count(); ++node) {
+      const Dual value = radiance.with_gradient(nodes_.point(node), direction);
+      radiance_[at(ordinate, node)] = value.value;
+      streaming_[at(ordinate, node)] = direction.dot(value.gradient);
     }
   }
   for (std::size_t i = 0; i < radiance_.size(); ++i)
     if (!std::isfinite(radiance_[i]) || !std::isfinite(streaming_[i]))
-      refuse(mesh.points()[i % vertices_], directions_.directions()[i / vertices_]);
+      refuse(nodes_.point(i % nodes_.count()), directions_.directions()[i / nodes_.count()]);
 }
 
 void ExactInput::fill_moments() {
   const auto count = static_cast<std::size_t>(harmonics_.count());
-  moments_.assign(vertices_ * count, 0);
+  moments_.assign(nodes_.count() * count, 0);
 #pragma omp parallel for schedule(static)
-  for (std::int32_t v = 0; v < problem_.mesh().vertex_count(); ++v)
+  for (std::size_t node = 0; node < nodes_.count(); ++node)
     for (std::int32_t m = 0; m < directions_.count(); ++m) {
       const OrdinateIndex ordinate(m);
-      const double weighted = directions_.weight(ordinate) * radiance_[at(ordinate, v)];
+      const double weighted = directions_.weight(ordinate) * radiance_[at(ordinate, node)];
       for (std::size_t k = 0; k < count; ++k)
-        moments_[static_cast<std::size_t>(v) * count + k] += weighted * harmonics_.of(ordinate)[k];
+        moments_[node * count + k] += weighted * harmonics_.of(ordinate)[k];
     }
 }
 
@@ -96,9 +96,9 @@ void ExactInput::fill_kernels() {
 
 void ExactInput::fill_matrices() {
   matrix_of_.assign(plan_.size(), -1);
-  const Eigen::Index count = directions_.count(), vertices = static_cast<Eigen::Index>(vertices_);
+  const Eigen::Index count = directions_.count(), nodes = static_cast<Eigen::Index>(nodes_.count());
   const Eigen::Map<const Eigen::VectorXd> weights(directions_.weights().data(), count);
-  const Eigen::Map<const Eigen::MatrixXd> radiance(radiance_.data(), vertices, count);  // [vertex][ordinate]
+  const Eigen::Map<const Eigen::MatrixXd> radiance(radiance_.data(), nodes, count);  // [node][ordinate]
   for (const DenseGroup& group : dense_groups(problem_, directions_, plan_)) {
     for (const int band : group.bands)
       matrix_of_[static_cast<std::size_t>(group.region * problem_.band_count() + band)] =
@@ -108,42 +108,47 @@ void ExactInput::fill_matrices() {
   }
 }
 
-double ExactInput::scattered(OrdinateIndex m, std::int32_t vertex, std::span<const double> kernel) const {
+double ExactInput::scattered(OrdinateIndex m, std::size_t node, std::span<const double> kernel) const {
   const std::span<const double> harmonics = harmonics_.of(m);
-  const double* moments = &moments_[static_cast<std::size_t>(vertex) * kernel.size()];
+  const double* moments = &moments_[node * kernel.size()];
   double sum = 0;
   for (std::size_t k = 0; k < kernel.size(); ++k) sum += kernel[k] * harmonics[k] * moments[k];
   return sum;
 }
 
 void ExactInput::add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const {
-  const TetrahedralMesh& mesh = problem_.mesh();
   const auto count = static_cast<std::size_t>(harmonics_.count());
   const int bands = problem_.band_count();
+  const std::array<std::size_t, 10> nodes = nodes_.nodes(cell);
   for (int band = 0; band < bands; ++band) {
     const double scattering = problem_.scattering(cell, band);
-    const auto row = static_cast<std::size_t>(mesh.region(cell) * bands + band);
+    const auto row = static_cast<std::size_t>(problem_.mesh().region(cell) * bands + band);
     const MatrixTerms* matrix =
         matrix_of_[row] < 0 ? nullptr : &matrices_[static_cast<std::size_t>(matrix_of_[row])];
     const double leaving = matrix == nullptr ? 1 - plan_[row].forward : matrix->leaving[m.at()];
     const double extinction = scattering * leaving + problem_.absorption(cell, band);
     const std::span<const double> kernel(&kernels_[row * count], count);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::int32_t vertex = mesh.vertices(cell)[i];
-      double source = streaming_[at(m, vertex)] + extinction * radiance_[at(m, vertex)];
+    std::array<double, 10> source{};
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      source[i] = streaming_[at(m, nodes[i])] + extinction * radiance_[at(m, nodes[i])];
       if (scattering > 0)
-        source -= scattering *
-                  (matrix == nullptr ? scattered(m, vertex, kernel) : matrix->scattered[at(m, vertex)]);
-      values[i * static_cast<std::size_t>(bands) + static_cast<std::size_t>(band)] += source;
+        source[i] -= scattering * (matrix == nullptr ? scattered(m, nodes[i], kernel)
+                                                     : matrix->scattered[at(m, nodes[i])]);
     }
+    const std::array<double, 4> projected = project(source);
+    for (std::size_t i = 0; i < 4; ++i)
+      values[i * static_cast<std::size_t>(bands) + static_cast<std::size_t>(band)] += projected[i];
   }
 }
 
 void ExactInput::add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const {
   const auto bands = static_cast<std::size_t>(problem_.band_count());
+  std::array<double, 6> entering{};
+  const std::array<std::size_t, 6> nodes = nodes_.nodes(face);
+  for (std::size_t i = 0; i < nodes.size(); ++i) entering[i] = radiance_[at(m, nodes[i])];
+  const std::array<double, 3> projected = project(entering);
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t band = 0; band < bands; ++band)
-      values[i * bands + band] += radiance_[at(m, problem_.mesh().vertices(face)[i])];
+    for (std::size_t band = 0; band < bands; ++band) values[i * bands + band] += projected[i];
 }
 
 std::vector<std::vector<double>> ExactInput::source_powers() const {

@@ -6,6 +6,7 @@
 #include "solver/angle/direction_set.h"
 #include "solver/angle/harmonics.h"
 #include "solver/exact/exact_radiance.h"
+#include "solver/exact/quadratic_nodes.h"
 #include "solver/ordinates/angular_input.h"
 #include "solver/ordinates/scattering_plan.h"
 #include "solver/problem/problem.h"
@@ -18,12 +19,13 @@ namespace etendue {
 ///     phi_k = sum over n of w_n Y_k(n) u_n,
 ///
 /// with the set's own scattering kernel, that of ScatteringMoments or of DenseScattering: all that is left of
-/// the error is that of the discretisation in space. At walls, which must be black, u enters. Values are
-/// those at the vertices.
+/// the error is that of the discretisation in space. At walls, which must be black, u enters. Both are
+/// projected from their values at QuadraticNodes: values at the vertices alone would keep the order in L2,
+/// but not that of means.
 class ExactInput : public AngularInput {
  public:
   /// The arguments must outlive it. Throws InputError, naming the point, where the radiance or its gradient
-  /// is not finite at a vertex.
+  /// is not finite at a node.
   ExactInput(const Problem& problem, const DirectionSet& directions, const ExactRadiance& radiance);
 
   void add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const override;
@@ -33,28 +35,26 @@ class ExactInput : public AngularInput {
   std::vector<std::vector<double>> source_powers() const;
 
  private:
-  std::size_t at(OrdinateIndex m, std::int32_t vertex) const {
-    return m.at() * vertices_ + static_cast<std::size_t>(vertex);
-  }
+  std::size_t at(OrdinateIndex m, std::size_t node) const { return m.at() * nodes_.count() + node; }
   void fill_values(const ExactRadiance& radiance);
   void fill_moments();
   void fill_kernels();
   void fill_matrices();
-  double scattered(OrdinateIndex m, std::int32_t vertex, std::span<const double> kernel) const;
+  double scattered(OrdinateIndex m, std::size_t node, std::span<const double> kernel) const;
 
   const Problem& problem_;
   const DirectionSet& directions_;
   std::vector<ScatteringTreatment> plan_;  ///< [region * bands + band]
-  std::size_t vertices_;
+  QuadraticNodes nodes_;
   DiscreteHarmonics harmonics_;
-  std::vector<double> radiance_;   ///< [ordinate][vertex] u
-  std::vector<double> streaming_;  ///< [ordinate][vertex] w.grad u
-  std::vector<double> moments_;    ///< [vertex][k] phi_k
+  std::vector<double> radiance_;   ///< [ordinate][node] u
+  std::vector<double> streaming_;  ///< [ordinate][node] w.grad u
+  std::vector<double> moments_;    ///< [node][k] phi_k
   std::vector<double> kernels_;    ///< [region][band][k] chi_l(k)/(4 pi); 0 beyond the degree that is used
   /// Of a medium and band that scatters by a matrix.
   struct MatrixTerms {
     std::vector<double> leaving;    ///< [ordinate]
-    std::vector<double> scattered;  ///< [ordinate][vertex] sum over n of K_mn w_n u_n
+    std::vector<double> scattered;  ///< [ordinate][node] sum over n of K_mn w_n u_n
   };
   std::vector<MatrixTerms> matrices_;
   std::vector<int> matrix_of_;  ///< [region * bands + band], -1 without

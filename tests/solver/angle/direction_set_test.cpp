@@ -110,6 +110,25 @@ TEST(DirectionSet, LdfeSqIsClosedToTheLastBitUnderTheOctahedralGroup) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
+TEST(DirectionSet, LdfeSqIntegratesSmoothFunctionsWithOrderFour) {
+  // Without a plane of symmetry. Sizes are those of a direction's part of the sphere.
+  const auto integral = [](const DirectionSet& set) {
+    double sum = 0;
+    for (int m = 0; m < set.count(); ++m) {
+      const Vec3& w = set.direction(OrdinateIndex(m));
+      sum += set.weight(OrdinateIndex(m)) * std::exp(2 * w.x() + w.y() * w.z() + 0.3 * w.z());
+    }
+    return sum;
+  };
+  const double exact = integral(directions_product(24));
+  std::vector<double> errors;
+  for (const int order : {1, 2, 4, 8})
+    errors.push_back(std::abs(integral(directions_ldfe_sq(order)) - exact) / exact);
+  for (std::size_t level = 1; level < errors.size(); ++level)
+    EXPECT_GE(std::log2(errors[level - 1] / errors[level]), 3.8) << level;
+  EXPECT_LT(errors.back(), 1e-6);
+}
+
 TEST(DirectionSet, MirrorsAtDiagonalPlanesWhereTheSetAllowsIt) {
   const Vec3 diagonal = Vec3(1, 1, 0).normalized(), oblique = Vec3(1, 0, 1).normalized();
   EXPECT_GE(directions_product(8).mirrored(OrdinateIndex(0), diagonal), 0);

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "solver/exact/exact_balance.h"
 #include "solver/exact/exact_comparison.h"
 #include "solver/ordinates/solve.h"
+#include "solver/problem/cell_rule.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
 namespace etendue {
@@ -45,21 +47,26 @@ TEST(ExactInput, MakesALinearRadianceTheSolutionToRounding) {
 }
 
 TEST(ExactInput, GivesTheSourceOfAPureAbsorber) {
+  // The source of this radiance is quadratic in space, so its projection has its moments exactly.
   const TetrahedralMesh mesh = cube_mesh(0.1);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.5, 0, 0), uniform_wall(1, 0, 0, 0));
   const DirectionSet directions = directions_product(2);
-  const ExactRadiance radiance("exp(x)*(2 + wz*y)");
-  const ExactInput input(problem, directions, radiance);
+  const ExactInput input(problem, directions, ExactRadiance("(2 + x*y)*(2 + wz)"));
   const OrdinateIndex m(3);
   const Vec3& w = directions.direction(m);
+  const CellIndex cell(0);
   std::vector<double> values(4, 7);  // what is there is added to
-  input.add_source(m, CellIndex(0), values);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec3& p = mesh.point(VertexIndex(mesh.vertices(CellIndex(0))[i]));
-    const double value = std::exp(p.x()) * (2 + w.z() * p.y());
-    const double streaming = w.x() * value + w.y() * std::exp(p.x()) * w.z();
-    EXPECT_NEAR(values[i], 7 + streaming + 0.5 * value, 1e-13);
+  input.add_source(m, cell, values);
+  std::array<Vec3, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh.point(VertexIndex(mesh.vertices(cell)[i]));
+  std::array<double, 4> left{};
+  for (const CellRulePoint& node : cell_rule()) {
+    const Vec3 p = point_at(node.barycentric, corners);
+    double difference = (w.x() * p.y() + w.y() * p.x() + 0.5 * (2 + p.x() * p.y())) * (2 + w.z());
+    for (std::size_t i = 0; i < 4; ++i) difference -= node.barycentric[i] * (values[i] - 7);
+    for (std::size_t i = 0; i < 4; ++i) left[i] += node.weight * node.barycentric[i] * difference;
   }
+  for (const double part : left) EXPECT_NEAR(part, 0, 1e-13);
 }
 
 TEST(ExactInput, ClosesTheBalanceWithWhatItBrings) {
