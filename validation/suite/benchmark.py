@@ -7,7 +7,7 @@ import pathlib
 import tomllib
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "benchmarks"
-KEYS = {"title", "group", "text", "source", "references", "quick", "not_yet", "run", "tolerance", "chance", "plot", "picture", "sketch"}
+KEYS = {"title", "group", "text", "source", "references", "quick", "not_yet", "missed", "run", "tolerance", "chance", "plot", "picture", "sketch"}
 CHANCE_KEYS = {"misses", "share", "reason"}
 RUN_KEYS = {"name", "case", "set", "when", "balance", "study", "for", "column", "width"}
 
@@ -26,6 +26,7 @@ class Benchmark:
         self.references = self.data.get("references", [])
         self.quick = self.data.get("quick", True)
         self.not_yet = self.data.get("not_yet", "")
+        self.missed = self.data.get("missed", "")
         self.tolerances = self.data.get("tolerance", [])
         # Of values with a random error, how many may miss, and by how much at most, of what is allowed.
         self.chance = self.data.get("chance", {"misses": 0, "share": 1.0, "reason": ""})

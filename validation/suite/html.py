@@ -29,7 +29,7 @@ def front(outcomes):
             group = outcome.benchmark.group
             rows.append(f"<tr class=group><th colspan={len(text.FRONT)}>{escape(group)}</th></tr>")
         rows.append(front_row(outcome))
-    return f"<table class=front><thead>{row(text.FRONT, 'th')}</thead><tbody>{''.join(rows)}</tbody></table>"
+    return f"<div class=wide><table class=front><thead>{row(text.FRONT, 'th')}</thead><tbody>{''.join(rows)}</tbody></table></div>"
 
 
 def front_row(outcome):
@@ -50,6 +50,7 @@ def section(outcome, figures):
     benchmark = outcome.benchmark
     parts = [f"<section id='{benchmark.name}'><h2>{escape(benchmark.title)} {verdict(outcome.verdict)}</h2>",
              "".join(f"<p>{escape(paragraph)}</p>" for paragraph in benchmark.text.split("\n\n")),
+             f"<p class=reason>{escape(text.miss_line(outcome))}</p>" if text.miss_line(outcome) else "",
              "<ul>" + "".join(f"<li>{escape(line)}</li>" for line in text.run_lines(outcome))
              + "".join(f"<li class=fault>{escape(fault)}</li>" for fault in outcome.faults) + "</ul>",
              "<div class=figures>" + "".join(map(picture, figures)) + "</div>", values(outcome), tolerances(benchmark)]
@@ -77,14 +78,15 @@ def value_table(rows):
         cells = [escape(cell) for cell in text.cells(judged)]
         cells[-1] = verdict(judged.verdict)
         found.append("<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>")
-    return f"<table class=values><thead>{row(text.COLUMNS, 'th')}</thead><tbody>{''.join(found)}</tbody></table>"
+    return (f"<div class=wide><table class=values><thead>{row(text.COLUMNS, 'th')}</thead>"
+            f"<tbody>{''.join(found)}</tbody></table></div>")
 
 
 def tolerances(benchmark):
     lines = "".join(row(map(escape, line)) for line in text.tolerance_lines(benchmark))
     origins = "".join(f"<li><code>{escape(name)}</code>: {escape(origin)}</li>" for name, origin in text.origins(benchmark))
     source = f"<p>Reference: {escape(benchmark.source)}</p>" if benchmark.source else ""
-    return (f"<table class=why><thead>{row(['of', 'allowed', 'reason'], 'th')}</thead><tbody>{lines}</tbody></table>"
+    return (f"<div class=wide><table class=why><thead>{row(['of', 'allowed', 'reason'], 'th')}</thead><tbody>{lines}</tbody></table></div>"
             f"{source}<ul class=origin>{origins}</ul>")
 
 

@@ -20,6 +20,7 @@ def linked(cells):
 def section(outcome, figures):
     benchmark = outcome.benchmark
     lines = ["", f"## {benchmark.name}", "", f"**{benchmark.title}**: {outcome.verdict}", "", benchmark.text, ""]
+    lines += [text.miss_line(outcome), ""] if text.miss_line(outcome) else []
     lines += [f"- {line}" for line in text.run_lines(outcome)]
     lines += [f"- fault: {fault}" for fault in outcome.faults]
     for figure in figures:

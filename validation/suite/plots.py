@@ -12,6 +12,7 @@ from matplotlib import pyplot  # noqa: E402
 COLORS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
 MARKERS = "osD^vPX"
 DASHES = ["-", "--", "-.", ":"]
+SHOWN = 8  # runs that a legend names
 matplotlib.rcParams.update({"svg.fonttype": "path", "svg.hashsalt": "etendue", "font.size": 9, "axes.grid": True,
                             "grid.alpha": 0.3})
 
@@ -61,6 +62,33 @@ def scale(axes, logarithmic):
         axes.set_xscale("log")
     if "y" in logarithmic:
         axes.set_yscale("log")
+
+
+def draw_histories(outcome):
+    """The residual by sweep of each run, of the band that needed most; None where nothing was iterated."""
+    curves = {name: slowest(result.history) for name, result in outcome.results.items()}
+    curves = {name: curve for name, curve in curves.items() if len(curve) > 2}
+    if not curves:
+        return None
+    figure, axes = pyplot.subplots(figsize=(6.6, 3), layout="constrained")
+    for number, (name, curve) in enumerate(curves.items()):
+        axes.semilogy(*zip(*curve), DASHES[number // len(COLORS) % len(DASHES)], color=COLORS[number % len(COLORS)],
+                      marker=MARKERS[number % len(MARKERS)], markersize=3, linewidth=1,
+                      label=name if number < SHOWN or len(curves) == SHOWN + 1 else None)
+    if len(curves) > SHOWN + 1:
+        axes.plot([], [], " ", label=f"and {len(curves) - SHOWN} more")
+    axes.set_xlabel("sweep")
+    axes.set_ylabel("residual")
+    axes.legend(fontsize="x-small")
+    return save(figure)
+
+
+def slowest(history):
+    """(sweep, residual) of the band with most sweeps."""
+    bands = {}
+    for row in history:
+        bands.setdefault(row["band"], []).append((int(row["sweep"]), float(row["residual"])))
+    return [point for point in max(bands.values(), key=len, default=[]) if point[1] > 0]
 
 
 def draw_study(result):

@@ -62,6 +62,9 @@ def figures_of(outcome):
     for number, picture in enumerate(benchmark.pictures):
         if picture["run"] in outcome.results:
             found.append(field(outcome, picture, number))
+    history = plots.draw_histories(outcome)
+    if history:
+        found.append(Figure(f"{benchmark.name}-iteration", "Iteration: what was left after each sweep", "svg", history))
     for name, result in outcome.results.items():
         if (result.folder / "study.json").is_file():
             found.append(Figure(f"{benchmark.name}-{name}", f"Convergence: {name}", "png", plots.draw_study(result)))

@@ -54,6 +54,12 @@ class Result:
         return read_rows(self.folder / "probes.csv")
 
     @property
+    def history(self):
+        """Rows of history.csv; none of a study, or where nothing was iterated."""
+        path = self.folder / "history.csv"
+        return read_rows(path) if path.is_file() else []
+
+    @property
     def bands(self):
         return self.summary["bands"]
 

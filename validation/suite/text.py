@@ -33,6 +33,17 @@ def relative(judged):
     return f"{row.difference:+.2g}" if row.relative is None else f"{100 * row.relative:+.2g} %"
 
 
+def miss_line(outcome):
+    """Why values miss, where the entry knows it; empty where nothing does."""
+    reason = outcome.benchmark.missed
+    return f"Why it misses: {reason}" if reason and not outcome.passed else ""
+
+
+def iteration(summary):
+    """What the iteration left, of the band that it left most of."""
+    return f"iteration to {max(summary['residual']):.0e}, " if summary.get("residual") else ""
+
+
 def effort(summary):
     """What the method of a run did."""
     if summary["method"] == "photons":
@@ -52,7 +63,7 @@ def run_lines(outcome):
             continue
         s = result.summary
         found.append(f"{name}: {s['cells']:,} cells, {len(s['bands'])} band{'s' if len(s['bands']) > 1 else ''}, {effort(s)}, "
-                     f"{s['seconds']['total']:.1f} s, {s['peak_memory'] / 2 ** 20:.0f} MiB")
+                     f"{iteration(s)}{s['seconds']['total']:.1f} s, {s['peak_memory'] / 2 ** 20:.0f} MiB")
     return found
 
 
