@@ -23,7 +23,7 @@ def on_walls(cube, band):
             found.append(Row(f"wall mean, kappa {band}", sum(means) / len(means), **exact))
             continue
         x, y = float(row["x"]), float(row["y"])
-        for p in at(cube, (x, y, 0), band, ("wall", "wall-diagonal")):
+        for p in at(cube, (x, y, 0), band, ("wall", "wall-diagonal", "wall-edge")):
             line = {"plot": LINE, "curve": f"kappa {band}", "x": x} if y == 0.5 else {}
             found.append(Row(f"wall {x:g},{y:g}, kappa {band}", p["irradiance"], **exact, **line, run="case",
                              probe=p["probe"], index=p["index"], band=band, column="irradiance"))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Fluence and net flux at nine depths of seven slabs."""
 
-from suite.result import read_reference
+from suite.result import last_digit, read_reference
 from suite.row import Row
 
 
@@ -15,7 +15,14 @@ def compare(runs):
         found.append(Row(f"fluence, {name}, depth {depth:g} tau", point["fluence"], float(row["phi"]), uncertainty,
                          plot="fluence by depth", curve=name, x=depth))
         found.append(Row(f"net flux, {name}, depth {depth:g} tau", point["flux_z"], float(row["net"]), uncertainty))
-    return found
+    return found + of_the_mcml_paper(runs["w 0.9, tau 2, g 0.75, mu 1.0"])
+
+
+def of_the_mcml_paper(slab):
+    """Reflected and transmitted parts; the beam brings a power of 1."""
+    area = slab.wall("zmin", "area")
+    return [Row(f"MCML paper: {row['quantity']}", slab.wall("zmin" if row["quantity"] == "R" else "zmax", "incoming") / area,
+                float(row["published"]), last_digit(row["published"])) for row in read_reference("mcml_paper.csv")]
 
 
 def light(row):
