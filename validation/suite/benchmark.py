@@ -9,7 +9,7 @@ import tomllib
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "benchmarks"
 KEYS = {"title", "group", "text", "source", "references", "quick", "not_yet", "missed", "run", "tolerance", "chance", "plot", "picture", "sketch"}
 CHANCE_KEYS = {"misses", "share", "reason"}
-RUN_KEYS = {"name", "case", "set", "when", "balance", "study", "for", "column", "width"}
+RUN_KEYS = {"name", "case", "set", "when", "balance", "study", "for", "column", "width", "sheet"}
 
 
 class Benchmark:

@@ -6,7 +6,7 @@ import dataclasses
 import subprocess
 import time
 
-from suite import column
+from suite import column, sheet
 from suite.result import Result
 from suite.row import judge
 
@@ -70,6 +70,8 @@ def execute(run, outcome, options):
     if not options.keep:
         if "column" in run:
             column.write(options.output / outcome.benchmark.name / "column.msh", run["column"], run.get("width", 1.0))
+        if "sheet" in run:
+            sheet.write(options.output / outcome.benchmark.name / "sheet.msh", run["sheet"])
         code = start([str(options.program), *arguments(run, case, folder)])
         if code not in (0, 1):
             outcome.faults.append(f"{name}: the run failed with exit code {code}")
@@ -87,8 +89,9 @@ def arguments(run, case, folder):
     study = run.get("study")
     words = ["study", str(case), "--refine", study["refine"], "--levels", str(study["levels"]), "--no-plot"] if study else ["run", str(case)]
     words += ["--output", str(folder), "--progress", "none"]
-    if "column" in run:
-        words += ["--set", f'mesh.file="{folder.parent.resolve() / "column.msh"}"']
+    for kind in ("column", "sheet"):
+        if kind in run:
+            words += ["--set", f'mesh.file="{folder.parent.resolve() / kind}.msh"']
     for override in run.get("set", []):
         words += ["--set", override]
     return words

@@ -52,7 +52,7 @@ def figures_of(outcome):
     sketched = [result for result in outcome.results.values() if not (result.folder / "study.json").is_file()]
     if sketched:
         chosen = outcome.results.get(benchmark.sketch.get("run", ""), sketched[0])
-        sketch = draw_sketch(chosen, benchmark.sketch, column_of(benchmark, chosen))
+        sketch = draw_sketch(chosen, benchmark.sketch, mesh_of(benchmark, chosen, "column"), mesh_of(benchmark, chosen, "sheet"))
         if sketch:
             found.append(Figure(f"{benchmark.name}-sketch", "Set-up", "svg", sketch))
     for number, plot in enumerate(benchmark.plots):
@@ -71,9 +71,9 @@ def figures_of(outcome):
     return found
 
 
-def column_of(benchmark, result):
-    """The layers of the column that a run was solved on."""
-    return next((run["column"] for run in benchmark.data["run"] if "column" in run
+def mesh_of(benchmark, result, kind):
+    """The column or sheet that a run was solved on."""
+    return next((run[kind] for run in benchmark.data["run"] if kind in run
                  and "file" in tomllib.loads(result.summary["case"])["mesh"]), None)
 
 

@@ -12,12 +12,15 @@ FILLS = ["#dce9f5", "#f8e3cf", "#d9efe3", "#f3dcea", "#fbf0cc", "#e3e3e3"]
 HATCHES = ["", "//", "..", "xx", "\\\\", "++"]
 
 
-def draw_sketch(result, options, column=None):
-    """The cut `normal` = `at` through the primitives or the layers of a column; None for another mesh from a file."""
+def draw_sketch(result, options, column=None, sheet=None):
+    """The cut `normal` = `at` through the primitives, the layers of a column or the regions of a sheet; None for another mesh from a file."""
     case = tomllib.loads(result.summary["case"])
     if column:
         case["mesh"] = {"box": layers(column)}
         case["probe"] = []
+    if sheet:
+        case["mesh"] = {"box": [{"region": r["name"], "min": [*r["min"], 0], "max": [*r["max"], sheet["thickness"]]}
+                                for r in sheet["regions"]]}
     mesh = case["mesh"]
     if not any(kind in mesh for kind in ("box", "sphere", "cylinder")):
         return None

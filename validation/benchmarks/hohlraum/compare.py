@@ -4,7 +4,7 @@
 from suite.result import read_reference
 from suite.row import Row
 
-WHOLE = 4 / 0.02
+WHOLE = 4 / 0.3
 
 
 def compare(runs):
@@ -14,8 +14,8 @@ def compare(runs):
         "absorption capsule core": WHOLE * h.region("core", "absorbed"),
         "absorption top and bottom walls": WHOLE * h.region("top", "absorbed"),
         "phi mean in 0.05x0.05 box": h.region("probe", "fluence_mean"),
-        "total outflow": WHOLE * (h.wall("lit", "incoming") + h.wall("open", "incoming")),
-        "total inflow": WHOLE * h.wall("lit", "outgoing"),
+        "total outflow": WHOLE * (h.wall("xmax", "incoming") + h.wall("ymax", "incoming")),
+        "total inflow": WHOLE * h.wall("xmax", "outgoing"),
     }
     found = []
     for row in read_reference("hohlraum.csv"):
