@@ -22,14 +22,13 @@ constexpr std::size_t largest_packet = 8;
 /// Which way light passes through a face: from its owner, into its owner, or not at all.
 enum class Passage : signed char { into_owner = -1, none = 0, from_owner = 1 };
 
-std::vector<Passage> passages(const TetrahedralMesh& mesh, const Vec3& direction) {
-  std::vector<Passage> result(static_cast<std::size_t>(mesh.face_count()));
+void find_passages(const TetrahedralMesh& mesh, const Vec3& direction, std::vector<Passage>& result) {
+  result.resize(static_cast<std::size_t>(mesh.face_count()));
   const auto normals = mesh.face_area_normals();
   for (std::size_t f = 0; f < result.size(); ++f) {
     const double a = seen_area(normals[f], direction);
     result[f] = static_cast<Passage>((a > 0) - (a < 0));
   }
-  return result;
 }
 
 /// The faces of one cell, bit k for face k.
@@ -52,14 +51,21 @@ class OrderedWalk {
   };
 
  public:
-  /// `lagged` is [face], or empty where none is.
-  OrderedWalk(const SweepGraph& graph, const std::vector<Passage>& passage, const std::vector<char>& lagged)
+  OrderedWalk(const SweepGraph& graph, const SweepTiles& tiles, LevelOrder levels)
       : graph_(graph),
+        levels_(levels),
         passage_(graph.cell_count()),
         states_(graph.cell_count()),
-        first_recycled_(graph.walls().count()) {
+        free_(states_.size() + 2),
+        done_waiting_(states_.size() + 1),
+        visits_(states_.size()),
+        ready_(states_.size(), tiles) {}
+
+  /// Before each walk. `lagged` is [face], or empty where none is.
+  void prepare(const std::vector<Passage>& passage, const std::vector<char>& lagged) {
+    first_recycled_ = graph_.walls().count();
     for (std::size_t c = 0; c < passage_.size(); ++c) {
-      const SweepGraph::Faces& faces = graph.faces()[c];
+      const SweepGraph::Faces& faces = graph_.faces()[c];
       std::uint32_t out = 0, none = 0, lag = 0;
       for (unsigned k = 0; k < 4; ++k) {
         const auto face = static_cast<std::size_t>(faces.numbers[k]);
@@ -72,7 +78,7 @@ class OrderedWalk {
       const std::uint32_t passing = ~(none | faces.boundary) & all_faces;
       passage_[c] = {static_cast<std::uint8_t>(out & passing & ~lag), static_cast<std::uint8_t>(none),
                      static_cast<std::uint8_t>(passing), static_cast<std::uint8_t>(out)};
-      states_[c] = {graph.walls().of_cells()[c],
+      states_[c] = {graph_.walls().of_cells()[c],
                     static_cast<std::int16_t>(std::popcount(passing & ~out & ~lag)),
                     static_cast<std::int16_t>(1 + std::popcount(passing))};
     }
@@ -86,35 +92,33 @@ class OrderedWalk {
   }
 
   /// Fewer visits than cells where cycles are left.
-  void run(const SweepTiles& tiles, const Vec3& direction, LevelOrder levels, SweepOrder& order) {
-    order.visits.clear();
+  void run(const Vec3& direction, SweepOrder& order) {
     order.levels.assign(1, 0);
     order.steps.assign(1, 0);
-    order.visits.reserve(states_.size());
     // One before the stack and one behind it are read and written where nothing is taken or given back.
-    free_.resize(states_.size() + 2);
     for (std::size_t i = 0; i < states_.size(); ++i)
       free_[1 + i] = first_recycled_ + static_cast<std::uint32_t>(states_.size() - 1 - i);
     free_end_ = free_.data() + 1 + states_.size();
-    done_waiting_.resize(states_.size() + 1);
-    ReadyCells ready(states_.size(), tiles, direction);
+    next_visit_ = visits_.data();
+    largest_slot_ = first_recycled_ - 1;
+    ready_.begin(direction);
     for (std::size_t c = 0; c < states_.size(); ++c)
-      if (states_[c].waiting == 0) ready.add(static_cast<std::uint32_t>(c));
+      if (states_[c].waiting == 0) ready_.add(static_cast<std::uint32_t>(c));
     std::vector<std::uint32_t> level;
-    while (ready.open_next()) {
-      for (ready.move_to(level); !level.empty(); ready.move_to(level)) {
+    while (ready_.open_next()) {
+      for (ready_.move_to(level); !level.empty(); ready_.move_to(level)) {
         // What would not fill the last packet waits for the next level.
         const std::size_t size =
             level.size() < largest_packet ? level.size() : level.size() / largest_packet * largest_packet;
-        if (levels == LevelOrder::alike) sort_by_passage(std::span(level).first(size));
-        visit_level(std::span(level).first(size), order, ready);
+        if (levels_ == LevelOrder::alike) sort_by_passage(std::span(level).first(size));
+        visit_level(std::span(level).first(size));
+        order.levels.push_back(static_cast<std::int32_t>(next_visit_ - visits_.data()));
         level.erase(level.begin(), level.begin() + static_cast<std::ptrdiff_t>(size));
       }
       order.steps.push_back(static_cast<std::int32_t>(order.levels.size()) - 1);
     }
-    order.slot_count = first_recycled_;
-    for (const SweepVisit& visit : order.visits)
-      order.slot_count = std::max(order.slot_count, visit.slot + 1);
+    order.visits.assign(visits_.data(), next_visit_);
+    order.slot_count = largest_slot_ + 1;
   }
 
   bool is_waiting(std::int32_t cell) const { return states_[static_cast<std::size_t>(cell)].waiting > 0; }
@@ -124,6 +128,7 @@ class OrderedWalk {
   struct Ends {
     std::uint32_t* free_slots;
     std::uint32_t* done_waiting;
+    std::uint32_t largest_slot;
   };
 
   /// Those alike keep their order.
@@ -135,15 +140,17 @@ class OrderedWalk {
     for (const std::uint32_t cell : unsorted_) level[begin[passage_[cell].out]++] = cell;
   }
 
-  void visit_level(std::span<const std::uint32_t> level, SweepOrder& order, ReadyCells& ready) {
-    Ends ends{free_end_, done_waiting_.data()};
-    for (const std::uint32_t cell : level) visit(cell, order.visits.emplace_back(), ends);
+  void visit_level(std::span<const std::uint32_t> level) {
+    Ends ends{free_end_, done_waiting_.data(), largest_slot_};
+    SweepVisit* next = next_visit_;
+    for (const std::uint32_t cell : level) visit(cell, *next++, ends);
+    next_visit_ = next;
     free_end_ = ends.free_slots;
+    largest_slot_ = ends.largest_slot;
     for (const std::uint32_t* cell = done_waiting_.data(); cell != ends.done_waiting; ++cell) {
       __builtin_prefetch(&graph_.behind()[*cell]);
-      ready.add(*cell);
+      ready_.add(*cell);
     }
-    order.levels.push_back(static_cast<std::int32_t>(order.visits.size()));
   }
 
   [[gnu::always_inline]] void visit(std::uint32_t c, SweepVisit& result, Ends& ends) {
@@ -151,7 +158,9 @@ class OrderedWalk {
     const CellPassage passage = passage_[c];
     result.cell_and_parallel = c | static_cast<std::uint32_t>(passage.parallel) << visit_cell_bits;
     result.slot = take(states_[c], ends);
+    ends.largest_slot = std::max(ends.largest_slot, result.slot);
     for (unsigned k = 0; k < 4; ++k) {
+      result.faces[k] = 0;
       if ((passage.parallel >> k & 1) != 0) continue;
       result.faces[k] = behind[k];
       if ((passage.passing >> k & 1) == 0) continue;
@@ -186,13 +195,18 @@ class OrderedWalk {
   }
 
   const SweepGraph& graph_;
+  LevelOrder levels_;
   std::vector<CellPassage> passage_;
   std::vector<State> states_;  ///< [cell]
-  std::uint32_t first_recycled_;
+  std::uint32_t first_recycled_ = 0;
+  std::uint32_t largest_slot_ = 0;
   std::vector<std::uint32_t> free_;  ///< a stack: slots given back above those never taken
   std::uint32_t* free_end_ = nullptr;
   std::vector<std::uint32_t> done_waiting_;  ///< scratch: what becomes ready in one level
   std::vector<std::uint32_t> unsorted_;      ///< scratch: a level
+  std::vector<SweepVisit> visits_;  ///< as many as there are cells, and those before the next are done
+  SweepVisit* next_visit_ = nullptr;
+  ReadyCells ready_;
 };
 
 /// Faces to lag so that the cells that still wait can be ordered.
@@ -223,22 +237,32 @@ LaggedFace lagged_face(const TetrahedralMesh& mesh, FaceIndex face, Passage pass
 
 }  // namespace
 
-SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction, const SweepTiles& tiles,
-                            LevelOrder levels) {
-  const TetrahedralMesh& mesh = graph.mesh();
+struct SweepOrderMaker::Memory {
+  OrderedWalk walk;
+  std::vector<Passage> passage;  ///< [face]
+};
+
+SweepOrderMaker::SweepOrderMaker(const SweepGraph& graph, const SweepTiles& tiles, LevelOrder levels)
+    : mesh_(graph.mesh()), memory_(new Memory{OrderedWalk(graph, tiles, levels), {}}) {}
+
+SweepOrderMaker::~SweepOrderMaker() = default;
+
+SweepOrder SweepOrderMaker::make(const Vec3& direction) {
+  OrderedWalk& walk = memory_->walk;
+  std::vector<Passage>& passage = memory_->passage;
+  find_passages(mesh_, direction, passage);
   SweepOrder order;
-  const std::vector<Passage> passage = passages(mesh, direction);
   std::vector<char> lagged;
-  OrderedWalk walk(graph, passage, lagged);
-  walk.run(tiles, direction, levels, order);
-  if (order.visits.size() == static_cast<std::size_t>(mesh.cell_count())) return order;
-  const std::vector<std::int32_t> faces = faces_to_lag(mesh, direction, passage, walk);
+  walk.prepare(passage, lagged);
+  walk.run(direction, order);
+  if (order.visits.size() == static_cast<std::size_t>(mesh_.cell_count())) return order;
+  const std::vector<std::int32_t> faces = faces_to_lag(mesh_, direction, passage, walk);
   lagged.assign(passage.size(), 0);
   for (const std::int32_t f : faces) lagged[static_cast<std::size_t>(f)] = 1;
-  OrderedWalk again(graph, passage, lagged);
+  walk.prepare(passage, lagged);
   for (const std::int32_t f : faces)
-    order.lagged.push_back(lagged_face(mesh, FaceIndex(f), passage[static_cast<std::size_t>(f)], again));
-  again.run(tiles, direction, levels, order);
+    order.lagged.push_back(lagged_face(mesh_, FaceIndex(f), passage[static_cast<std::size_t>(f)], walk));
+  walk.run(direction, order);
   return order;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
@@ -44,10 +45,22 @@ inline double seen_area(const Vec3& area_normal, const Vec3& direction) {
 /// the same way, for kernels that leave out the faces through which none enters.
 enum class LevelOrder { neighbours, alike };
 
-/// The order for one direction. Every cell stands behind all cells that
-/// send light into it, but for lagged faces (Tarjan's components, then a greedy feedback arc set; none is
-/// expected on Delaunay meshes).
-SweepOrder make_sweep_order(const SweepGraph& graph, const Vec3& direction, const SweepTiles& tiles,
-                            LevelOrder levels);
+/// Makes the orders of one direction after the other, each in the memory that the last one needed.
+class SweepOrderMaker {
+ public:
+  /// The arguments must outlive it.
+  SweepOrderMaker(const SweepGraph& graph, const SweepTiles& tiles, LevelOrder levels);
+  ~SweepOrderMaker();
+
+  /// The order for one direction. Every cell stands behind all cells that send light into it, but for lagged
+  /// faces (Tarjan's components, then a greedy feedback arc set; none is expected on Delaunay meshes).
+  SweepOrder make(const Vec3& direction);
+
+ private:
+  struct Memory;
+
+  const TetrahedralMesh& mesh_;
+  std::unique_ptr<Memory> memory_;
+};
 
 }  // namespace etendue

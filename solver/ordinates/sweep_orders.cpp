@@ -18,13 +18,17 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
   kept_count_ = static_cast<int>(std::min(orders_.size(), bytes / std::max<std::size_t>(one, 1)));
   std::vector<std::size_t> lagged(orders_.size(), 0);
   std::vector<std::uint32_t> slots(orders_.size(), 0);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-  for (std::int32_t pair = 0; pair < pairs; ++pair) {
-    const auto p = static_cast<std::size_t>(pair);
-    SweepOrder order = make(pair);
-    lagged[p] = order.lagged.size();
-    slots[p] = order.slot_count;
-    if (pair < kept_count_) orders_[p] = std::move(order);
+#pragma omp parallel num_threads(threads)
+  {
+    SweepOrderMaker maker(graph_, tiles_, levels_);
+#pragma omp for schedule(dynamic, 1)
+    for (std::int32_t pair = 0; pair < pairs; ++pair) {
+      const auto p = static_cast<std::size_t>(pair);
+      SweepOrder order = maker.make(direction(pair));
+      lagged[p] = order.lagged.size();
+      slots[p] = order.slot_count;
+      if (pair < kept_count_) orders_[p] = std::move(order);
+    }
   }
   lagged_start_.push_back(0);
   for (const std::size_t count : lagged) lagged_start_.push_back(lagged_start_.back() + count);
@@ -34,13 +38,12 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
 const SweepOrder& SweepOrders::of_pair(std::int32_t pair, SweepOrder& scratch) const {
   const auto& kept = orders_[static_cast<std::size_t>(pair)];
   if (kept) return *kept;
-  scratch = make(pair);
+  scratch = SweepOrderMaker(graph_, tiles_, levels_).make(direction(pair));
   return scratch;
 }
 
-SweepOrder SweepOrders::make(std::int32_t pair) const {
-  return make_sweep_order(graph_, directions_.direction(OrdinateIndex(std::int64_t{2} * pair)), tiles_,
-                          levels_);
+const Vec3& SweepOrders::direction(std::int32_t pair) const {
+  return directions_.direction(OrdinateIndex(std::int64_t{2} * pair));
 }
 
 }  // namespace etendue

@@ -36,7 +36,7 @@ class SweepOrders {
   const WallSlots& walls() const { return graph_.walls(); }
 
  private:
-  SweepOrder make(std::int32_t pair) const;
+  const Vec3& direction(std::int32_t pair) const;  ///< of its first ordinate
 
   SweepGraph graph_;
   SweepTiles tiles_;

@@ -78,8 +78,9 @@ std::vector<double> swept_plainly(const Problem& problem, const Vec3& direction,
   const CellCoefficients cells(mesh, extinction, 1, Basis::linear, lumping);
   std::vector<double> radiance(4 * static_cast<std::size_t>(mesh.cell_count()));
   const SweepTiles tiles(mesh, static_cast<std::size_t>(mesh.cell_count()));
-  for (const SweepVisit& visit :
-       make_sweep_order(SweepGraph(mesh), direction, tiles, LevelOrder::neighbours).visits) {
+  const SweepGraph graph(mesh);
+  const SweepOrder order = SweepOrderMaker(graph, tiles, LevelOrder::neighbours).make(direction);
+  for (const SweepVisit& visit : order.visits) {
     const CellIndex cell(visited_cell(visit));
     double a[4], right[4], u[4];
     for (std::size_t f = 0; f < 4; ++f) {

@@ -29,8 +29,9 @@ std::set<std::uint32_t> visited_cells(const SweepOrder& order) {
 /// With all cells in one tile, or some in each.
 SweepOrder order_along(const TetrahedralMesh& mesh, const Vec3& direction, int cells_per_tile = 1 << 30,
                        LevelOrder levels = LevelOrder::neighbours) {
-  return make_sweep_order(SweepGraph(mesh), direction,
-                          SweepTiles(mesh, static_cast<std::size_t>(cells_per_tile)), levels);
+  const SweepGraph graph(mesh);
+  const SweepTiles tiles(mesh, static_cast<std::size_t>(cells_per_tile));
+  return SweepOrderMaker(graph, tiles, levels).make(direction);
 }
 
 void expect_cells_after_upwind_cells(const TetrahedralMesh& mesh, int cells_per_tile,
@@ -93,7 +94,8 @@ TEST(SweepOrder, VisitsACellAsSoonAsItsTileIsOpenAndItsUpwindCellsAreVisited) {
   const SweepTiles tiles(mesh, 100);
   ASSERT_GT(tiles.count(), 4);
   const Vec3 direction = Vec3(0.3, -0.5, 0.8).normalized();
-  const SweepOrder order = make_sweep_order(SweepGraph(mesh), direction, tiles, LevelOrder::neighbours);
+  const SweepGraph graph(mesh);
+  const SweepOrder order = SweepOrderMaker(graph, tiles, LevelOrder::neighbours).make(direction);
   ASSERT_EQ(order.steps.size(), static_cast<std::size_t>(tiles.count()) + 1);
   std::vector<std::int32_t> step(order.visits.size());
   for (std::size_t s = 0; s + 1 < order.steps.size(); ++s)
