@@ -85,7 +85,7 @@ struct SweepKernels {
 /// Bands rounded up to the lanes that the kernels compute side by side.
 int lane_stride(int bands);
 
-/// Whether the kernels leave out the faces of a cell through which no light enters, with so many bands.
+/// Whether some kernels leave out the faces of a cell through which no light enters, with so many bands.
 bool skips_faces(int stride);
 
 /// The kernels for this machine: the widest instruction set that it has, or the one that the environment
