@@ -116,7 +116,6 @@ void TransportSweep::make_workspaces() {
   threads_ = std::min(threads_, schedule_.batch_count());
   // Where a batch is done in less time than threads need to meet, one is faster.
   if (std::int64_t{problem_.mesh().cell_count()} * schedule_.batch() < smallest_shared_batch) threads_ = 1;
-  const std::size_t rows = scattering_.row_count() > 0 ? scattering_.row_count() + 1 : 0;
   for (int t = 0; t < threads_; ++t) {
     auto work = std::make_unique<Workspace>();
     const std::size_t members = is_tiled() ? static_cast<std::size_t>(largest_group) : 1;
@@ -128,8 +127,7 @@ void TransportSweep::make_workspaces() {
                                 static_cast<std::size_t>(cells_.stride())};
     work->fluence = AlignedArray(fluence_size() + cells_.cell_length());
     work->irradiance = AlignedArray(walls_.irradiance_size());
-    work->angular =
-        AlignedArray(static_cast<std::size_t>(schedule_.batch()) * rows * scattering_.row_length());
+    work->angular = AlignedArray(static_cast<std::size_t>(schedule_.batch()) * angular_length());
     if (!dense_.empty()) work->records = AlignedArray(records_.size());
     workspaces_.push_back(std::move(work));
   }

@@ -141,6 +141,7 @@ class TransportSweep {
   bool is_tiled() const { return orders_->step_count() > 1; }
   /// Whether ordinates pass one after the other, because they share more than what visits add to.
   bool pass_alone(const SweepRecord* record) const;
+  std::size_t angular_length() const;  ///< doubles of the rows of one ordinate
   double* angular_at(std::int32_t place, Workspace& work) const;
   std::vector<double*> angular_rows(std::int32_t batch, Workspace& work) const;
   /// What the products of both ways between moments and the rows of a batch have in common.

@@ -7,11 +7,25 @@
 #include "solver/ordinates/transport_sweep.h"
 
 namespace etendue {
+namespace {
+
+/// Doubles, rounded up to cache lines.
+std::size_t whole_lines(std::size_t length) { return (length + 7) / 8 * 8; }
+
+}  // namespace
+
+// The scratch row ends with a cache line, so that wide lanes do not straddle two of them in the rows behind
+// it.
+std::size_t TransportSweep::angular_length() const {
+  if (scattering_.row_count() == 0) return 0;
+  return whole_lines(scattering_.row_length()) +
+         whole_lines(scattering_.row_count() * scattering_.row_length());
+}
 
 double* TransportSweep::angular_at(std::int32_t place, Workspace& work) const {
   if (work.angular.size() == 0) return nullptr;
-  return work.angular.data() + static_cast<std::size_t>(place % schedule_.batch()) *
-                                   (scattering_.row_count() + 1) * scattering_.row_length();
+  return work.angular.data() + static_cast<std::size_t>(place % schedule_.batch()) * angular_length() +
+         whole_lines(scattering_.row_length()) - scattering_.row_length();
 }
 
 std::vector<double*> TransportSweep::angular_rows(std::int32_t batch, Workspace& work) const {
