@@ -33,8 +33,13 @@ def compare_thicknesses(runs, table):
         g, tau = (float(word.split()[1]) for word in name.split(", "))
         for band in result.bands:
             if (g, tau, float(band)) in known:
-                found += part_rows(f"{name}, albedo {band}", parts(result, band), known[g, tau, float(band)])
+                found += part_rows(f"{name}, albedo {band}", parts(result, band, *lit_and_dark(result)), known[g, tau, float(band)])
     return found
+
+
+def lit_and_dark(result):
+    """The walls' names; on a column those of its ends."""
+    return ("lit", "dark") if "lit" in result.walls() else ("zmin", "zmax")
 
 
 def part_rows(label, computed, row):
