@@ -10,6 +10,9 @@
 namespace etendue {
 namespace {
 
+/// Whether a moment's harmonic has the same value in opposite directions, or the opposite one.
+enum class Parity { even, odd };
+
 /// Sums that are kept in registers while their factors run by.
 constexpr int moment_block = 4;
 
@@ -46,44 +49,60 @@ class MomentRows {
         moments_(task.moment_rows + row * row_step_ + x),
         at_(row * task.row_length + x) {}
 
-  /// Directions first ... first + Count - 1 from all moments.
+  /// Pairs first ... first + Count - 1 from all moments.
   template <int Count>
   ETENDUE_KERNEL_MEMBER void expand(int first) const {
-    Lanes<W> sum[Count] = {};
-    for (int k = 0; k < task_.moments; ++k) {
-      const Lanes<W> values = load_rows<Rows, W>(moment(k), row_step_);
-      ETENDUE_UNROLL
-      for (int m = 0; m < Count; ++m)
-        sum[m] += task_.matrix[static_cast<std::ptrdiff_t>(first + m) * task_.moments + k] * values;
-    }
+    Lanes<W> even[Count] = {}, odd[Count] = {};
+    add_moments<Count>(first, 0, task_.even_moments, even);
+    add_moments<Count>(first, task_.even_moments, task_.moments, odd);
     ETENDUE_UNROLL
-    for (int m = 0; m < Count; ++m) store_lanes<W>(task_.direction_rows[first + m] + at_, sum[m]);
+    for (int p = 0; p < Count; ++p) {
+      store_lanes<W>(direction(first + p) + at_, even[p] + odd[p]);
+      store_lanes<W>(opposite(first + p) + at_, even[p] - odd[p]);
+    }
   }
 
-  /// Moments first ... first + Count - 1 gain from all directions.
-  template <int Count>
+  /// Moments first ... first + Count - 1 of the order, all of one parity, gain from all directions.
+  template <Parity parity, int Count>
   ETENDUE_KERNEL_MEMBER void collect(int first) const {
     Lanes<W> sum[Count];
     ETENDUE_UNROLL
     for (int k = 0; k < Count; ++k) sum[k] = load_rows<Rows, W>(moment(first + k), row_step_);
-    for (int m = 0; m < task_.directions; ++m) {
-      const Lanes<W> radiance = load_lanes<W>(task_.direction_rows[m] + at_);
+    for (int p = 0; p < task_.pairs; ++p) {
+      const Lanes<W> there = load_lanes<W>(direction(p) + at_);
+      const Lanes<W> back = load_lanes<W>(opposite(p) + at_);
+      const Lanes<W> radiance = parity == Parity::even ? there + back : there - back;
       ETENDUE_UNROLL
-      for (int k = 0; k < Count; ++k)
-        sum[k] += task_.matrix[static_cast<std::ptrdiff_t>(m) * task_.moments + first + k] * radiance;
+      for (int k = 0; k < Count; ++k) sum[k] += factor(p, first + k) * radiance;
     }
     ETENDUE_UNROLL
     for (int k = 0; k < Count; ++k) store_rows<Rows, W>(moment(first + k), row_step_, sum[k]);
   }
 
   ETENDUE_KERNEL_MEMBER void fetch_radiance_ahead() const {
-    for (int m = 0; m < task_.directions; ++m)
-      __builtin_prefetch(task_.direction_rows[m] + at_ + radiance_ahead * task_.row_length);
+    for (int p = 0; p < task_.pairs; ++p) {
+      __builtin_prefetch(direction(p) + at_ + radiance_ahead * task_.row_length);
+      __builtin_prefetch(opposite(p) + at_ + radiance_ahead * task_.row_length);
+    }
   }
 
  private:
+  template <int Count>
+  ETENDUE_KERNEL_MEMBER void add_moments(int first, int begin, int end, Lanes<W> (&sum)[Count]) const {
+    for (int k = begin; k < end; ++k) {
+      const Lanes<W> values = load_rows<Rows, W>(moment(k), row_step_);
+      ETENDUE_UNROLL
+      for (int p = 0; p < Count; ++p) sum[p] += factor(first + p, k) * values;
+    }
+  }
+
+  ETENDUE_KERNEL_MEMBER double* direction(int pair) const { return task_.direction_rows[2 * pair]; }
+  ETENDUE_KERNEL_MEMBER double* opposite(int pair) const { return task_.direction_rows[2 * pair + 1]; }
+  ETENDUE_KERNEL_MEMBER double factor(int pair, int k) const {
+    return task_.matrix[static_cast<std::ptrdiff_t>(pair) * task_.moments + k];
+  }
   ETENDUE_KERNEL_MEMBER double* moment(int k) const {
-    return moments_ + static_cast<std::size_t>(k) * task_.row_length;
+    return moments_ + static_cast<std::size_t>(task_.order[k]) * task_.row_length;
   }
 
   const MomentTask& task_;
@@ -96,10 +115,21 @@ template <int Rows, int W>
 ETENDUE_KERNEL_INLINE void expand_rows(const MomentTask& task, std::size_t row) {
   for (std::size_t x = 0; x < task.row_length; x += W / Rows) {
     const MomentRows<Rows, W> rows(task, row, x);
-    int m = 0;
-    for (; m + moment_block <= task.directions; m += moment_block) rows.template expand<moment_block>(m);
-    for (; m < task.directions; ++m) rows.template expand<1>(m);
+    int p = 0;
+    for (; p + moment_block <= task.pairs; p += moment_block) rows.template expand<moment_block>(p);
+    for (; p < task.pairs; ++p) rows.template expand<1>(p);
   }
+}
+
+template <Parity parity, int Rows, int W>
+ETENDUE_KERNEL_INLINE void collect_parity(const MomentRows<Rows, W>& rows, int first, int end) {
+  for (; first + moment_block <= end; first += moment_block)
+    rows.template collect<parity, moment_block>(first);
+  if (first + 2 <= end) {
+    rows.template collect<parity, 2>(first);
+    first += 2;
+  }
+  if (first < end) rows.template collect<parity, 1>(first);
 }
 
 template <int Rows, int W>
@@ -107,9 +137,8 @@ ETENDUE_KERNEL_INLINE void collect_rows(const MomentTask& task, std::size_t row)
   for (std::size_t x = 0; x < task.row_length; x += W / Rows) {
     const MomentRows<Rows, W> rows(task, row, x);
     rows.fetch_radiance_ahead();
-    int k = 0;
-    for (; k + moment_block <= task.moments; k += moment_block) rows.template collect<moment_block>(k);
-    for (; k < task.moments; ++k) rows.template collect<1>(k);
+    collect_parity<Parity::even>(rows, 0, task.even_moments);
+    collect_parity<Parity::odd>(rows, task.even_moments, task.moments);
   }
 }
 

@@ -83,6 +83,8 @@ OrdinateSchedule::OrdinateSchedule(const Problem& problem, const DirectionSet& d
                        const Vec3& right = directions.direction(OrdinateIndex(b));
                        return std::pair(turns(left), octant(left)) < std::pair(turns(right), octant(right));
                      });
+  place_of_.resize(ordinates_.size());
+  for (std::int32_t place = 0; place < place_count(); ++place) place_of_[ordinate(place).at()] = place;
   find_groups(directions);
 }
 

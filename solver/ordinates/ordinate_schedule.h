@@ -31,6 +31,8 @@ class OrdinateSchedule {
   OrdinateIndex ordinate(std::int32_t place) const {
     return OrdinateIndex(ordinates_[static_cast<std::size_t>(place)]);
   }
+  /// Opposite ordinates lie in one batch.
+  std::int32_t place_of(OrdinateIndex m) const { return place_of_[m.at()]; }
   std::int32_t batch() const { return batch_; }  ///< ordinates of one batch, but for the last
   std::int32_t batch_count() const { return (place_count() + batch_ - 1) / batch_; }
   std::int32_t place_count() const { return static_cast<std::int32_t>(ordinates_.size()); }
@@ -48,6 +50,7 @@ class OrdinateSchedule {
 
   std::int32_t batch_;
   std::vector<std::int32_t> ordinates_;  ///< [place]
+  std::vector<std::int32_t> place_of_;   ///< [ordinate]
   std::vector<std::int32_t> group_end_;  ///< [place]
   /// [axis] the sign of the component of ordinates that come after their mirror images; 0: there is no
   /// mirror.

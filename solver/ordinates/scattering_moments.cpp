@@ -2,6 +2,7 @@
 #include "solver/ordinates/scattering_moments.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace etendue {
 namespace {
@@ -45,13 +46,19 @@ void ScatteringMoments::find_angular_cells(std::span<const CellIndex> observed) 
 }
 
 void ScatteringMoments::fill_factors(const OrdinateSchedule& schedule) {
-  for (std::int32_t place = 0; place < directions_.count(); ++place)
-    for (int k = 0; k < moment_count(); ++k) {
-      const OrdinateIndex m = schedule.ordinate(place);
-      const double value = harmonics_.value(k, m);
-      evaluation_.push_back(value);
-      integration_.push_back(value * directions_.weight(m));
+  order_.resize(count());
+  std::iota(order_.begin(), order_.end(), 0);
+  const auto odd = std::stable_partition(order_.begin(), order_.end(),
+                                         [&](int k) { return harmonics_.degree_of(k) % 2 == 0; });
+  even_moments_ = static_cast<int>(odd - order_.begin());
+  for (std::int32_t place = 0; place < directions_.count(); ++place) {
+    const OrdinateIndex m = schedule.ordinate(place);
+    for (const int k : order_) {
+      if (m.value() % 2 != 0) break;
+      evaluation_.push_back(harmonics_.value(k, m));
+      integration_.push_back(harmonics_.value(k, m) * directions_.weight(m));
     }
+  }
   const auto stride = static_cast<std::size_t>(cells_.stride());
   phase_moments_.assign(problem_.media().size() * count() * stride, 0);
   for (std::size_t region = 0; region < problem_.media().size(); ++region)

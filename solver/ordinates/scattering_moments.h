@@ -41,13 +41,17 @@ class ScatteringMoments {
   const std::int32_t* index() const { return angular_cells_.empty() ? nullptr : index_.data(); }
   std::int32_t row(CellIndex cell) const { return index_[cell.at()]; }
   std::span<const std::int32_t> angular_cells() const { return angular_cells_; }
-  /// [place in the schedule][moment] Y_k(w_m)
-  const double* evaluation(std::int32_t place) const {
-    return &evaluation_[static_cast<std::size_t>(place) * count()];
+  /// The moments, those of even degree first, as the factors of opposite ordinates have them.
+  const std::vector<int>& order() const { return order_; }
+  int even_moments() const { return even_moments_; }
+  /// [pair of opposite ordinates, as they come in the schedule][moment in that order] Y_k of the even
+  /// ordinate
+  const double* evaluation(std::int32_t pair) const {
+    return &evaluation_[static_cast<std::size_t>(pair) * count()];
   }
-  /// [place in the schedule][moment] w_m Y_k(w_m)
-  const double* integration(std::int32_t place) const {
-    return &integration_[static_cast<std::size_t>(place) * count()];
+  /// w_m Y_k, likewise
+  const double* integration(std::int32_t pair) const {
+    return &integration_[static_cast<std::size_t>(pair) * count()];
   }
 
   /// Right-hand sides of emission and scattering of a state, for cells first … last - 1: the isotropic part
@@ -74,6 +78,8 @@ class ScatteringMoments {
   std::size_t row_length_;
   std::vector<std::int32_t> index_;
   std::vector<std::int32_t> angular_cells_;
+  std::vector<int> order_;
+  int even_moments_ = 0;
   std::vector<double> evaluation_;
   std::vector<double> integration_;
   std::vector<double> phase_moments_;  ///< [region][moment][stride]

@@ -45,14 +45,18 @@ struct SweepTask {
   FixupCensus* census = nullptr;    ///< [band, padded]; of sweep_positive
 };
 
-/// A small dense product between moments and directions, row by row, for the angular cells.
+/// A small dense product between moments and directions, row by row, for the angular cells. Directions come
+/// in pairs of opposites, where harmonics of even degree have the same value and those of odd degree the
+/// opposite one, so that sums over either kind serve both.
 struct MomentTask {
   std::size_t row_length = 0;  ///< doubles of one row: nodes times stride
   int moments = 0;
-  int directions = 0;
-  const double* matrix = nullptr;           ///< [direction][moment]
+  int even_moments = 0;        ///< of them, those of even degree
+  const int* order = nullptr;  ///< [moment] the even ones first
+  int pairs = 0;
+  const double* matrix = nullptr;           ///< [pair][moment, in that order] of the first direction
   double* moment_rows = nullptr;            ///< [row][moment][row_length]
-  double* const* direction_rows = nullptr;  ///< [direction] -> [row][row_length]
+  double* const* direction_rows = nullptr;  ///< [pair][direction, opposite] -> [row][row_length]
   std::size_t first_row = 0;                ///< work on rows first_row … last_row - 1
   std::size_t last_row = 0;
 };

@@ -288,7 +288,7 @@ void TransportSweep::merge_moments(std::size_t first, std::size_t last, std::int
                                    TransportState& next) const {
   const std::vector<double*> rows = angular_rows(batch, work);
   MomentTask task = moment_task(rows);
-  task.matrix = scattering_.integration(batch * schedule_.batch());
+  task.matrix = scattering_.integration(batch * schedule_.batch() / 2);
   task.moment_rows = next.moments().data();
   task.first_row = first;
   task.last_row = last;

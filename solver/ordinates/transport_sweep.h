@@ -143,6 +143,7 @@ class TransportSweep {
   bool pass_alone(const SweepRecord* record) const;
   std::size_t angular_length() const;  ///< doubles of the rows of one ordinate
   double* angular_at(std::int32_t place, Workspace& work) const;
+  /// [pair of opposite ordinates of a batch][2]
   std::vector<double*> angular_rows(std::int32_t batch, Workspace& work) const;
   /// What the products of both ways between moments and the rows of a batch have in common.
   MomentTask moment_task(const std::vector<double*>& rows) const;

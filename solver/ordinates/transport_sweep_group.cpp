@@ -30,8 +30,12 @@ double* TransportSweep::angular_at(std::int32_t place, Workspace& work) const {
 
 std::vector<double*> TransportSweep::angular_rows(std::int32_t batch, Workspace& work) const {
   std::vector<double*> rows;
-  for (std::int32_t place = batch * schedule_.batch(); place < schedule_.batch_end(batch); ++place)
-    rows.push_back(angular_at(place, work) + scattering_.row_length());
+  for (std::int32_t place = batch * schedule_.batch(); place < schedule_.batch_end(batch); ++place) {
+    const OrdinateIndex m = schedule_.ordinate(place);
+    if (m.value() % 2 != 0) continue;
+    for (const std::int32_t at : {place, schedule_.place_of(OrdinateIndex(m.value() + 1))})
+      rows.push_back(angular_at(at, work) + scattering_.row_length());
+  }
   return rows;
 }
 
@@ -39,7 +43,9 @@ MomentTask TransportSweep::moment_task(const std::vector<double*>& rows) const {
   MomentTask task;
   task.row_length = scattering_.row_length();
   task.moments = scattering_.moment_count();
-  task.directions = static_cast<int>(rows.size());
+  task.even_moments = scattering_.even_moments();
+  task.order = scattering_.order().data();
+  task.pairs = static_cast<int>(rows.size() / 2);
   task.direction_rows = rows.data();
   return task;
 }
@@ -53,7 +59,7 @@ void TransportSweep::form_angular_source(std::int32_t batch, Workspace& work) {
   const std::int32_t end = schedule_.batch_end(batch);
   const std::vector<double*> rows = angular_rows(batch, work);
   MomentTask task = moment_task(rows);
-  task.matrix = scattering_.evaluation(first);
+  task.matrix = scattering_.evaluation(first / 2);
   task.moment_rows = moment_source_.data();
   task.last_row = scattering_.row_count();
   kernels_.moments_to_directions(task);

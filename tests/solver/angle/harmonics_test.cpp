@@ -99,6 +99,24 @@ TEST(DiscreteHarmonics, AreOrthonormalOnEverySet) {
   }
 }
 
+TEST(DiscreteHarmonics, OfOddDegreesAndNoOthersChangeTheirSignInOppositeDirections) {
+  std::vector<DirectionSet> sets = sets_to_test();
+  sets.push_back(directions_flatland(32));
+  for (const DirectionSet& set : sets) {
+    const DiscreteHarmonics harmonics(set, 7);
+    double largest = 0;
+    for (std::int32_t m = 0; m < set.count(); m += 2) {
+      EXPECT_DOUBLE_EQ(set.weight(OrdinateIndex(m)), set.weight(OrdinateIndex(m + 1)));
+      for (int k = 0; k < harmonics.count(); ++k) {
+        const double sign = harmonics.degree_of(k) % 2 == 0 ? 1 : -1;
+        const double there = harmonics.value(k, OrdinateIndex(m));
+        largest = std::max(largest, std::abs(harmonics.value(k, OrdinateIndex(m + 1)) - sign * there));
+      }
+    }
+    EXPECT_LT(largest, 1e-13) << label(set);
+  }
+}
+
 TEST(DiscreteHarmonics, BeginWithOneAndTheDirection) {
   const DirectionSet set = directions_ldfe_sq(1);
   const DiscreteHarmonics harmonics(set, 3);

@@ -58,6 +58,9 @@ TEST(OrdinateSchedule, GroupsHoldOrdinatesOfOneOctantAndEveryOneOnce) {
           EXPECT_EQ(signs(set.direction(schedule.ordinate(place))),
                     signs(set.direction(schedule.ordinate(first))));
           seen.insert(schedule.ordinate(place).value());
+          const OrdinateIndex opposite(schedule.ordinate(place).value() ^ 1);
+          EXPECT_EQ(schedule.ordinate(schedule.place_of(opposite)), opposite);
+          EXPECT_EQ(schedule.place_of(opposite) / schedule.batch(), first / schedule.batch());
         }
       }
       EXPECT_EQ(seen.size(), static_cast<std::size_t>(set.count()));
