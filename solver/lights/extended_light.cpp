@@ -12,39 +12,46 @@
 namespace etendue {
 namespace {
 
-/// The sum of beams in one band.
+/// Less than that is nothing, but its logarithm is a number.
+constexpr double least_transmittance = 1e-300;
+/// Newton's steps end where they change the optical depth by less than that.
+constexpr double last_step = 1e-13;
+constexpr int most_steps = 50;
+
+/// Beams in one band as they would arrive through even matter.
 struct BeamSum {
   double fluence = 0;
   Vec3 flux = Vec3::Zero();
   double way = 0;  ///< fluence times length
 
-  BeamSum() = default;
-  BeamSum(const LightBeams& beams, std::size_t band) {
-    for (std::size_t i = 0; i < beams.size(); ++i) add(beams, i, band);
-  }
-  void add(const LightBeams& beams, std::size_t i, std::size_t band) {
-    const double value = beams.fluence(i)[band];
-    fluence += value;
-    flux += value * beams.direction(i);
-    way += value * beams.distance(i);
+  BeamSum(const LightBeams& beams, std::size_t band, double extinction = 0) {
+    for (std::size_t i = 0; i < beams.size(); ++i) {
+      const double value = beams.fluence(i)[band] * std::exp(-extinction * beams.distance(i));
+      fluence += value;
+      flux += value * beams.direction(i);
+      way += value * beams.distance(i);
+    }
   }
 };
 
-/// What arrives of clear light.
-struct Arrived {
-  double fluence;
-  Vec3 flux;
-
-  Arrived(const ClearLight& clear, std::size_t band, const WayLoss& loss)
-      : fluence(clear.fluence[band] * loss.visible *
-                std::exp(-std::max(0.0, loss.extinction) * clear.way[band])),
-        flux(fluence > 0 ? Vec3(fluence * (clear.flux[band] / clear.fluence[band] + loss.turn))
-                         : Vec3::Zero()) {}
-};
+/// The extinction through which this much of clear beams is left. The logarithm of what is left falls and is
+/// convex, so Newton's steps from the left never overshoot; the mean way begins there (Jensen's inequality).
+double even_extinction(const LightBeams& clear, std::size_t band, double left) {
+  BeamSum sum(clear, band);
+  double extinction = std::log(sum.fluence / left) * sum.fluence / sum.way;
+  for (int i = 0; i < most_steps; ++i) {
+    sum = BeamSum(clear, band, extinction);
+    const double step = std::log(sum.fluence / left) * sum.fluence / sum.way;
+    if (!(sum.fluence > 0) || !(step > 0)) break;
+    extinction += step;
+    if (step * sum.way < last_step * sum.fluence) break;
+  }
+  return extinction;
+}
 
 /// Cells that are nearer to a surface that shines than this many of their sizes are divided where its light
 /// varies steeply, and up to so many sizes they have a rule of degree 5, as all faces have.
-constexpr double near_in_sizes = 1.5, middling_in_sizes = 4;
+constexpr double touching_in_sizes = 1e-9, near_in_sizes = 1.5, middling_in_sizes = 4;
 constexpr double tolerance_of_cells = 1e-3, tolerance_of_faces = 1e-4;
 constexpr int divisions_of_cells = 2, divisions_of_faces = 5;
 /// Cells in and near a volume that shines are looked at point by point where they are thicker than this.
@@ -59,8 +66,6 @@ constexpr int divisions_in_shadow = 2;
 constexpr LightDetail detail_of_vertices{0.35, 0.03, 0.6, 0.9, TriangleRule::three_points};
 /// How finely walls see a light of which they see a part: to the sides of a box it sinks below the horizon.
 constexpr LightDetail wall_in_shadow{0.25, 0.03, 0.3, 0.9, TriangleRule::seven_points};
-/// Less than that is nothing, but its logarithm is a number.
-constexpr double least_transmittance = 1e-300;
 /// Specular reflectance above which a mirror counts as one that sends all light back.
 constexpr double nearly_all = 0.95;
 
@@ -68,6 +73,13 @@ const auto& rule_of_degree_two(const SubTetrahedron&) { return four_point_rule()
 const auto& rule_of_degree_two(const SubTriangle&) { return three_point_rule(); }
 
 }  // namespace
+
+/// What arrives at a place, [band], and the extinction [1/length] of the even matter that it is reckoned
+/// with.
+struct ExtendedLight::Arrived : EvenLight {
+  explicit Arrived(std::size_t bands) : EvenLight(bands), extinction(bands) {}
+  std::vector<double> extinction;
+};
 
 /// A cell or a face as its light is integrated.
 template <std::size_t corners>
@@ -126,25 +138,28 @@ ExtendedLight::Seen ExtendedLight::look(const PointInCell& here, LightDetail det
   beams.clear();
   source_.add_beams(here, Sight::attenuated, detail, beams);
   // The same beams in the same order, without those that something stands before.
-  std::vector<std::size_t> open;
+  LightBeams open(bands_);
   for (std::size_t i = 0; i < clear.size() && open.size() < beams.size(); ++i)
-    if (clear.direction(i) == beams.direction(open.size())) open.push_back(i);
+    if (clear.direction(i) == beams.direction(open.size()))
+      std::ranges::copy(clear.fluence(i), open.add(clear.direction(i), clear.distance(i)).begin());
   bool any_light = false;
   for (std::size_t b = 0; b < bands_; ++b) {
     loss[b] = {};
-    const BeamSum all(clear, b), arrived(beams, b);
-    BeamSum visible;
-    for (const std::size_t i : open) visible.add(clear, i, b);
+    const BeamSum all(clear, b), visible(open, b), arrived(beams, b);
     any_light = any_light || all.fluence > 0;
     if (all.fluence > 0) loss[b].visible = visible.fluence / all.fluence;
     if (!(visible.fluence > 0)) continue;
-    const double transmittance = std::max(arrived.fluence / visible.fluence, least_transmittance);
     loss[b].way = visible.way / visible.fluence;
-    loss[b].extinction = -std::log(transmittance) / loss[b].way;
-    if (arrived.fluence > 0) loss[b].turn = arrived.flux / arrived.fluence - all.flux / all.fluence;
+    loss[b].extinction =
+        even_extinction(open, b, std::max(arrived.fluence, least_transmittance * visible.fluence));
+    const BeamSum even(clear, b, loss[b].extinction);
+    if (!(even.fluence > 0)) continue;
+    if (open.size() < clear.size())
+      loss[b].visible = BeamSum(open, b, loss[b].extinction).fluence / even.fluence;
+    if (arrived.fluence > 0) loss[b].turn = arrived.flux / arrived.fluence - even.flux / even.fluence;
   }
   if (!any_light) return Seen::behind;
-  return open.empty() ? Seen::nothing : open.size() < clear.size() ? Seen::part : Seen::all;
+  return open.size() == 0 ? Seen::nothing : open.size() < clear.size() ? Seen::part : Seen::all;
 }
 
 template <std::size_t corners>
@@ -203,17 +218,49 @@ bool ExtendedLight::look_inside(const Site<corners>& site, LightBeams& beams,
   return true;
 }
 
+void ExtendedLight::arrive(const Vec3& place, std::span<const WayLoss> loss, LightBeams& beams,
+                           Arrived& light) const {
+  for (std::size_t b = 0; b < bands_; ++b) light.extinction[b] = std::max(0.0, loss[b].extinction);
+  source_.look_even(place, light.extinction, std::nullopt, beams, light);
+  for (std::size_t b = 0; b < bands_; ++b) {
+    light.flux[b] = loss[b].visible * (light.flux[b] + light.fluence[b] * loss[b].turn);
+    light.fluence[b] *= loss[b].visible;
+  }
+}
+
+// Corners on one side of the rim count; of those on several the one in which these meet.
+template <std::size_t corners>
+SteepCorners<corners> ExtendedLight::steep_corners(
+    const Site<corners>& site, const std::array<std::array<double, corners>, corners>& part) const {
+  const double touching = touching_in_sizes * site.size;
+  SteepCorners<corners> steep;
+  std::bitset<32> common = std::bitset<32>().set();
+  std::bitset<corners> several;
+  for (std::size_t i = 0; i < corners; ++i) {
+    const Vec3 place = site.position(part[i]);
+    steep.surface[i] = source_.is_near(place, touching);
+    if (!steep.surface[i]) continue;
+    const std::bitset<32> sides = source_.rim_sides_at(place, touching);
+    steep.rim[i] = sides.any();
+    several[i] = sides.count() > 1;
+    if (sides.any()) common &= sides;
+  }
+  if (common.none()) steep.rim = several.count() == 1 ? several : std::bitset<corners>();
+  return steep;
+}
+
 template <std::size_t corners, class Deposit>
 void ExtendedLight::add_lit(const Site<corners>& site,
                             const std::array<std::vector<WayLoss>, corners>& losses, int divisions,
                             const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const {
-  ClearLight clear(bands_);
+  Arrived light(bands_);
+  std::vector<WayLoss> loss(bands_);
   const auto add_point = [&](const std::array<double, corners>& barycentric, double measure,
                              NodalMoments& sum) {
     const Vec3 place = site.position(barycentric);
-    source_.look_clear(place, std::nullopt, beams, clear);
-    for (std::size_t b = 0; b < bands_; ++b)
-      deposit(place, barycentric, measure, b, Arrived(clear, b, site.loss_at(losses, barycentric, b)), sum);
+    for (std::size_t b = 0; b < bands_; ++b) loss[b] = site.loss_at(losses, barycentric, b);
+    arrive(place, loss, beams, light);
+    deposit(place, barycentric, measure, light, sum);
   };
   const bool middling = corners == 3 || source_.is_near(site.centroid, middling_in_sizes * site.size);
   if (source_.is_volume() || !middling) {
@@ -222,8 +269,9 @@ void ExtendedLight::add_lit(const Site<corners>& site,
     return;
   }
   const bool near = source_.is_near(site.centroid, near_in_sizes * site.size);
-  add_adaptively(site.whole, site.measure, corners == 3 ? tolerance_of_faces : tolerance_of_cells,
-                 near ? divisions : 0, add_point, moments);
+  add_adaptively(
+      site.whole, site.measure, [&](const auto& part) { return steep_corners(site, part); },
+      corners == 3 ? tolerance_of_faces : tolerance_of_cells, near ? divisions : 0, add_point, moments);
 }
 
 template <std::size_t corners, class Deposit>
@@ -233,7 +281,7 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
                                        LightBeams& beams, NodalMoments& moments) const {
   NodalMoments sum = moments;
   sum.clear();
-  ClearLight clear(bands_);
+  Arrived light(bands_);
   std::vector<WayLoss> loss(bands_);
   bool any_lit = false, any_shadow = false;
   for (const auto& point : rule_of_degree_two(part)) {
@@ -242,9 +290,8 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
     const Seen seen = look({site.cell, place}, corners == 3 ? wall_in_shadow : coarse_light, beams, loss);
     any_lit = any_lit || seen == Seen::all || seen == Seen::part;
     any_shadow = any_shadow || seen == Seen::nothing || seen == Seen::part;
-    source_.look_clear(place, std::nullopt, beams, clear);
-    for (std::size_t b = 0; b < bands_; ++b)
-      deposit(place, barycentric, point.weight * measure, b, Arrived(clear, b, loss[b]), sum);
+    arrive(place, loss, beams, light);
+    deposit(place, barycentric, point.weight * measure, light, sum);
   }
   if (!any_lit || !any_shadow || divisions == 0) return moments.add(sum);
   const auto parts = equal_parts(part);
@@ -268,11 +315,13 @@ void ExtendedLight::add(const Site<corners>& site, std::span<const std::int32_t>
 void ExtendedLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const {
   const Site<4> site{cell.index, cell.corners, cell.centroid,     cell.volume,
                      cell.size,  whole_cell(), cell.thickness > 0};
-  const auto deposit = [](const Vec3&, const std::array<double, 4>& shape, double measure, std::size_t band,
-                          const Arrived& light, NodalMoments& sum) {
-    sum.add(shape, measure, band, light.fluence);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      sum.add(shape, measure, band, light.flux[static_cast<Eigen::Index>(axis)], 1 + axis);
+  const auto deposit = [this](const Vec3&, const std::array<double, 4>& shape, double measure,
+                              const Arrived& light, NodalMoments& sum) {
+    for (std::size_t b = 0; b < bands_; ++b) {
+      sum.add(shape, measure, b, light.fluence[b]);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        sum.add(shape, measure, b, light.flux[b][static_cast<Eigen::Index>(axis)], 1 + axis);
+    }
   };
   if (source_.is_volume() && cell.thickness > thick &&
       source_.is_near(cell.centroid, near_in_sizes * cell.size))
@@ -281,7 +330,7 @@ void ExtendedLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& mo
 }
 
 // What is not sent back by a mirror travels out of the domain: (1 - r) E = F.n. Where nearly all is sent back
-// that says little, and E = phi / (1 + r) times the mean cosine of clear light before the mirror.
+// that says little, and E = phi / (1 + r) times the mean cosine of the light before the mirror.
 void ExtendedLight::add(FaceIndex face, LightBeams& beams, NodalMoments& moments) const {
   const TetrahedralMesh& mesh = paths_.problem().mesh();
   const double area = mesh.area(face);
@@ -292,17 +341,18 @@ void ExtendedLight::add(FaceIndex face, LightBeams& beams, NodalMoments& moments
   for (std::size_t i = 0; i < 3; ++i) site.corner[i] = mesh.point(VertexIndex(vertices[i]));
   const std::vector<double>& reflected = paths_.problem().wall(mesh.wall(face)).specular;
   LightBeams before(bands_);
-  ClearLight clear(bands_);
+  EvenLight even(bands_);
   const auto deposit = [&](const Vec3& place, const std::array<double, 3>& shape, double measure,
-                           std::size_t band, const Arrived& light, NodalMoments& sum) {
-    double irradiance = light.flux.dot(normal) / (1 - reflected[band]);
-    if (reflected[band] > nearly_all) {
-      source_.look_clear(place, plane, before, clear);
-      irradiance = clear.fluence[band] > 0 ? light.fluence / (1 + reflected[band]) *
-                                                 clear.flux[band].dot(normal) / clear.fluence[band]
-                                           : 0;
+                           const Arrived& light, NodalMoments& sum) {
+    if (plane >= 0) source_.look_even(place, light.extinction, plane, before, even);
+    for (std::size_t b = 0; b < bands_; ++b) {
+      double irradiance = light.flux[b].dot(normal) / (1 - reflected[b]);
+      if (reflected[b] > nearly_all)
+        irradiance = even.fluence[b] > 0
+                         ? light.fluence[b] / (1 + reflected[b]) * even.flux[b].dot(normal) / even.fluence[b]
+                         : 0;
+      sum.add(shape, measure, b, std::max(0.0, irradiance));
     }
-    sum.add(shape, measure, band, std::max(0.0, irradiance));
   };
   add(site, vertices, divisions_of_faces, deposit, beams, moments);
 }

@@ -125,42 +125,52 @@ void ExtendedSource::add_tetrahedron(const View& view, const EmitterPart& part, 
   }
 }
 
-void ExtendedSource::look_clear(const Vec3& place, std::optional<int> without, LightBeams& beams,
-                                ClearLight& light) const {
+void ExtendedSource::look_even(const Vec3& place, std::span<const double> extinction,
+                               std::optional<int> without, LightBeams& beams, EvenLight& light) const {
   light.clear();
   const PointInCell here{CellIndex(0), place};  // clear sight asks no cell
   for (const MirrorSet mirrors : images_) {
     if (without && (mirrors >> *without & 1) != 0) continue;
     const Vec3 eye = paths_.mirrors().image(mirrors, place);
     if (!shapes_.empty()) {
-      add_shapes(mirrors, eye, light);
+      add_shapes(mirrors, eye, extinction, light);
       continue;
     }
     beams.clear();
     add_node({here, Sight::clear, clear_detail, mirrors, eye}, tree_.root(), beams);
     for (std::size_t i = 0; i < beams.size(); ++i)
       for (std::size_t b = 0; b < light.fluence.size(); ++b) {
-        light.fluence[b] += beams.fluence(i)[b];
-        light.flux[b] += beams.fluence(i)[b] * beams.direction(i);
-        light.way[b] += beams.fluence(i)[b] * beams.distance(i);
+        const double arrives = beams.fluence(i)[b] * std::exp(-extinction[b] * beams.distance(i));
+        light.fluence[b] += arrives;
+        light.flux[b] += arrives * beams.direction(i);
       }
   }
-  for (std::size_t b = 0; b < light.fluence.size(); ++b)
-    if (light.fluence[b] > 0) light.way[b] /= light.fluence[b];
 }
 
-void ExtendedSource::add_shapes(MirrorSet mirrors, const Vec3& eye, ClearLight& light) const {
-  std::vector<SolidAnglePoint> points;
+void ExtendedSource::add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,
+                                EvenLight& light) const {
   for (const auto& [shape, radiance] : shapes_) {
-    const FlatShape::View view = shape.from(eye, points);
-    const Vec3 flux = paths_.mirrors().image_direction(mirrors, view.flux);
+    FlatShape::View view;
     for (std::size_t b = 0; b < radiance.size(); ++b) {
+      if (b == 0 || extinction[b] != extinction[b - 1]) view = shape.from(eye, extinction[b]);
       const double arrives = radiance[b] * paths_.mirrors().reflectance(mirrors, b);
       light.fluence[b] += arrives * view.solid_angle;
-      light.flux[b] += arrives * flux;
-      light.way[b] += arrives * view.solid_angle * view.way;
+      light.flux[b] += arrives * paths_.mirrors().image_direction(mirrors, view.flux);
     }
   }
+}
+
+std::bitset<32> ExtendedSource::rim_sides_at(const Vec3& place, double distance) const {
+  std::bitset<32> sides;
+  for (const MirrorSet mirrors : images_) {
+    std::size_t before = 0;
+    for (const auto& [shape, radiance] : shapes_) {
+      for (const std::size_t side : shape.sides_at(paths_.mirrors().image(mirrors, place), distance))
+        sides.set(before + side);
+      before += shape.side_count();
+    }
+  }
+  return sides;
 }
 
 bool ExtendedSource::is_near(const Vec3& place, double size) const {

@@ -22,14 +22,16 @@ class ExtendedSource : public WideSource {
   void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
   bool is_near(const Vec3& place, double size) const override;
   bool is_volume() const override { return tree_.shape() == EmitterShape::tetrahedra; }
+  std::bitset<32> rim_sides_at(const Vec3& place, double distance) const override;
   /// In closed form where the light is made of a few even flat shapes.
-  void look_clear(const Vec3& place, std::optional<int> without, LightBeams& beams,
-                  ClearLight& light) const override;
+  void look_even(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
+                 LightBeams& beams, EvenLight& light) const override;
 
  private:
   struct View;
   void add_node(const View& view, const EmitterTree::Node& node, LightBeams& beams) const;
-  void add_shapes(MirrorSet mirrors, const Vec3& eye, ClearLight& light) const;
+  void add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,
+                  EvenLight& light) const;
   void add_points(const View& view, const EmitterTree::Node& node, LightBeams& beams) const;
   void add_triangle(const View& view, const EmitterPart& part, LightBeams& beams) const;
   void add_tetrahedron(const View& view, const EmitterPart& part, LightBeams& beams) const;

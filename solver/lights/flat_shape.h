@@ -9,7 +9,6 @@
 
 #include "mesh/base/vec3.h"
 #include "solver/lights/emitter_tree.h"
-#include "solver/lights/solid_angle.h"
 
 namespace etendue {
 
@@ -18,23 +17,31 @@ namespace etendue {
 double signed_solid_angle(const std::array<Vec3, 3>& corners);
 
 /// A flat piece of any outline that shines evenly from one side. What it brings to a point in empty space
-/// depends on its outline alone.
+/// depends on its outline alone, and so it does in even matter.
 class FlatShape {
  public:
   struct View {
-    double solid_angle = 0;    ///< [sr]; fluence over radiance
-    Vec3 flux = Vec3::Zero();  ///< net flux over radiance [sr] (Lambert 1760; Arvo 1994, eq. 4)
-    double way = 0;            ///< mean distance over the solid angle [length], by a rule
+    double solid_angle = 0;    ///< fluence over radiance [sr]
+    Vec3 flux = Vec3::Zero();  ///< net flux over radiance [sr]
   };
 
   /// Triangles in one plane; those that share a side have it turned round.
   explicit FlatShape(std::span<const std::array<Vec3, 3>> triangles);
 
-  /// Nothing from behind and from its plane. `points` is room to work in.
-  View from(const Vec3& eye, std::vector<SolidAnglePoint>& points) const;
+  /// Through empty space (Lambert 1760; Arvo 1994, eq. 4). Nothing from behind and from its plane.
+  View from(const Vec3& eye) const;
+  /// Through even matter of this extinction [1/length].
+  View from(const Vec3& eye, double extinction) const;
+  /// Those that a point is at most so far from [length].
+  std::vector<std::size_t> sides_at(const Vec3& point, double distance) const;
   std::size_t side_count() const { return sides_.size(); }
 
  private:
+  /// Of the eye above the plane; zero if it is behind or in it.
+  double height(const Vec3& eye) const;
+  View by_parts(const Vec3& eye, double height, double extinction) const;
+  View by_sides(const Vec3& eye, double height, double extinction) const;
+
   Vec3 normal_;
   double size_ = 0;                           ///< [length]
   std::vector<std::pair<Vec3, Vec3>> sides_;  ///< counterclockwise about the normal

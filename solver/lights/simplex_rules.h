@@ -32,14 +32,13 @@ std::array<double, corners> in_whole(const std::array<double, corners>& barycent
   return whole;
 }
 
-struct CellPointWeight {
-  std::array<double, 4> barycentric;
-  double weight;  ///< part of the volume
+template <std::size_t corners>
+struct SimplexPoint {
+  std::array<double, corners> barycentric;
+  double weight;  ///< part of the volume or area
 };
-struct FacePointWeight {
-  std::array<double, 3> barycentric;
-  double weight;  ///< part of the area
-};
+using CellPointWeight = SimplexPoint<4>;
+using FacePointWeight = SimplexPoint<3>;
 
 /// Four points, degree 2 (Hammer and Stroud 1956).
 const std::array<CellPointWeight, 4>& four_point_rule();

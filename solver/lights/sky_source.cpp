@@ -2,6 +2,7 @@
 #include "solver/lights/sky_source.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace etendue {
 namespace {
@@ -58,8 +59,8 @@ void SkySource::add_beams(const PointInCell& at, Sight sight, LightDetail, Light
     }
 }
 
-void SkySource::look_clear(const Vec3& place, std::optional<int> without, LightBeams& beams,
-                           ClearLight& light) const {
+void SkySource::look_even(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
+                          LightBeams& beams, EvenLight& light) const {
   beams.clear();
   add_beams({CellIndex(0), place}, Sight::clear, coarse_light, beams);
   light.clear();
@@ -67,11 +68,11 @@ void SkySource::look_clear(const Vec3& place, std::optional<int> without, LightB
     const MirrorSet mirrors = images_[i / parts_.size()];
     if (without && (mirrors >> *without & 1) != 0) continue;
     for (std::size_t b = 0; b < light.fluence.size(); ++b) {
-      light.fluence[b] += beams.fluence(i)[b];
-      light.flux[b] += beams.fluence(i)[b] * beams.direction(i);
+      const double arrives = beams.fluence(i)[b] * std::exp(-extinction[b]);
+      light.fluence[b] += arrives;
+      light.flux[b] += arrives * beams.direction(i);
     }
   }
-  std::ranges::fill(light.way, 1);
 }
 
 }  // namespace etendue

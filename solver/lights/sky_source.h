@@ -16,8 +16,8 @@ class SkySource : public WideSource {
   SkySource(std::string name, std::vector<BeamLight> parts, const LightPaths& paths);
 
   void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
-  void look_clear(const Vec3& place, std::optional<int> without, LightBeams& beams,
-                  ClearLight& light) const override;
+  void look_even(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
+                 LightBeams& beams, EvenLight& light) const override;
   bool is_near(const Vec3&, double) const override { return false; }
   bool is_soft() const override { return true; }
   std::span<const BeamLight> parts() const { return parts_; }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <bitset>
 #include <optional>
 
-#include "solver/lights/clear_light.h"
+#include "solver/lights/even_light.h"
 #include "solver/lights/light_source.h"
 
 namespace etendue {
@@ -15,12 +16,14 @@ class WideSource : public LightSource {
   using LightSource::LightSource;
 
   const WideSource* as_wide() const override { return this; }
-  /// What would arrive in empty space, by way of mirrors too, without the images behind this plane of a
-  /// mirror. `beams` is room to work in.
-  virtual void look_clear(const Vec3& place, std::optional<int> without, LightBeams& beams,
-                          ClearLight& light) const = 0;
+  /// What would arrive through matter of this extinction [band] and nothing opaque, by way of mirrors too,
+  /// without the images behind this plane of a mirror. `beams` is room to work in.
+  virtual void look_even(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
+                         LightBeams& beams, EvenLight& light) const = 0;
   /// Whether its fluence in empty space has no steps: that of a surface jumps at its rim.
   virtual bool is_volume() const { return false; }
+  /// The sides of its rim that a place lies on but for a distance.
+  virtual std::bitset<32> rim_sides_at(const Vec3&, double) const { return {}; }
   /// Whether it fills so much of the sphere that the visible part of it is linear in cells.
   virtual bool is_soft() const { return false; }
 };

@@ -7,19 +7,17 @@
 
 namespace etendue {
 
-/// Light at a point as it would arrive in empty space, [band].
-struct ClearLight {
-  explicit ClearLight(std::size_t bands) : fluence(bands), flux(bands), way(bands) { clear(); }
+/// Light at a point as it would arrive through matter that is the same everywhere, [band].
+struct EvenLight {
+  explicit EvenLight(std::size_t bands) : fluence(bands), flux(bands) { clear(); }
 
   void clear() {
     fluence.assign(fluence.size(), 0);
     flux.assign(flux.size(), Vec3::Zero());
-    way.assign(way.size(), 0);
   }
 
   std::vector<double> fluence;  ///< [power/length^2]
   std::vector<Vec3> flux;       ///< [power/length^2]
-  std::vector<double> way;      ///< mean length of the way of the fluence
 };
 
 }  // namespace etendue
