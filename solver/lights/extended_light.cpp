@@ -4,50 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/tetrahedra/sheet_faces.h"
-#include "mesh/tetrahedra/vertex_cells.h"
 #include "solver/lights/adaptive_points.h"
 #include "solver/lights/simplex_rules.h"
 
 namespace etendue {
 namespace {
-
-/// Less than that is nothing, but its logarithm is a number.
-constexpr double least_transmittance = 1e-300;
-/// Newton's steps end where they change the optical depth by less than that.
-constexpr double last_step = 1e-13;
-constexpr int most_steps = 50;
-
-/// Beams in one band as they would arrive through even matter.
-struct BeamSum {
-  double fluence = 0;
-  Vec3 flux = Vec3::Zero();
-  double way = 0;  ///< fluence times length
-
-  BeamSum(const LightBeams& beams, std::size_t band, double extinction = 0) {
-    for (std::size_t i = 0; i < beams.size(); ++i) {
-      const double value = beams.fluence(i)[band] * std::exp(-extinction * beams.distance(i));
-      fluence += value;
-      flux += value * beams.direction(i);
-      way += value * beams.distance(i);
-    }
-  }
-};
-
-/// The extinction through which this much of clear beams is left. The logarithm of what is left falls and is
-/// convex, so Newton's steps from the left never overshoot; the mean way begins there (Jensen's inequality).
-double even_extinction(const LightBeams& clear, std::size_t band, double left) {
-  BeamSum sum(clear, band);
-  double extinction = std::log(sum.fluence / left) * sum.fluence / sum.way;
-  for (int i = 0; i < most_steps; ++i) {
-    sum = BeamSum(clear, band, extinction);
-    const double step = std::log(sum.fluence / left) * sum.fluence / sum.way;
-    if (!(sum.fluence > 0) || !(step > 0)) break;
-    extinction += step;
-    if (step * sum.way < last_step * sum.fluence) break;
-  }
-  return extinction;
-}
 
 /// Cells that are nearer to a surface that shines than this many of their sizes are divided where its light
 /// varies steeply, and up to so many sizes they have a rule of degree 5, as all faces have.
@@ -56,14 +17,9 @@ constexpr double tolerance_of_cells = 1e-3, tolerance_of_faces = 1e-4;
 constexpr int divisions_of_cells = 2, divisions_of_faces = 5;
 /// Cells in and near a volume that shines are looked at point by point where they are thicker than this.
 constexpr double thick = 1;
-/// By how much the optical depth of the way may differ, between the corners of a cell, from that of their
-/// mean extinction. A tenth or so of it is what linear interpolation misses: the edge of a cloud is a kink.
-constexpr double even_depth = 0.05;
 /// How often a cell or face with a part in the shadow is divided.
 constexpr int divisions_in_shadow = 2;
 
-/// How finely the vertices of the mesh see a light.
-constexpr LightDetail detail_of_vertices{0.35, 0.03, 0.6, 0.9, TriangleRule::three_points};
 /// How finely walls see a light of which they see a part: to the sides of a box it sinks below the horizon.
 constexpr LightDetail wall_in_shadow{0.25, 0.03, 0.3, 0.9, TriangleRule::seven_points};
 /// Specular reflectance above which a mirror counts as one that sends all light back.
@@ -86,116 +42,36 @@ template <std::size_t corners>
 struct ExtendedLight::Site {
   using Barycentric = std::array<double, corners>;
   using Part = std::array<Barycentric, corners>;
-  using Losses = std::array<std::vector<WayLoss>, corners>;
 
   CellIndex cell;
   std::array<Vec3, corners> corner;
   Vec3 centroid;
   double measure, size;
   Part whole;
-  bool matter;  ///< whether light is lost in it
+  bool counts;  ///< whether light is lost in it
 
   Vec3 position(const Barycentric& barycentric) const {
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < corners; ++i) sum += barycentric[i] * corner[i];
     return sum;
   }
-  static WayLoss loss_at(const Losses& losses, const Barycentric& barycentric, std::size_t band) {
-    WayLoss loss{0};
-    for (std::size_t i = 0; i < corners; ++i) {
-      loss.visible += barycentric[i] * losses[i][band].visible;
-      loss.extinction += barycentric[i] * losses[i][band].extinction;
-      loss.turn += barycentric[i] * losses[i][band].turn;
-    }
-    return loss;
-  }
 };
 
 ExtendedLight::ExtendedLight(const LightPaths& paths, const WideSource& source, int threads)
-    : paths_(paths), source_(source), bands_(paths.bands()) {
-  const TetrahedralMesh& mesh = paths.problem().mesh();
-  const std::vector<CellIndex> cells = cells_of_vertices(mesh);
-  losses_.resize(cells.size() * bands_);
-  seen_.resize(cells.size());
-#pragma omp parallel num_threads(threads)
-  {
-    LightBeams beams(bands_);
-#pragma omp for schedule(dynamic, 64)
-    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-      const auto i = static_cast<std::size_t>(v);
-      seen_[i] = look({cells[i], mesh.point(VertexIndex(v))}, detail_of_vertices, beams,
-                      std::span(losses_).subspan(i * bands_, bands_));
-    }
-  }
-  // What a vertex of a sheet sees depends on the side, so the cells around it do not share it.
-  for (const std::int32_t v : vertices_of_sheets(mesh)) seen_[static_cast<std::size_t>(v)] = Seen::by_side;
-}
-
-ExtendedLight::Seen ExtendedLight::look(const PointInCell& here, LightDetail detail, LightBeams& beams,
-                                        std::span<WayLoss> loss) const {
-  LightBeams clear(bands_);
-  source_.add_beams(here, Sight::clear, detail, clear);
-  beams.clear();
-  source_.add_beams(here, Sight::attenuated, detail, beams);
-  // The same beams in the same order, without those that something stands before.
-  LightBeams open(bands_);
-  for (std::size_t i = 0; i < clear.size() && open.size() < beams.size(); ++i)
-    if (clear.direction(i) == beams.direction(open.size()))
-      std::ranges::copy(clear.fluence(i), open.add(clear.direction(i), clear.distance(i)).begin());
-  bool any_light = false;
-  for (std::size_t b = 0; b < bands_; ++b) {
-    loss[b] = {};
-    const BeamSum all(clear, b), visible(open, b), arrived(beams, b);
-    any_light = any_light || all.fluence > 0;
-    if (all.fluence > 0) loss[b].visible = visible.fluence / all.fluence;
-    if (!(visible.fluence > 0)) continue;
-    loss[b].way = visible.way / visible.fluence;
-    loss[b].extinction =
-        even_extinction(open, b, std::max(arrived.fluence, least_transmittance * visible.fluence));
-    const BeamSum even(clear, b, loss[b].extinction);
-    if (!(even.fluence > 0)) continue;
-    if (open.size() < clear.size())
-      loss[b].visible = BeamSum(open, b, loss[b].extinction).fluence / even.fluence;
-    if (arrived.fluence > 0) loss[b].turn = arrived.flux / arrived.fluence - even.flux / even.fluence;
-  }
-  if (!any_light) return Seen::behind;
-  return open.size() == 0 ? Seen::nothing : open.size() < clear.size() ? Seen::part : Seen::all;
-}
-
-template <std::size_t corners>
-bool ExtendedLight::take_from_vertices(std::span<const std::int32_t> vertices,
-                                       std::array<std::vector<WayLoss>, corners>& losses) const {
-  for (std::size_t i = 0; i < corners; ++i) {
-    const auto v = static_cast<std::size_t>(vertices[i]);
-    if (seen_[v] == Seen::by_side || (seen_[v] != Seen::all && !source_.is_soft())) return false;
-    const auto first = losses_.begin() + static_cast<std::ptrdiff_t>(v * bands_);
-    losses[i].assign(first, first + static_cast<std::ptrdiff_t>(bands_));
-  }
-  return true;
-}
-
-template <std::size_t corners>
-bool ExtendedLight::is_even(const std::array<std::vector<WayLoss>, corners>& losses) const {
-  for (std::size_t b = 0; b < bands_; ++b) {
-    double mean = 0;
-    for (const auto& corner : losses) mean += corner[b].extinction / static_cast<double>(corners);
-    for (const auto& corner : losses)
-      if (std::abs(corner[b].extinction - mean) * corner[b].way > even_depth) return false;
-  }
-  return true;
-}
+    : paths_(paths), source_(source), bands_(paths.bands()), losses_(paths, source, threads) {}
 
 // The points of the rule have one barycentric coordinate 1 - (n - 1) a and the others a. Those behind the
 // light take the mean of the others.
 template <std::size_t corners>
 bool ExtendedLight::look_inside(const Site<corners>& site, LightBeams& beams,
-                                std::array<std::vector<WayLoss>, corners>& losses) const {
+                                LossesBetween<corners>& losses) const {
   const auto& rule = rule_of_degree_two(site.whole);
   std::array<Seen, corners> seen{};
   double lit = 0;
   for (std::size_t i = 0; i < corners; ++i) {
-    losses[i].resize(bands_);
-    seen[i] = look({site.cell, site.position(rule[i].barycentric)}, coarse_light, beams, losses[i]);
+    losses.corner[i].resize(bands_);
+    seen[i] =
+        look(source_, {site.cell, site.position(rule[i].barycentric)}, coarse_light, beams, losses.corner[i]);
     if (seen[i] == Seen::nothing || seen[i] == Seen::part) return false;
     lit += seen[i] == Seen::all ? 1 : 0;
   }
@@ -205,11 +81,11 @@ bool ExtendedLight::look_inside(const Site<corners>& site, LightBeams& beams,
     WayLoss mean;
     for (std::size_t i = 0; i < corners; ++i)
       if (seen[i] == Seen::all) {
-        mean.extinction += losses[i][b].extinction / lit;
-        mean.turn += losses[i][b].turn / lit;
+        mean.extinction += losses.corner[i][b].extinction / lit;
+        mean.turn += losses.corner[i][b].turn / lit;
       }
     for (std::size_t i = 0; i < corners; ++i) {
-      WayLoss& own = losses[i][b];
+      WayLoss& own = losses.corner[i][b];
       if (seen[i] != Seen::all) own = mean;
       own = {1, mean.extinction + (own.extinction - mean.extinction) / (1 - count * a),
              mean.turn + (own.turn - mean.turn) / (1 - count * a)};
@@ -250,15 +126,14 @@ SteepCorners<corners> ExtendedLight::steep_corners(
 }
 
 template <std::size_t corners, class Deposit>
-void ExtendedLight::add_lit(const Site<corners>& site,
-                            const std::array<std::vector<WayLoss>, corners>& losses, int divisions,
+void ExtendedLight::add_lit(const Site<corners>& site, const LossesBetween<corners>& losses, int divisions,
                             const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const {
   Arrived light(bands_);
   std::vector<WayLoss> loss(bands_);
   const auto add_point = [&](const std::array<double, corners>& barycentric, double measure,
                              NodalMoments& sum) {
     const Vec3 place = site.position(barycentric);
-    for (std::size_t b = 0; b < bands_; ++b) loss[b] = site.loss_at(losses, barycentric, b);
+    for (std::size_t b = 0; b < bands_; ++b) loss[b] = losses.at(barycentric, b);
     arrive(place, loss, beams, light);
     deposit(place, barycentric, measure, light, sum);
   };
@@ -287,7 +162,8 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
   for (const auto& point : rule_of_degree_two(part)) {
     const auto barycentric = in_whole(point.barycentric, part);
     const Vec3 place = site.position(barycentric);
-    const Seen seen = look({site.cell, place}, corners == 3 ? wall_in_shadow : coarse_light, beams, loss);
+    const Seen seen =
+        look(source_, {site.cell, place}, corners == 3 ? wall_in_shadow : coarse_light, beams, loss);
     any_lit = any_lit || seen == Seen::all || seen == Seen::part;
     any_shadow = any_shadow || seen == Seen::nothing || seen == Seen::part;
     arrive(place, loss, beams, light);
@@ -301,12 +177,13 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
 }
 
 template <std::size_t corners, class Deposit>
-void ExtendedLight::add(const Site<corners>& site, std::span<const std::int32_t> vertices, int divisions,
-                        const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const {
-  std::array<std::vector<WayLoss>, corners> losses;
-  const bool known = take_from_vertices(vertices, losses);
-  const bool uneven = known && site.matter && !source_.is_soft() && !is_even(losses);
-  if (!uneven && (known || look_inside(site, beams, losses)))
+void ExtendedLight::add(const Site<corners>& site, const std::array<std::int32_t, corners>& vertices,
+                        int divisions, const Deposit& deposit, LightBeams& beams,
+                        NodalMoments& moments) const {
+  LossesBetween<corners> losses;
+  const Interpolation found = losses_.take(vertices, losses);
+  const bool known = found == Interpolation::possible || (found == Interpolation::steep && !site.counts);
+  if (known || (found == Interpolation::unseen && look_inside(site, beams, losses)))
     add_lit(site, losses, divisions, deposit, beams, moments);
   else
     add_point_by_point(site, site.whole, site.measure, divisions_in_shadow, deposit, beams, moments);
@@ -337,7 +214,7 @@ void ExtendedLight::add(FaceIndex face, LightBeams& beams, NodalMoments& moments
   const Vec3 normal = mesh.area_normal(face) / area;
   const auto& vertices = mesh.vertices(face);
   const int plane = paths_.mirrors().of(face);
-  Site<3> site{mesh.owner(face), {}, mesh.centroid(face), area, std::sqrt(2 * area), whole_face, false};
+  Site<3> site{mesh.owner(face), {}, mesh.centroid(face), area, std::sqrt(2 * area), whole_face, true};
   for (std::size_t i = 0; i < 3; ++i) site.corner[i] = mesh.point(VertexIndex(vertices[i]));
   const std::vector<double>& reflected = paths_.problem().wall(mesh.wall(face)).specular;
   LightBeams before(bands_);

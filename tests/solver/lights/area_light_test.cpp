@@ -74,10 +74,12 @@ TEST(FlatShape, IsNotSeenFromItsPlane) {
     }
 }
 
-/// What stands in the room: a box under the lamp, and whether matter fills a ball only.
+/// What stands in the room: a box under the lamp; whether matter fills a ball only; and above which height
+/// there is a tenth of it.
 struct Inside {
-  std::optional<double> crate;
+  std::optional<double> crate = {};
   bool cloud = false;
+  std::optional<double> layer = {};
 };
 
 /// Part of the light of a lamp in the ceiling of a unit cube that is found again.
@@ -96,6 +98,14 @@ double part_found(double max_volume, double extinction, const Inside& inside) {
     geometry.primitives.emplace_back(cloud);
     volumes.push_back(max_volume);
     media.push_back(uniform_medium(1, extinction, 0, 0));
+  }
+  if (inside.layer) {
+    BoxPrimitive above;
+    above.region = "above";
+    above.min = {0, 0, *inside.layer};
+    geometry.primitives.emplace_back(above);
+    volumes.push_back(max_volume);
+    media.push_back(uniform_medium(1, extinction / 10, 0, 0));
   }
   if (inside.crate) {
     BoxPrimitive box;
@@ -133,14 +143,19 @@ TEST(UncollidedField, OfALampInAWallBalancesInAMedium) {
   }
 }
 
+// Over a layer of fog losses are quadratic between vertices; linear ones left 2e-4.
+TEST(UncollidedField, OfALampInAWallBalancesOverALayer) {
+  EXPECT_NEAR(part_found(3e-4, 2, {.layer = 0.4}), 1, 5e-6);
+}
+
 TEST(UncollidedField, OfALampInAWallBalancesWithShadows) {
-  for (const double extinction : {0.0, 1.0}) EXPECT_NEAR(part_found(1e-3, extinction, {0.1}), 1, 1e-3);
+  for (const double extinction : {0.0, 1.0}) EXPECT_NEAR(part_found(1e-3, extinction, {.crate = 0.1}), 1, 1e-3);
 }
 
 // Behind the edge of a cloud the way through it grows like a square root, which is not linear in a cell:
 // taken from the vertices 1.7e-2 too much arrived.
 TEST(UncollidedField, OfALampInAWallBalancesWithACloud) {
-  EXPECT_NEAR(part_found(1e-3, 3, {std::nullopt, true}), 1, 2e-3);
+  EXPECT_NEAR(part_found(1e-3, 3, {.cloud = true}), 1, 2e-3);
 }
 
 }  // namespace

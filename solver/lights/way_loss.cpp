@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/lights/way_loss.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace etendue {
+namespace {
+
+/// Less than that is nothing, but its logarithm is a number.
+constexpr double least_transmittance = 1e-300;
+/// Newton's steps end where they change the optical depth by less than that.
+constexpr double last_step = 1e-13;
+constexpr int most_steps = 50;
+
+/// Beams in one band as they would arrive through even matter.
+struct BeamSum {
+  double fluence = 0;
+  Vec3 flux = Vec3::Zero();
+  double way = 0;  ///< fluence times length
+
+  BeamSum(const LightBeams& beams, std::size_t band, double extinction = 0) {
+    for (std::size_t i = 0; i < beams.size(); ++i) {
+      const double value = beams.fluence(i)[band] * std::exp(-extinction * beams.distance(i));
+      fluence += value;
+      flux += value * beams.direction(i);
+      way += value * beams.distance(i);
+    }
+  }
+};
+
+/// The extinction through which this much of clear beams is left. The logarithm of what is left falls and is
+/// convex, so Newton's steps from the left never overshoot; the mean way begins there (Jensen's inequality).
+double even_extinction(const LightBeams& clear, std::size_t band, double left) {
+  BeamSum sum(clear, band);
+  double extinction = std::log(sum.fluence / left) * sum.fluence / sum.way;
+  for (int i = 0; i < most_steps; ++i) {
+    sum = BeamSum(clear, band, extinction);
+    const double step = std::log(sum.fluence / left) * sum.fluence / sum.way;
+    if (!(sum.fluence > 0) || !(step > 0)) break;
+    extinction += step;
+    if (step * sum.way < last_step * sum.fluence) break;
+  }
+  return extinction;
+}
+
+}  // namespace
+
+Seen look(const WideSource& source, const PointInCell& here, LightDetail detail, LightBeams& beams,
+          std::span<WayLoss> loss) {
+  LightBeams clear(loss.size());
+  source.add_beams(here, Sight::clear, detail, clear);
+  beams.clear();
+  source.add_beams(here, Sight::attenuated, detail, beams);
+  // The same beams in the same order, without those that something stands before.
+  LightBeams open(loss.size());
+  for (std::size_t i = 0; i < clear.size() && open.size() < beams.size(); ++i)
+    if (clear.direction(i) == beams.direction(open.size()))
+      std::ranges::copy(clear.fluence(i), open.add(clear.direction(i), clear.distance(i)).begin());
+  bool any_light = false;
+  for (std::size_t b = 0; b < loss.size(); ++b) {
+    loss[b] = {};
+    const BeamSum all(clear, b), visible(open, b), arrived(beams, b);
+    any_light = any_light || all.fluence > 0;
+    if (all.fluence > 0) loss[b].visible = visible.fluence / all.fluence;
+    if (!(visible.fluence > 0)) continue;
+    loss[b].way = visible.way / visible.fluence;
+    loss[b].extinction =
+        even_extinction(open, b, std::max(arrived.fluence, least_transmittance * visible.fluence));
+    const BeamSum even(clear, b, loss[b].extinction);
+    if (!(even.fluence > 0)) continue;
+    if (open.size() < clear.size())
+      loss[b].visible = BeamSum(open, b, loss[b].extinction).fluence / even.fluence;
+    if (arrived.fluence > 0) loss[b].turn = arrived.flux / arrived.fluence - even.flux / even.fluence;
+  }
+  if (!any_light) return Seen::behind;
+  return open.size() == 0 ? Seen::nothing : open.size() < clear.size() ? Seen::part : Seen::all;
+}
+
+}  // namespace etendue
