@@ -149,7 +149,8 @@ TEST(UncollidedField, OfALampInAWallBalancesOverALayer) {
 }
 
 TEST(UncollidedField, OfALampInAWallBalancesWithShadows) {
-  for (const double extinction : {0.0, 1.0}) EXPECT_NEAR(part_found(1e-3, extinction, {.crate = 0.1}), 1, 1e-3);
+  for (const double extinction : {0.0, 1.0})
+    EXPECT_NEAR(part_found(1e-3, extinction, {.crate = 0.1}), 1, 1e-3);
 }
 
 // Behind the edge of a cloud the way through it grows like a square root, which is not linear in a cell:
