@@ -32,21 +32,22 @@ BeamSource::BeamSource(std::string name, const BeamLight& light, const LightPath
   }
 }
 
+bool BeamSource::arrives(const PointInCell& at, const Vec3& direction, std::span<double> fluence) const {
+  const std::optional<WayOut> out = paths_.leave(at, -direction, fluence);
+  if (!out || !((out->direction + light_.direction).norm() < same_direction) ||
+      std::ranges::count(light_.walls, paths_.problem().mesh().wall(out->face)) == 0)
+    return false;
+  for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] *= light_.irradiance[b];
+  return true;
+}
+
 void BeamSource::add_beams(const PointInCell& at, Sight sight, LightDetail, LightBeams& beams) const {
   for (const Vec3& direction : directions_) {
     const std::span<double> fluence = beams.add(direction);
-    std::fill(fluence.begin(), fluence.end(), 1.0);
-    if (sight == Sight::attenuated) {
-      const std::optional<WayOut> out = paths_.leave(at, -direction, fluence);
-      const bool lit =
-          out && (out->direction + light_.direction).norm() < same_direction &&
-          std::count(light_.walls.begin(), light_.walls.end(), paths_.problem().mesh().wall(out->face)) > 0;
-      if (!lit) {
-        beams.drop();
-        continue;
-      }
-    }
-    for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] *= light_.irradiance[b];
+    if (sight == Sight::clear)
+      std::ranges::copy(light_.irradiance, fluence.begin());
+    else if (!arrives(at, direction, fluence))
+      beams.drop();
   }
 }
 

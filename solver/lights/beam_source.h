@@ -13,7 +13,12 @@ class BeamSource : public LightSource {
 
   void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
   bool is_near(const Vec3&, double) const override { return false; }
+  const BeamSource* as_beam() const override { return this; }
   const BeamLight& light() const { return light_; }
+  /// That of the beam and of its images behind mirrors.
+  std::span<const Vec3> directions() const { return directions_; }
+  /// The fluence [band] that arrives at a point along one of the directions; false if none does.
+  bool arrives(const PointInCell& at, const Vec3& direction, std::span<double> fluence) const;
 
  private:
   BeamLight light_;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "solver/angle/unit_rule.h"
-#include "solver/lights/attenuation.h"
+#include "solver/lights/beam_columns.h"
+#include "solver/lights/cell_way.h"
 #include "solver/lights/solid_angle.h"
 #include "solver/problem/cell_rule.h"
 
@@ -22,31 +22,6 @@ constexpr double thin = 0.3;
 constexpr double far_in_sizes = 8;
 /// How often a cell with a shadow's edge is divided in eight.
 constexpr int most_divisions = 2;
-
-/// Adds what is absorbed and scatters of a fluence, where that depends on its direction.
-void add_losses(const std::array<double, 4>& shape, double measure, const PathCoefficients& coefficients,
-                std::size_t band, double fluence, NodalMoments& moments) {
-  if (moments.components() <= NodalMoments::collided) return;
-  moments.add(shape, measure, band, coefficients.absorption * fluence, NodalMoments::absorbed);
-  moments.add(shape, measure, band, coefficients.scattering * fluence, NodalMoments::collided);
-}
-
-/// The four values of the shape functions at a point.
-std::array<double, 4> shape_at(const LitCell& cell, const std::array<Vec3, 4>& gradients, const Vec3& point) {
-  std::array<double, 4> shape{};
-  for (std::size_t i = 0; i < 4; ++i) shape[i] = 0.25 + gradients[i].dot(point - cell.centroid);
-  return shape;
-}
-
-std::array<Vec3, 4> shape_gradients(const LitCell& cell) {
-  std::array<Vec3, 4> gradients;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec3& a = cell.corners[(i + 1) % 4];
-    const Vec3 normal = (cell.corners[(i + 2) % 4] - a).cross(cell.corners[(i + 3) % 4] - a);
-    gradients[i] = normal / normal.dot(cell.corners[i] - a);
-  }
-  return gradients;
-}
 
 class PointsOfCell {
  public:
@@ -105,68 +80,12 @@ class PointsOfCell {
   NodalMoments& moments_;
 };
 
-/// Light of a point on its way through a cell from `in` to `out` along a direction.
-struct Way {
-  Vec3 entry;
-  Vec3 direction;
-  double length;
-  std::array<double, 4> shape;  ///< at the entry
-  std::array<double, 4> rise;   ///< of the shape functions along the way [1/length]
-};
-
-/// Adds the integrals of the shape functions over the way of light of a power per solid angle.
-void add_values(const Way& way, const std::array<double, 4>& value, std::size_t band, NodalMoments& moments) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    moments.at(i, 0, band) += value[i];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      moments.at(i, 1 + axis, band) += value[i] * way.direction[static_cast<Eigen::Index>(axis)];
-  }
-}
-
-void add_even_way(const Way& way, const PathCoefficients& coefficients, std::size_t band, double sent,
-                  NodalMoments& moments) {
-  const AttenuatedWay attenuated = attenuated_way(coefficients.extinction(), way.length);
-  std::array<double, 4> value;
-  for (std::size_t i = 0; i < 4; ++i)
-    value[i] = sent * (way.shape[i] * attenuated.constant + way.rise[i] * attenuated.linear);
-  add_values(way, value, band, moments);
-  add_losses(value, 1, coefficients, band, 1, moments);
-}
-
-/// Optical thickness over which five nodes integrate what falls off exponentially to 1e-9.
-constexpr double thickness_of_panel = 1;
-
-/// Where coefficients rise from one end to the other the optical depth is a square in the length, and its
-/// integrals are done by Gauss's rule.
-void add_uneven_way(const Way& way, const PathCoefficients& from, const PathCoefficients& to,
-                    std::size_t band, double sent, NodalMoments& moments) {
-  static const GaussRule rule = unit_rule(5);
-  const double first = from.extinction(), rise = to.extinction() - first;
-  const double thickness = std::max(first, first + rise) * way.length;
-  const int panels = std::clamp(static_cast<int>(std::ceil(thickness / thickness_of_panel)), 1, 64);
-  for (int panel = 0; panel < panels; ++panel)
-    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-      const double t = (panel + rule.nodes[k]) / panels, s = t * way.length;
-      const double arrives =
-          sent * rule.weights[k] * way.length / panels * std::exp(-s * (first + t * rise / 2));
-      std::array<double, 4> value;
-      for (std::size_t i = 0; i < 4; ++i) value[i] = arrives * (way.shape[i] + way.rise[i] * s);
-      add_values(way, value, band, moments);
-      add_losses(value, 1,
-                 {from.absorption + t * (to.absorption - from.absorption),
-                  from.scattering + t * (to.scattering - from.scattering)},
-                 band, 1, moments);
-    }
-}
-
 void add_image(const LightPaths& paths, const PointSource& source, const PointSource::Image& image,
                const LitCell& cell, NodalMoments& moments) {
   const std::array<Vec3, 4> gradients = shape_gradients(cell);
   std::array<Vec3, 4> corners = cell.corners;
   for (Vec3& corner : corners) corner -= image.position;
-  const RayMatter& matter = paths.matter();
-  const bool uneven = matter.varies(cell.index);
-  std::vector<double> transmittance(paths.bands());
+  std::vector<double> power(paths.bands());
   std::vector<SolidAnglePoint> points;
   for (const Wedge& wedge : wedges_of(corners)) {
     points.clear();
@@ -175,23 +94,46 @@ void add_image(const LightPaths& paths, const PointSource& source, const PointSo
       const double intensity = source.intensity(image, point.direction) * point.weight;
       const double in = wedge.way_in(point.direction), out = wedge.way_out(point.direction);
       const Vec3 entry = image.position + in * point.direction;
-      std::fill(transmittance.begin(), transmittance.end(), 1.0);
-      if (intensity == 0 || (in > 0 && !paths.transmit({cell.index, entry}, -point.direction, in,
-                                                       image.mirrors, transmittance)))
+      std::fill(power.begin(), power.end(), 1.0);
+      if (intensity == 0 ||
+          (in > 0 && !paths.transmit({cell.index, entry}, -point.direction, in, image.mirrors, power)))
         continue;
-      Way way{entry, point.direction, out - in, shape_at(cell, gradients, entry), {}};
-      for (std::size_t i = 0; i < 4; ++i) way.rise[i] = gradients[i].dot(point.direction);
-      const RayMatter::View view = matter.empty() ? RayMatter::View{} : matter.view(point.direction);
-      for (std::size_t b = 0; b < paths.bands(); ++b) {
-        const double sent = source.power()[b] * intensity * transmittance[b];
-        if (uneven)
-          add_uneven_way(way, matter.at(cell.index, b, view, entry),
-                         matter.at(cell.index, b, view, image.position + out * point.direction), b, sent,
-                         moments);
-        else
-          add_even_way(way, matter.at(cell.index, b, view), b, sent, moments);
-      }
+      for (std::size_t b = 0; b < power.size(); ++b) power[b] *= source.power()[b] * intensity;
+      add_way(paths.matter(), cell, way_through(cell, gradients, entry, point.direction, out - in), power,
+              moments);
     }
+  }
+}
+
+/// Optical depth by which a column's corners may differ for a rule of degree 5 to see it to about 1e-6.
+constexpr double even_depth = 1;
+
+void add_column(const LightPaths& paths, const BeamSource& source, const Vec3& direction, const LitCell& cell,
+                const std::array<Vec3, 4>& gradients, const Column& column, NodalMoments& moments) {
+  std::array<double, 3> begin{};
+  for (std::size_t i = 0; i < 3; ++i) begin[i] = direction.dot(column.entry[i]);
+  const auto spread = [](const std::array<double, 3>& values) {
+    const auto [least, most] = std::ranges::minmax(values);
+    return most - least;
+  };
+  const double extinction = cell.thickness / cell.size;
+  if (extinction * std::max(spread(begin), spread(column.length)) > even_depth) {
+    for (const Column& part : column.quarters())
+      add_column(paths, source, direction, cell, gradients, part, moments);
+    return;
+  }
+  const double cross_section = column.cross_section(direction);
+  std::vector<double> power(paths.bands());
+  for (const FacePointWeight& point : seven_point_rule()) {
+    Vec3 entry = Vec3::Zero();
+    double length = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      entry += point.barycentric[i] * column.entry[i];
+      length += point.barycentric[i] * column.length[i];
+    }
+    if (!source.arrives({cell.index, entry}, direction, power)) continue;
+    for (double& value : power) value *= point.weight * cross_section;
+    add_way(paths.matter(), cell, way_through(cell, gradients, entry, direction, length), power, moments);
   }
 }
 
@@ -210,6 +152,14 @@ LitCell::LitCell(const LightPaths& paths, CellIndex cell)
 void add_in_polar_frame(const LightPaths& paths, const PointSource& source, const LitCell& cell,
                         NodalMoments& moments) {
   for (const PointSource::Image& image : source.images()) add_image(paths, source, image, cell, moments);
+}
+
+void add_in_columns(const LightPaths& paths, const BeamSource& source, const LitCell& cell,
+                    NodalMoments& moments) {
+  const std::array<Vec3, 4> gradients = shape_gradients(cell);
+  for (const Vec3& direction : source.directions())
+    for (const Column& column : columns_of(cell.corners, direction))
+      add_column(paths, source, direction, cell, gradients, column, moments);
 }
 
 void add_by_points(const LightPaths& paths, const LightSource& source, const LitCell& cell, LightBeams& beams,

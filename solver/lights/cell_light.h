@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "solver/lights/beam_source.h"
 #include "solver/lights/light_source.h"
 #include "solver/lights/nodal_moments.h"
 #include "solver/lights/point_source.h"
@@ -32,6 +33,10 @@ struct LitCell {
 ///     integral over K of shape phi dV = P integral dw i(w) T(in) integral of (a + b r) e^(-s (r - in)) dr.
 void add_in_polar_frame(const LightPaths& paths, const PointSource& source, const LitCell& cell,
                         NodalMoments& moments);
+
+/// Adds the light of a beam column by column, in closed form along the light.
+void add_in_columns(const LightPaths& paths, const BeamSource& source, const LitCell& cell,
+                    NodalMoments& moments);
 
 /// Adds the light of any source by looking at it from points of the cell.
 void add_by_points(const LightPaths& paths, const LightSource& source, const LitCell& cell, LightBeams& beams,

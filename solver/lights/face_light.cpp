@@ -44,11 +44,20 @@ struct LitFace {
 
 /// How often a face with a shadow's edge is divided in four.
 constexpr int most_divisions = 3;
+/// Optical thickness of the matter along a face from which on its parts are this thin at most.
+constexpr double thin = 0.3, even_depth = 0.7;
 
 class PointsOfFace {
  public:
   PointsOfFace(const LightSource& source, const LitFace& face, LightBeams& beams, NodalMoments& moments)
       : source_(source), face_(face), beams_(beams), moments_(moments) {}
+
+  /// In parts over which what media leave changes as slowly as a rule of degree 5 can see.
+  void add_in_even_parts(const SubTriangle& part, double measure, double thickness, int divisions) {
+    if (thickness <= even_depth) return add(seven_point_rule(), part, measure, divisions);
+    for (const SubTriangle& child : equal_parts(part))
+      add_in_even_parts(child, measure / 4, thickness / 2, divisions);
+  }
 
   template <class Rule>
   void add(const Rule& rule, const SubTriangle& part, double measure, int divisions) {
@@ -120,7 +129,10 @@ void add_irradiance(const LightPaths& paths, const LightSource& source, FaceInde
   PointsOfFace points(source, face, beams, moments);
   // A wide light is seen in part from everywhere.
   const int divisions = source.as_wide() != nullptr ? 0 : most_divisions;
-  if (source.is_near(face.centroid, far_in_sizes / 3 * face.size))
+  const double thickness = paths.largest_extinction(face.cell) * face.size;
+  if (thickness > thin)
+    points.add_in_even_parts(whole_face, face.area, thickness, divisions);
+  else if (source.is_near(face.centroid, far_in_sizes / 3 * face.size))
     points.add(seven_point_rule(), whole_face, face.area, divisions);
   else
     points.add(three_point_rule(), whole_face, face.area, divisions);

@@ -28,6 +28,7 @@ struct LightDetail {
 constexpr LightDetail coarse_light{0.7, 0.03, 0.6, 0.9, TriangleRule::three_points};
 constexpr LightDetail fine_light{0.2, 0.01, 0.15, 0.25, TriangleRule::seven_points};
 
+class BeamSource;
 class PointSource;
 class WideSource;
 
@@ -46,6 +47,8 @@ class LightSource {
   virtual void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const = 0;
   /// The light as a point, if it is one.
   virtual const PointSource* as_point() const { return nullptr; }
+  /// The light as a beam, if it is one.
+  virtual const BeamSource* as_beam() const { return nullptr; }
   /// Whether it is near enough, or wide enough, for its parts to be looked at one by one from a place of this
   /// size; beams and points are always looked at directly.
   virtual bool is_near(const Vec3& place, double size) const = 0;

@@ -17,6 +17,8 @@ namespace {
 /// Cells thicker than this are integrated in the polar frame of a point light wherever they are: along the
 /// ray that is exact.
 constexpr double thick = 1.5;
+/// And from here on in the columns of a beam.
+constexpr double thin = 0.3;
 
 void add_cell(const LightPaths& paths, const LightSource& source,
               const std::optional<ExtendedLight>& extended, const LitCell& cell, LightBeams& beams,
@@ -24,6 +26,8 @@ void add_cell(const LightPaths& paths, const LightSource& source,
   const PointSource* point = source.as_point();
   if (point != nullptr && (cell.thickness > thick || source.is_near(cell.centroid, cell.size)))
     return add_in_polar_frame(paths, *point, cell, moments);
+  if (const BeamSource* beam = source.as_beam(); beam != nullptr && cell.thickness > thin)
+    return add_in_columns(paths, *beam, cell, moments);
   if (extended) return extended->add(cell, beams, moments);
   add_by_points(paths, source, cell, beams, moments);
 }

@@ -269,6 +269,28 @@ TEST(UncollidedField, OfTheSunFallsExponentially) {
               1e-6);
 }
 
+// Two suns from opposite sides into a column between mirrors have no edges.
+TEST(UncollidedField, OfSlantingSunsBalancesInThickCells) {
+  const TetrahedralMesh mesh = cube_mesh(2e-3);
+  std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
+  for (const char* side : {"xmin", "xmax", "ymin", "ymax"})
+    walls[static_cast<std::size_t>(wall_of(mesh, side))].specular = {1};
+  for (const double extinction : {2.0, 10.0}) {
+    const Problem problem(mesh, {}, {uniform_medium(1, extinction, 0, 0)}, walls);
+    const LightPaths paths(problem);
+    LightSources sources;
+    for (const double x : {-0.5, 0.5})
+      sources.push_back(std::make_unique<BeamSource>(
+          "sun", BeamLight{Vec3(x, 0, -0.8).normalized(), {1}, {wall_of(mesh, "zmax")}}, paths));
+    const UncollidedField field = uncollided_field(paths, sources, 1);
+    double found = extinction * integral_over_cells(mesh, field.fluence);
+    for (std::size_t i = 0; i < field.irradiance.size(); ++i)
+      if (const FaceIndex face(static_cast<std::int64_t>(i / 3)); mesh.wall(face) == wall_of(mesh, "zmin"))
+        found += field.irradiance[i] * mesh.area(face) / 3;
+    EXPECT_NEAR(found / (sources[0]->power()[0] + sources[1]->power()[0]), 1, 1e-6) << extinction;
+  }
+}
+
 TEST(UncollidedField, BeforeAMirrorIsThatOfTheUnfoldedRoom) {
   const TetrahedralMesh half = cube_mesh(2e-3);
   const TetrahedralMesh whole = unfolded_mesh(half);
