@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Irradiance and open part of the half space at the bottom of wells; irradiance under lamps."""
+"""Irradiance and open part of the half space at the bottom of wells; irradiance under lamps; walls, trenches and wedges without end."""
 
 import re
 
@@ -8,7 +8,7 @@ from suite.row import Row
 
 
 def compare(runs):
-    return wells(runs) + discs(runs) + rectangles(runs)
+    return wells(runs) + endless(runs) + discs(runs) + rectangles(runs)
 
 
 def wells(runs):
@@ -23,6 +23,27 @@ def wells(runs):
         for word, value, text in (("irradiance", point["irradiance"], row["visibility_cosine"]),
                                   ("open part", point["fluence"] / 2, row["visibility_solid_angle"])):
             found.append(Row(f"{name}, {kind[1]}: {word}", value, float(text), last_digit(text)))
+    return found
+
+
+# By case of the reference: the run and the place of its probe, of the numbers of the parameters.
+ENDLESS = {
+    "floor_point_near_infinite_wall": lambda height, distance: (f"wall {height}", (float(distance), 0, 0)),
+    "infinite_trench_bottom_centre": lambda width, depth: (f"trench {depth}", (0, 0, 0)),
+    "wedge_two_infinite_planes": lambda angle: (f"wedge {angle}", (1e-5, 0, 0)),
+}
+
+
+def endless(runs):
+    found = []
+    for row in read_reference("ambient_occlusion.csv"):
+        if row["case"] not in ENDLESS:
+            continue
+        name, place = ENDLESS[row["case"]](*re.findall(r"\d+", row["parameters"]))
+        point = runs[name].at(place)
+        for word, value, text in (("irradiance", point["irradiance"], row["visibility_cosine"]),
+                                  ("open part", point["fluence"] / 2, row["visibility_solid_angle"])):
+            found.append(Row(f"{name}, x {place[0]:g}: {word}", value, float(text), last_digit(text)))
     return found
 
 
