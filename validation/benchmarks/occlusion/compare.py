@@ -8,7 +8,7 @@ from suite.row import Row
 
 
 def compare(runs):
-    return wells(runs) + endless(runs) + discs(runs) + rectangles(runs)
+    return wells(runs) + endless(runs) + discs(runs) + rectangles(runs) + overhead(runs)
 
 
 def wells(runs):
@@ -65,5 +65,17 @@ def rectangles(runs):
         numbers = re.fullmatch(r"size ([\dx]+) at height ([\d.]+) above .*", row["parameters"])
         if numbers:
             name = f"rectangle {numbers[1]} h {numbers[2]}"
+            found.append(Row(name, runs[name].at((0, 0, 0))["irradiance"], float(row["E"]), last_digit(row["E"])))
+    return found
+
+
+def overhead(runs):
+    """Discs on the axis of the receiver, and rectangles with a corner above it."""
+    found = []
+    for row in read_reference("irradiance.csv"):
+        disc = re.fullmatch(r"half-angle (60|45|10|1) deg, L=1", row["parameters"])
+        corner = re.fullmatch(r"size (\dx\d), corner above receiver, height 1, L=1", row["parameters"])
+        if disc or corner:
+            name = f"disc of half-angle {disc[1]}" if disc else f"corner of rectangle {corner[1]}"
             found.append(Row(name, runs[name].at((0, 0, 0))["irradiance"], float(row["E"]), last_digit(row["E"])))
     return found
