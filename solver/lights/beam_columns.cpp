@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "solver/lights/clipped_polygon.h"
+
 namespace etendue {
 namespace {
 
@@ -12,20 +14,6 @@ namespace {
 constexpr double along = 1e-10;
 
 using Triangle = std::array<Vec3, 3>;
-
-/// The part of a polygon where n.(x - p) >= 0.
-std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& normal, const Vec3& p) {
-  std::vector<Vec3> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3& here = polygon[i];
-    const Vec3& next = polygon[(i + 1) % polygon.size()];
-    const double at_here = normal.dot(here - p), at_next = normal.dot(next - p);
-    if (at_here >= 0) kept.push_back(here);
-    if ((at_here > 0 && at_next < 0) || (at_here < 0 && at_next > 0))
-      kept.emplace_back((at_here * next - at_next * here) / (at_here - at_next));
-  }
-  return kept;
-}
 
 void append_common(const Triangle& entry, const Triangle& exit, const Vec3& exit_normal,
                    const Vec3& direction, std::vector<Column>& columns) {

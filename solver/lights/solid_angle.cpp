@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "solver/lights/clipped_polygon.h"
 #include "solver/lights/simplex_rules.h"
 
 namespace etendue {
@@ -39,20 +40,6 @@ void append_unit(const SphericalTriangle& t, double largest_side, TriangleRule r
     const double length = y.norm();
     points.push_back({y / length, point.weight * half_determinant / (length * length * length)});
   }
-}
-
-/// The part of a cone, given by the vectors along its edges, where n.x >= 0.
-std::vector<Vec3> clipped(const std::vector<Vec3>& cone, const Vec3& normal) {
-  std::vector<Vec3> kept;
-  for (std::size_t i = 0; i < cone.size(); ++i) {
-    const Vec3& here = cone[i];
-    const Vec3& next = cone[(i + 1) % cone.size()];
-    const double at_here = normal.dot(here), at_next = normal.dot(next);
-    if (at_here >= 0) kept.push_back(here);
-    if ((at_here > 0 && at_next < 0) || (at_here < 0 && at_next > 0))
-      kept.emplace_back((at_here * next - at_next * here) / (at_here - at_next));
-  }
-  return kept;
 }
 
 struct Side {
