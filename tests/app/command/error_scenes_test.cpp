@@ -100,8 +100,9 @@ SpaceError space_error(double max_volume) {
     for (int column = 0; column < camera.pixels[0]; ++column) {
       const CameraRay ray = rays.through(column + 0.5, row + 0.5);
       const auto start = scene.enter(ray.origin, ray.direction);
+      if (!start) continue;
       double exact = 0;
-      const double way = start ? way_through(start->position, ray.direction) : 0;
+      const double way = way_through(start->position, ray.direction);
       constexpr int steps = 1000;
       for (int i = 0; i < steps; ++i) {
         const double along = way * (i + 0.5) / steps;
