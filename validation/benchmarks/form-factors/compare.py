@@ -22,15 +22,20 @@ def seen_by_element(result):
     return float(result.probes[0]["irradiance"])
 
 
-# By configuration of the reference: how its parameters make the name of a run, and what is read there. Of strips without
-# end, a triangle and discs of two sizes there is none.
+# By configuration of the reference: how its parameters make the name of a run, and what is read there.
 CONFIGURATIONS = {
     "parallel_rect_aligned": (lambda a, b, h: f"facing {a} {b} {h}", lambda run: factor(run, ["zmin"], ["lit"])),
     "perp_rect_common_edge": (lambda w, h, e: f"edge {w},{e},{h}", lambda run: factor(run, ["zmin"], ["lit"])),
     "parallel_rect_offset": (lambda x, y: f"offset {x} {y}", lambda run: factor(run, ["from"], ["lit"])),
     "element_parallel_rect_corner": (lambda a, b, h: f"element below {a},{b},{h}", seen_by_element),
     "element_perp_rect_corner": (lambda a, b, c: f"element beside {c},{b},{a}", seen_by_element),
-    "coaxial_discs": (lambda r, other, h: f"cylinder {h}" if r == other else "", lambda run: factor(run, ["zmin"], ["zmax"])),
+    "infinite_parallel_strips": (lambda h, w: f"strips {h}", lambda run: factor(run, ["from"], ["lit"])),
+    "infinite_perp_strips": (lambda w, h: f"upright strips {h}", lambda run: factor(run, ["from"], ["lit"])),
+    "triangle_345_infinite": (lambda: "triangle", lambda run: factor(run, ["1"], ["2"])),
+    "coaxial_discs": (lambda r, other, h: f"cylinder {h}" if r == other else f"discs {r}-{other}",
+                      lambda run: factor(run, *((["zmin"], ["zmax"]) if "zmin" in run.walls() else (["1"], ["2"])))),
+    "sphere_to_coaxial_disc": (lambda r, h: f"ball and disc {r} {h}", lambda run: factor(run, ["ball"], ["zmax"])),
+    "coaxial_cylinders_infinite": (lambda outer, inner: f"cylinders {outer} {inner}", seen_by_element),
     "base->wall": (lambda r, h: f"cylinder {h}", lambda run: factor(run, ["zmin"], without(run, "zmin", "zmax"))),
     "wall->wall": (lambda r, h: f"cylinder {h}",
                    lambda run: factor(run, without(run, "zmin", "zmax"), without(run, "zmin", "zmax"))),
