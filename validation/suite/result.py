@@ -97,6 +97,14 @@ class Result:
         raise KeyError(f"{self.name}: no probe at {point}, band {band}")
 
     @functools.cached_property
+    def _sensors(self):
+        return {(row["sensor"], row["quantity"], row["band"]): float(row["value"]) for row in read_rows(self.folder / "sensors.csv")}
+
+    def sensor(self, name, quantity, band=None):
+        """What an instrument shows; band "photopic" is what the eye sees."""
+        return self._sensors[name, quantity, band or self.bands[0]]
+
+    @functools.cached_property
     def study(self):
         return json.loads((self.folder / "study.json").read_text(encoding="utf-8"))
 
