@@ -57,10 +57,10 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   read_solve(top.section("solve"), file.parent_path(), result);
   read_photon_map(top.section("photon_map"), result);
   read_radiosity(top.section("radiosity"), top.section("solve").text("method") == "radiosity", result);
-  if (top.has("exact")) read_exact(top.section("exact"), result);
   result.probes = read_probes(top);
   result.cameras = read_cameras(top);
   result.sensors = read_sensors(top);
+  if (top.has("exact")) read_exact(top.section("exact"), result);
   result.output = read_output(top.section("output"), file);
   result.solve.keep_ordinates = result.output.radiance_ordinates;
   return result;

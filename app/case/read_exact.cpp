@@ -50,6 +50,16 @@ void check_walls(const Case& input, Faults& faults) {
   }
 }
 
+/// The source is known at the ordinates alone.
+void check_views(const Case& input, Faults& faults) {
+  constexpr std::string_view why =
+      "in a case with [exact], whose source rays do not see (not in this version); remove it, or use a probe";
+  for (const CameraCase& camera : input.cameras)
+    faults.push_back(fault_at(camera.origin, "", fmt::format("a camera {}", why)));
+  for (const SensorCase& sensor : input.sensors)
+    faults.push_back(fault_at(sensor.origin, "", fmt::format("a sensor {}", why)));
+}
+
 void read_family(Section& exact, Case& result) {
   exact.unused("radiance", "the family says what it is");
   const auto name = exact.text_if("family");
@@ -71,6 +81,7 @@ void read_exact(Section exact, Case& result) {
   check_sources(result, exact.faults());
   check_walls(result, exact.faults());
   check_lights(result, exact.faults());
+  check_views(result, exact.faults());
   if (exact.has("family")) return read_family(exact, result);
   for (const char* name : {"degree", "center", "length"}) exact.unused(name, "only a family takes it");
   const auto radiance = exact.text_if("radiance");

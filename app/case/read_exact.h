@@ -6,8 +6,9 @@
 
 namespace etendue {
 
-/// The table [exact]. The case's media and walls must have been read: what emits or reflects beside the exact
-/// radiance is a fault.
+/// The table [exact]. The case's media, walls, cameras and sensors must have been read: what emits or
+/// reflects beside the exact radiance is a fault, and so is what looks along rays, which do not see its
+/// source.
 void read_exact(Section exact, Case& result);
 
 }  // namespace etendue

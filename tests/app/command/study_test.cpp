@@ -339,6 +339,21 @@ TEST(ExactRun, RefusesOtherSourcesAndMirrors) {
   EXPECT_TRUE(has(error_with("exact.radiance='1/x'"), "is not finite"));
 }
 
+TEST(ExactRun, RefusesCamerasAndSensors) {
+  const auto error_beside = [](const std::string& table) {
+    const CaseFolder folder(exact_case() + table);
+    const Outcome outcome = etendue_says({"run", folder.file()});
+    EXPECT_EQ(outcome.code, ExitCode::input_error);
+    return outcome.err;
+  };
+  EXPECT_TRUE(
+      has(error_beside("\n[[sensor]]\nname = \"meter\"\nposition = [0.5, 0.5, 0.5]\nnormal = [0, 0, 1]\n"),
+          "a sensor in a case with [exact]"));
+  EXPECT_TRUE(has(
+      error_beside("\n[[camera]]\nname = \"front\"\nposition = [0.1, 0.5, 0.5]\nlook_at = [1, 0.5, 0.5]\n"),
+      "a camera in a case with [exact]"));
+}
+
 /// A study of a case in this repository on three meshes that TetGen makes anew.
 json study_of_case(const std::string& name, const std::vector<std::string>& changes) {
   const test::ScratchFolder folder;
