@@ -291,6 +291,19 @@ TEST(UncollidedField, OfSlantingSunsBalancesInThickCells) {
   }
 }
 
+// A plate 100 times as wide as it is thick: what lies side by side in a cell is reached by ways that come in
+// far from each other, through the same matter; but along one edge light comes in by the side.
+TEST(UncollidedField, OfASlantingSunBalancesInWideFlatCells) {
+  const TetrahedralMesh mesh =
+      moved_mesh(cube_mesh(0.2), [](const Vec3& p) { return Vec3(10 * p.x(), 10 * p.y(), 0.1 * p.z()); });
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 20, 0, 0), uniform_wall(1, 0, 0, 0));
+  const LightPaths paths(problem);
+  const LightSources sources = sun(Vec3(0.96, 0, -0.28), 0, paths);
+  const UncollidedField field = uncollided_field(paths, sources, 1);
+  const double absorbed = 20 * integral_over_cells(mesh, field.fluence);
+  EXPECT_NEAR((absorbed + integral_over_walls(mesh, field.irradiance)) / sources[0]->power()[0], 1, 1e-4);
+}
+
 TEST(UncollidedField, BeforeAMirrorIsThatOfTheUnfoldedRoom) {
   const TetrahedralMesh half = cube_mesh(2e-3);
   const TetrahedralMesh whole = unfolded_mesh(half);
