@@ -15,6 +15,10 @@ namespace detail {
 inline const auto& rule_of_degree_five(const SubTetrahedron&) { return cell_rule(); }
 inline const auto& rule_of_degree_five(const SubTriangle&) { return seven_point_rule(); }
 
+/// How often a cell in an edge of a body that shines is divided, all corners of which lie on its surface: no
+/// rule can be collapsed towards all of them.
+constexpr int divisions_within_surface = 2;
+
 template <std::size_t corners, class SteepOf, class AddPoint>
 class AdaptiveSum {
  public:
@@ -23,7 +27,13 @@ class AdaptiveSum {
   AdaptiveSum(const SteepOf& steep_of, double tolerance, const AddPoint& add_point, NodalMoments& moments)
       : steep_of_(steep_of), tolerance_(tolerance), add_point_(add_point), moments_(moments) {}
 
-  void add(const Part& part, double measure, int divisions) {
+  void add(const Part& part, double measure, int divisions, int divisions_within = divisions_within_surface) {
+    if (corners == 4 && divisions_within > 0 && steep_of_(part).surface.all()) {
+      const auto parts = equal_parts(part);
+      for (const Part& child : parts)
+        add(child, measure / static_cast<double>(parts.size()), 0, divisions_within - 1);
+      return;
+    }
     const NodalMoments coarse = by_rule(part, measure);
     if (divisions == 0) return moments_.add(coarse);
     refine(part, measure, coarse, tolerance_ * coarse.size(), divisions);

@@ -31,17 +31,17 @@ constexpr std::array<double, series_terms> coefficients = series_coefficients();
 /// The rest is below 1e-13.
 std::size_t terms_up_to(double x) { return x < 0.2 ? 8 : x < 0.7 ? 13 : series_terms; }
 
-/// E_2 where x is at most the border.
-Eight by_series(const Eight& x, const Eight& transmittance) {
+/// E_1 where x is at most the border.
+Eight first_by_series(const Eight& x) {
   const std::size_t terms = terms_up_to(x.maxCoeff());
   Eight sum = Eight::Constant(coefficients[terms - 1]);
   for (std::size_t k = terms - 1; k-- > 0;) sum = sum * x + coefficients[k];
   const Eight logarithm = x.max(std::numeric_limits<double>::min()).log();
-  return transmittance - x * (x * sum - logarithm - std::numbers::egamma);
+  return x * sum - logarithm - std::numbers::egamma;
 }
 
 /// E_2 where x is not below the border.
-Eight by_fraction(const Eight& x, const Eight& transmittance) {
+Eight second_by_fraction(const Eight& x, const Eight& transmittance) {
   Eight n_before = Eight::Zero(), n = Eight::Ones(), d_before = Eight::Ones(), d = x + 2;
   for (int k = 1; k < fraction_terms; ++k) {
     const double part = k * (k + 1);
@@ -60,15 +60,20 @@ Eight by_fraction(const Eight& x, const Eight& transmittance) {
 ExponentialIntegrals exponential_integrals(const Eight& thickness) {
   const Eight x = thickness.min(thickest);
   const Eight transmittance = (-x).exp();
-  Eight second;
-  if (x.maxCoeff() <= border)
-    second = by_series(x, transmittance);
-  else if (x.minCoeff() >= border)
-    second = by_fraction(x, transmittance);
-  else
-    second = (x <= border)
-                 .select(by_series(x.min(border), transmittance), by_fraction(x.max(border), transmittance));
-  return {second, (transmittance - x * second) / 2};
+  ExponentialIntegrals integrals{Eight::Zero(), Eight::Zero(), Eight::Zero()};
+  auto& [first, second, third] = integrals;
+  if (x.minCoeff() <= border) {
+    first = first_by_series(x.min(border));
+    second = transmittance - x * first;
+  }
+  if (x.maxCoeff() > border) {
+    const Eight thick = x.max(border);
+    const Eight of_thick = second_by_fraction(thick, transmittance);
+    first = (x > border).select((transmittance - of_thick) / thick, first);
+    second = (x > border).select(of_thick, second);
+  }
+  third = (transmittance - x * second) / 2;
+  return integrals;
 }
 
 }  // namespace etendue

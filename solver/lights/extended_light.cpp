@@ -15,7 +15,8 @@ namespace {
 constexpr double touching_in_sizes = 1e-9, near_in_sizes = 1.5, middling_in_sizes = 4;
 constexpr double tolerance_of_cells = 1e-3, tolerance_of_faces = 1e-4;
 constexpr int divisions_of_cells = 2, divisions_of_faces = 5;
-/// Cells in and near a volume that shines are looked at point by point where they are thicker than this.
+/// Cells in and near a volume that shines in many ways are looked at point by point where they are thicker
+/// than this.
 constexpr double thick = 1;
 /// How often a cell or face with a part in the shadow is divided.
 constexpr int divisions_in_shadow = 2;
@@ -138,7 +139,7 @@ void ExtendedLight::add_lit(const Site<corners>& site, const LossesBetween<corne
     deposit(place, barycentric, measure, light, sum);
   };
   const bool middling = corners == 3 || source_.is_near(site.centroid, middling_in_sizes * site.size);
-  if (source_.is_volume() || !middling) {
+  if (source_.is_in_parts() || !middling) {
     for (const auto& point : rule_of_degree_two(site.whole))
       add_point(point.barycentric, point.weight * site.measure, moments);
     return;
@@ -159,7 +160,7 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
   Arrived light(bands_);
   std::vector<WayLoss> loss(bands_);
   bool any_lit = false, any_shadow = false;
-  for (const auto& point : rule_of_degree_two(part)) {
+  const auto look_from = [&](const auto& point) {
     const auto barycentric = in_whole(point.barycentric, part);
     const Vec3 place = site.position(barycentric);
     const Seen seen =
@@ -168,7 +169,11 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
     any_shadow = any_shadow || seen == Seen::nothing || seen == Seen::part;
     arrive(place, loss, beams, light);
     deposit(place, barycentric, point.weight * measure, light, sum);
-  }
+  };
+  if (divisions == 0 && source_.is_near(site.centroid, middling_in_sizes * site.size))
+    for (const auto& point : detail::rule_of_degree_five(part)) look_from(point);
+  else
+    for (const auto& point : rule_of_degree_two(part)) look_from(point);
   if (!any_lit || !any_shadow || divisions == 0) return moments.add(sum);
   const auto parts = equal_parts(part);
   for (const auto& child : parts)
@@ -186,7 +191,8 @@ void ExtendedLight::add(const Site<corners>& site, const std::array<std::int32_t
   if (known || (found == Interpolation::unseen && look_inside(site, beams, losses)))
     add_lit(site, losses, divisions, deposit, beams, moments);
   else
-    add_point_by_point(site, site.whole, site.measure, divisions_in_shadow, deposit, beams, moments);
+    add_point_by_point(site, site.whole, site.measure,
+                       found == Interpolation::steep ? 0 : divisions_in_shadow, deposit, beams, moments);
 }
 
 void ExtendedLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const {
@@ -200,7 +206,7 @@ void ExtendedLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& mo
         sum.add(shape, measure, b, light.flux[b][static_cast<Eigen::Index>(axis)], 1 + axis);
     }
   };
-  if (source_.is_volume() && cell.thickness > thick &&
+  if (source_.is_in_parts() && cell.thickness > thick &&
       source_.is_near(cell.centroid, near_in_sizes * cell.size))
     return add_point_by_point(site, site.whole, site.measure, 0, deposit, beams, moments);
   add(site, paths_.problem().mesh().vertices(cell.index), divisions_of_cells, deposit, beams, moments);

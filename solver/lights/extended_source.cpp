@@ -2,9 +2,11 @@
 #include "solver/lights/extended_source.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "solver/lights/attenuation.h"
+#include "solver/lights/even_way.h"
 #include "solver/lights/solid_angle.h"
 
 namespace etendue {
@@ -12,6 +14,18 @@ namespace {
 
 /// Without rays more points are cheap.
 constexpr LightDetail clear_detail{0.25, 0.03, 0.3, 0.9, TriangleRule::seven_points};
+
+/// Bodies whose radius is below this part of their distance are seen as points: what their faces bring is a
+/// difference of larger numbers.
+constexpr double far_in_distances = 0.1;
+/// So are those of which less than this part of their size arrives.
+constexpr double least_of_size = 1e-4;
+
+/// More faces make too many pairs of a face in front and one behind.
+constexpr std::size_t most_faces = 12;
+/// How finely a body is looked at, and below which part of its distance its radius makes it small.
+constexpr double small_in_distances = 0.25;
+constexpr double largest_side_of_body = 0.5;
 
 /// What one part brings is the integral over its solid angle of the brightness along each direction.
 void scale(std::span<double> fluence, const std::vector<double>& brightness, double factor) {
@@ -33,7 +47,7 @@ struct ExtendedSource::View {
   std::span<double> open_way(const LightPaths& paths, const Vec3& looking, double length, double behind,
                              LightBeams& beams) const {
     const Vec3 direction = paths.mirrors().image_direction(mirrors, looking);
-    const std::span<double> fluence = beams.add(-direction, length + behind / 2);
+    const std::span<double> fluence = beams.add(-direction, {length, behind});
     for (std::size_t b = 0; b < fluence.size(); ++b)
       fluence[b] = sight == Sight::clear ? paths.mirrors().reflectance(mirrors, b) : 1.0;
     if (sight == Sight::clear || length == 0 || paths.transmit(at, direction, length, mirrors, fluence))
@@ -48,14 +62,39 @@ ExtendedSource::ExtendedSource(std::string name, std::vector<double> power, Emit
     : WideSource(std::move(name), std::move(power)),
       tree_(std::move(tree)),
       paths_(paths),
-      images_(paths.mirrors().images_of_point()) {
-  if (tree_.shape() == EmitterShape::triangles) shapes_ = flat_shapes(tree_.parts());
+      images_(paths.mirrors().images_of_point()),
+      all_bands_(paths.bands()) {
+  std::iota(all_bands_.begin(), all_bands_.end(), 0);
+  if (tree_.shape() == EmitterShape::triangles)
+    shapes_ = flat_shapes(tree_.parts());
+  else
+    bodies_ = solid_shapes(tree_.parts());
+  const auto as_first = [this](const EmitterPart& part) {
+    return part.extinction == tree_.part(0).extinction;
+  };
+  if (bodies_.size() == 1 && paths.matter().empty() && std::ranges::all_of(tree_.parts(), as_first))
+    convex_ = bodies_[0].first.convex_faces();
+  if (convex_.size() > most_faces) convex_.clear();
 }
 
 void ExtendedSource::add_beams(const PointInCell& at, Sight sight, LightDetail detail,
                                LightBeams& beams) const {
   for (const MirrorSet mirrors : images_)
-    add_node({at, sight, detail, mirrors, paths_.mirrors().image(mirrors, at.position)}, tree_.root(), beams);
+    add_view({at, sight, detail, mirrors, paths_.mirrors().image(mirrors, at.position)}, beams);
+}
+
+void ExtendedSource::add_view(const View& view, LightBeams& beams) const {
+  const EmitterTree::Node& root = tree_.root();
+  const bool far = root.radius < view.detail.opening / 2 * (root.centre - view.eye).norm() &&
+                   root.thickness < view.detail.thickness / 2;
+  if (convex_.empty() || far)
+    add_node(view, root, beams);
+  else
+    add_body(view, beams);
+}
+
+bool ExtendedSource::is_far(const Vec3& eye) const {
+  return tree_.root().radius < far_in_distances * (tree_.root().centre - eye).norm();
 }
 
 void ExtendedSource::add_node(const View& view, const EmitterTree::Node& node, LightBeams& beams) const {
@@ -104,24 +143,39 @@ void ExtendedSource::add_triangle(const View& view, const EmitterPart& part, Lig
 void ExtendedSource::add_tetrahedron(const View& view, const EmitterPart& part, LightBeams& beams) const {
   std::array<Vec3, 4> corners = part.corners;
   for (Vec3& corner : corners) corner -= view.eye;
+  for (const Wedge& wedge : wedges_of(corners)) add_wedge(view, wedge, part, beams);
+}
+
+// All parts of the body are as the first.
+void ExtendedSource::add_body(const View& view, LightBeams& beams) const {
+  std::vector<ConvexFace> faces = convex_;
+  for (ConvexFace& face : faces)
+    for (Vec3& corner : face.corners) corner -= view.eye;
+  View finer = view;
+  finer.detail.largest_side = std::min(view.detail.largest_side, largest_side_of_body);
+  const double distance = (tree_.root().centre - view.eye).norm();
+  finer.detail.rule = tree_.root().radius < small_in_distances * distance ? TriangleRule::three_points
+                                                                          : TriangleRule::seven_points;
+  for (const Wedge& wedge : wedges_of(faces)) add_wedge(finer, wedge, tree_.part(0), beams);
+}
+
+void ExtendedSource::add_wedge(const View& view, const Wedge& wedge, const EmitterPart& part,
+                               LightBeams& beams) const {
   std::vector<SolidAnglePoint> points;
-  for (const Wedge& wedge : wedges_of(corners)) {
-    points.clear();
-    append_points(wedge.directions, view.detail.largest_side, view.detail.rule, points);
-    for (const SolidAnglePoint& point : points) {
-      const double in = wedge.way_in(point.direction), out = wedge.way_out(point.direction);
-      const std::span<double> fluence = view.open_way(paths_, point.direction, in, out - in, beams);
-      if (fluence.empty()) continue;
-      const RayMatter::View light =
-          view.sight == Sight::clear ? RayMatter::View{} : paths_.matter().view(-point.direction);
-      for (std::size_t band = 0; band < fluence.size(); ++band) {
-        double extinction = view.sight == Sight::clear ? 0 : part.extinction[band];
-        if (extinction > 0 && part.cell && !paths_.matter().empty())
-          extinction = paths_.extinction(*part.cell, band, light);
-        fluence[band] *= attenuated_way(extinction, out - in).constant;
-      }
-      scale(fluence, part.brightness, point.weight);
+  append_points(wedge.directions, view.detail.largest_side, view.detail.rule, points);
+  for (const SolidAnglePoint& point : points) {
+    const double in = wedge.way_in(point.direction), out = wedge.way_out(point.direction);
+    const std::span<double> fluence = view.open_way(paths_, point.direction, in, out - in, beams);
+    if (fluence.empty()) continue;
+    const RayMatter::View light =
+        view.sight == Sight::clear ? RayMatter::View{} : paths_.matter().view(-point.direction);
+    for (std::size_t band = 0; band < fluence.size(); ++band) {
+      double extinction = view.sight == Sight::clear ? 0 : part.extinction[band];
+      if (extinction > 0 && part.cell && !paths_.matter().empty())
+        extinction = paths_.extinction(*part.cell, band, light);
+      fluence[band] *= attenuated_way(extinction, out - in).constant;
     }
+    scale(fluence, part.brightness, point.weight);
   }
 }
 
@@ -132,19 +186,28 @@ void ExtendedSource::look_even(const Vec3& place, std::span<const double> extinc
   for (const MirrorSet mirrors : images_) {
     if (without && (mirrors >> *without & 1) != 0) continue;
     const Vec3 eye = paths_.mirrors().image(mirrors, place);
-    if (!shapes_.empty()) {
+    if (!shapes_.empty())
       add_shapes(mirrors, eye, extinction, light);
-      continue;
-    }
-    beams.clear();
-    add_node({here, Sight::clear, clear_detail, mirrors, eye}, tree_.root(), beams);
-    for (std::size_t i = 0; i < beams.size(); ++i)
-      for (std::size_t b = 0; b < light.fluence.size(); ++b) {
-        const double arrives = beams.fluence(i)[b] * std::exp(-extinction[b] * beams.distance(i));
-        light.fluence[b] += arrives;
-        light.flux[b] += arrives * beams.direction(i);
-      }
+    else if (!bodies_.empty() && !is_far(eye))
+      add_parts(mirrors, here, extinction, add_bodies(mirrors, eye, extinction, light), beams, light);
+    else
+      add_parts(mirrors, here, extinction, all_bands_, beams, light);
   }
+}
+
+void ExtendedSource::add_parts(MirrorSet mirrors, const PointInCell& here, std::span<const double> extinction,
+                               std::span<const std::size_t> bands, LightBeams& beams,
+                               EvenLight& light) const {
+  if (bands.empty()) return;
+  beams.clear();
+  add_view({here, Sight::clear, clear_detail, mirrors, paths_.mirrors().image(mirrors, here.position)},
+           beams);
+  for (std::size_t i = 0; i < beams.size(); ++i)
+    for (const std::size_t b : bands) {
+      const double arrives = beams.fluence(i)[b] * even_way(beams.way(i), extinction[b]).transmittance;
+      light.fluence[b] += arrives;
+      light.flux[b] += arrives * beams.direction(i);
+    }
 }
 
 void ExtendedSource::add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,
@@ -154,28 +217,61 @@ void ExtendedSource::add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<co
     for (std::size_t b = 0; b < radiance.size(); ++b) {
       if (b == 0 || extinction[b] != extinction[b - 1]) view = shape.from(eye, extinction[b]);
       const double arrives = radiance[b] * paths_.mirrors().reflectance(mirrors, b);
-      light.fluence[b] += arrives * view.solid_angle;
+      light.fluence[b] += arrives * view.fluence;
       light.flux[b] += arrives * paths_.mirrors().image_direction(mirrors, view.flux);
     }
   }
 }
 
+std::vector<std::size_t> ExtendedSource::add_bodies(MirrorSet mirrors, const Vec3& eye,
+                                                    std::span<const double> extinction,
+                                                    EvenLight& light) const {
+  std::vector<std::size_t> cancelled;
+  std::vector<SolidShape::View> views(bodies_.size());
+  for (const std::size_t b : all_bands_) {
+    bool enough = false;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const SolidShape& body = bodies_[i].first;
+      if (b == 0 || extinction[b] != extinction[b - 1]) views[i] = body.from(eye, extinction[b]);
+      enough = enough || views[i].fluence > least_of_size * body.size();
+    }
+    if (!enough) {
+      cancelled.push_back(b);
+      continue;
+    }
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const double arrives = bodies_[i].second[b] * paths_.mirrors().reflectance(mirrors, b);
+      light.fluence[b] += arrives * views[i].fluence;
+      light.flux[b] += arrives * paths_.mirrors().image_direction(mirrors, views[i].flux);
+    }
+  }
+  return cancelled;
+}
+
 std::bitset<32> ExtendedSource::rim_sides_at(const Vec3& place, double distance) const {
   std::bitset<32> sides;
+  std::size_t before = 0;
+  const auto add = [&](const std::vector<std::size_t>& found, std::size_t count) {
+    for (const std::size_t side : found)
+      if (before + side < sides.size()) sides.set(before + side);
+    before += count;
+  };
   for (const MirrorSet mirrors : images_) {
-    std::size_t before = 0;
-    for (const auto& [shape, radiance] : shapes_) {
-      for (const std::size_t side : shape.sides_at(paths_.mirrors().image(mirrors, place), distance))
-        sides.set(before + side);
-      before += shape.side_count();
-    }
+    const Vec3 eye = paths_.mirrors().image(mirrors, place);
+    before = 0;
+    for (const auto& [shape, radiance] : shapes_) add(shape.sides_at(eye, distance), shape.side_count());
+    for (const auto& [body, emission] : bodies_) add(body.edges_at(eye, distance), body.edge_count());
   }
   return sides;
 }
 
 bool ExtendedSource::is_near(const Vec3& place, double size) const {
   return std::any_of(images_.begin(), images_.end(), [&](MirrorSet mirrors) {
-    return tree_.box().exteriorDistance(paths_.mirrors().image(mirrors, place)) < size;
+    const Vec3 eye = paths_.mirrors().image(mirrors, place);
+    return tree_.box().exteriorDistance(eye) < size &&
+           (bodies_.empty() || std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& body) {
+              return body.first.distance_to_surface(eye) < size;
+            }));
   });
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "solver/lights/emitter_tree.h"
 #include "solver/lights/flat_shape.h"
+#include "solver/lights/solid_shape.h"
 #include "solver/lights/wide_source.h"
 
 namespace etendue {
@@ -21,25 +23,38 @@ class ExtendedSource : public WideSource {
 
   void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
   bool is_near(const Vec3& place, double size) const override;
-  bool is_volume() const override { return tree_.shape() == EmitterShape::tetrahedra; }
+  bool is_in_parts() const override { return bodies_.empty() && tree_.shape() == EmitterShape::tetrahedra; }
   std::bitset<32> rim_sides_at(const Vec3& place, double distance) const override;
-  /// In closed form where the light is made of a few even flat shapes.
+  /// In closed form where the light is made of a few even flat shapes or bodies.
   void look_even(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
                  LightBeams& beams, EvenLight& light) const override;
 
  private:
   struct View;
+  bool is_far(const Vec3& eye) const;
+  void add_view(const View& view, LightBeams& beams) const;
   void add_node(const View& view, const EmitterTree::Node& node, LightBeams& beams) const;
   void add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,
                   EvenLight& light) const;
+  /// The bands in which too little arrives to be told this way: nothing has been added to them.
+  std::vector<std::size_t> add_bodies(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,
+                                      EvenLight& light) const;
+  void add_parts(MirrorSet mirrors, const PointInCell& here, std::span<const double> extinction,
+                 std::span<const std::size_t> bands, LightBeams& beams, EvenLight& light) const;
   void add_points(const View& view, const EmitterTree::Node& node, LightBeams& beams) const;
   void add_triangle(const View& view, const EmitterPart& part, LightBeams& beams) const;
   void add_tetrahedron(const View& view, const EmitterPart& part, LightBeams& beams) const;
+  void add_wedge(const View& view, const Wedge& wedge, const EmitterPart& part, LightBeams& beams) const;
+  void add_body(const View& view, LightBeams& beams) const;
 
   EmitterTree tree_;
   const LightPaths& paths_;
   std::vector<MirrorSet> images_;
-  std::vector<std::pair<FlatShape, std::vector<double>>> shapes_;  ///< radiance [band]; empty: use the tree
+  std::vector<std::size_t> all_bands_;
+  /// With their radiance or emission [band]; both empty: use the tree.
+  std::vector<std::pair<FlatShape, std::vector<double>>> shapes_;
+  std::vector<std::pair<SolidShape, std::vector<double>>> bodies_;
+  std::vector<ConvexFace> convex_;  ///< of the body if there is one, of the same extinction everywhere
 };
 
 }  // namespace etendue

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/lights/outline.h"
 #include "solver/lights/side_light.h"
 #include "solver/lights/simplex_rules.h"
 
@@ -22,50 +23,10 @@ constexpr double far = 0.35;
 constexpr double cancelled = 1e-5;
 /// An eye that is so near to the plane, in units of the size, lies in it but for rounding.
 constexpr double in_plane = 1e-10;
-/// Sides that turn by less than this lie in one line.
-constexpr double straight = 1e-9;
 
 using Triangle = std::array<Vec3, 3>;
-using Side = std::pair<Vec3, Vec3>;
 
 Vec3 area_vector(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]) / 2; }
-
-/// The sides that only one triangle has.
-std::vector<Side> outline(std::span<const Triangle> triangles) {
-  std::vector<Side> sides;
-  for (const Triangle& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Side side{t[i], t[(i + 1) % 3]};
-      const auto twin = std::find(sides.begin(), sides.end(), Side{side.second, side.first});
-      if (twin == sides.end())
-        sides.push_back(side);
-      else
-        sides.erase(twin);
-    }
-  return sides;
-}
-
-bool in_line(const Side& a, const Side& b) {
-  const Vec3 x = a.second - a.first, y = b.second - b.first;
-  return x.cross(y).norm() < straight * x.norm() * y.norm() && x.dot(y) > 0;
-}
-
-/// Joins sides that go on in one line.
-void join(std::vector<Side>& sides) {
-  for (std::size_t i = 0; i < sides.size();) {
-    const auto next = std::find_if(sides.begin(), sides.end(), [&](const Side& side) {
-      return side.first == sides[i].second && in_line(sides[i], side);
-    });
-    if (next == sides.end()) {
-      ++i;
-      continue;
-    }
-    sides[i].second = next->second;
-    const auto place = static_cast<std::size_t>(next - sides.begin());
-    sides.erase(next);
-    i = place < i ? i - 1 : i;
-  }
-}
 
 double longest_side(const Triangle& t) {
   return std::sqrt(
@@ -91,9 +52,9 @@ struct Rule {
       const double distance = way.norm();
       const double part = point.weight * above / (distance * distance * distance);
       const double arrives = part * std::exp(-extinction * distance);
-      clear.solid_angle += part;
+      clear.fluence += part;
       clear.flux -= part / distance * way;
-      left.solid_angle += arrives;
+      left.fluence += arrives;
       left.flux -= arrives / distance * way;
     }
   }
@@ -119,7 +80,6 @@ FlatShape::FlatShape(std::span<const Triangle> triangles) : sides_(outline(trian
   Vec3 area = Vec3::Zero();
   for (const Triangle& triangle : triangles) area += area_vector(triangle);
   normal_ = area.normalized();
-  join(sides_);
   for (const Side& side : sides_) size_ = std::max(size_, (side.first - sides_.front().first).norm());
 }
 
@@ -130,12 +90,8 @@ double FlatShape::height(const Vec3& eye) const {
 
 std::vector<std::size_t> FlatShape::sides_at(const Vec3& point, double distance) const {
   std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const Vec3 along = sides_[i].second - sides_[i].first;
-    const double part = along.dot(point - sides_[i].first) / along.squaredNorm();
-    const Vec3 nearest = sides_[i].first + std::clamp(part, 0.0, 1.0) * along;
-    if ((nearest - point).norm() <= distance) found.push_back(i);
-  }
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    if (distance_to_side(point, sides_[i].first, sides_[i].second) <= distance) found.push_back(i);
   return found;
 }
 
@@ -151,7 +107,7 @@ FlatShape::View FlatShape::from(const Vec3& eye) const {
     const double sine = across.norm();
     // A side that points at the eye spans no angle.
     if (sine > 0) view.flux += std::atan2(sine, a.dot(b)) / (2 * sine) * across;
-    view.solid_angle -= signed_solid_angle({apex, a, b});
+    view.fluence -= signed_solid_angle({apex, a, b});
   }
   return view;
 }
@@ -161,7 +117,7 @@ FlatShape::View FlatShape::from(const Vec3& eye, double extinction) const {
   if (above == 0 || extinction == 0) return from(eye);
   if (size_ > far * (eye - sides_.front().first).norm()) {
     const View view = by_sides(eye, above, extinction);
-    if (view.solid_angle > cancelled) return view;
+    if (view.fluence > cancelled) return view;
   }
   return by_parts(eye, above, extinction);
 }
@@ -175,7 +131,7 @@ FlatShape::View FlatShape::by_sides(const Vec3& eye, double height, double extin
     const SideLight light =
         light_of_side({height, outward.dot(first - foot), along.dot(first - foot), along.dot(second - foot)},
                       extinction, below);
-    view.solid_angle += light.fluence;
+    view.fluence += light.fluence;
     view.flux += light.upward * normal_ + light.outward * outward;
   }
   return view;
@@ -191,8 +147,8 @@ FlatShape::View FlatShape::by_parts(const Vec3& eye, double height, double extin
     if (area != 0) rule.add(part, height * area);
   }
   const View clear = from(eye);
-  const double left = rule.left.solid_angle / rule.clear.solid_angle;
-  return {left * clear.solid_angle, left * clear.flux + (rule.left.flux - left * rule.clear.flux)};
+  const double left = rule.left.fluence / rule.clear.fluence;
+  return {left * clear.fluence, left * clear.flux + (rule.left.flux - left * rule.clear.flux)};
 }
 
 std::vector<std::pair<FlatShape, std::vector<double>>> flat_shapes(std::span<const EmitterPart> triangles) {

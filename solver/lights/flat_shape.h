@@ -21,7 +21,7 @@ double signed_solid_angle(const std::array<Vec3, 3>& corners);
 class FlatShape {
  public:
   struct View {
-    double solid_angle = 0;    ///< fluence over radiance [sr]
+    double fluence = 0;        ///< over radiance, the solid angle in empty space [sr]
     Vec3 flux = Vec3::Zero();  ///< net flux over radiance [sr]
   };
 

@@ -42,7 +42,7 @@ void SkySource::add_beams(const PointInCell& at, Sight sight, LightDetail, Light
     for (const BeamLight& part : parts_) {
       const Vec3 direction = paths_.mirrors().image_direction(mirrors, part.direction);
       // All ways count as equally long: what is linear between places is the optical depth.
-      const std::span<double> fluence = beams.add(direction, 1);
+      const std::span<double> fluence = beams.add(direction, {1, 0});
       if (sight == Sight::attenuated) {
         const std::optional<WayOut> out = paths_.leave(at, -direction, fluence);
         const bool lit = out && (out->direction + part.direction).norm() < same_direction &&

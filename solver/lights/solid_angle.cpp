@@ -42,20 +42,29 @@ void append_unit(const SphericalTriangle& t, double largest_side, TriangleRule r
   }
 }
 
+/// A face and its plane normal.x = offset; where that is positive light leaves the body here.
 struct Side {
-  std::array<Vec3, 3> corners;
-  Vec3 normal;    ///< out of the tetrahedron
-  double offset;  ///< normal.x on the plane; positive: light leaves the tetrahedron here
+  const ConvexFace& face;
+  double offset;
 };
 
-void append_common(const Side& entry, const Side& exit, std::vector<Wedge>& wedges) {
-  std::vector<Vec3> cone(entry.corners.begin(), entry.corners.end());
-  const auto& c = exit.corners;
-  const double turn = c[0].dot(c[1].cross(c[2])) < 0 ? -1 : 1;
-  for (std::size_t i = 0; i < 3 && !cone.empty(); ++i)
-    cone = clipped(cone, turn * c[i].cross(c[(i + 1) % 3]));
-  for (std::size_t i = 2; i < cone.size(); ++i)
-    wedges.push_back({{cone[0], cone[i - 1], cone[i]}, entry.normal, entry.offset, exit.normal, exit.offset});
+void append_fan(const std::vector<Vec3>& cone, const Wedge& planes, std::vector<Wedge>& wedges) {
+  for (std::size_t i = 2; i < cone.size(); ++i) {
+    wedges.push_back(planes);
+    wedges.back().directions = {cone[0], cone[i - 1], cone[i]};
+  }
+}
+
+/// Seen from the inside of its plane the corners of a face turn the other way.
+std::vector<Vec3> common_cone(const Side& entry, const Side& exit) {
+  std::vector<Vec3> cone = entry.face.corners;
+  const std::vector<Vec3>& c = exit.face.corners;
+  Vec3 turn = Vec3::Zero();
+  for (std::size_t i = 2; i < c.size(); ++i) turn += (c[i - 1] - c[0]).cross(c[i] - c[0]);
+  const double sign = turn.dot(exit.face.normal) < 0 ? -1 : 1;
+  for (std::size_t i = 0; i < c.size() && !cone.empty(); ++i)
+    cone = clipped(cone, sign * c[i].cross(c[(i + 1) % c.size()]));
+  return cone;
 }
 
 }  // namespace
@@ -68,24 +77,35 @@ void append_points(const SphericalTriangle& triangle, double largest_side, Trian
               rule, points);
 }
 
-std::vector<Wedge> wedges_of(const std::array<Vec3, 4>& vertices) {
+std::vector<Wedge> wedges_of(std::span<const ConvexFace> faces) {
   std::vector<Side> entries, exits;
   double size = 0;
-  for (const Vec3& vertex : vertices) size = std::max(size, (vertex - vertices[0]).norm());
-  for (std::size_t k = 0; k < 4; ++k) {
-    Side side{{vertices[(k + 1) % 4], vertices[(k + 2) % 4], vertices[(k + 3) % 4]}, {}, 0};
-    side.normal = (side.corners[1] - side.corners[0]).cross(side.corners[2] - side.corners[0]).normalized();
-    if (side.normal.dot(vertices[k] - side.corners[0]) > 0) side.normal = -side.normal;
-    side.offset = side.normal.dot(side.corners[0]);
-    if (std::abs(side.offset) <= on_plane * size) continue;
-    (side.offset > 0 ? exits : entries).push_back(side);
+  for (const ConvexFace& face : faces)
+    for (const Vec3& corner : face.corners) size = std::max(size, (corner - faces[0].corners[0]).norm());
+  for (const ConvexFace& face : faces) {
+    const double offset = face.normal.dot(face.corners[0]);
+    if (std::abs(offset) <= on_plane * size) continue;
+    (offset > 0 ? exits : entries).push_back({face, offset});
   }
   std::vector<Wedge> wedges;
   for (const Side& exit : exits) {
-    if (entries.empty()) wedges.push_back({exit.corners, Vec3::Zero(), 0, exit.normal, exit.offset});
-    for (const Side& entry : entries) append_common(entry, exit, wedges);
+    if (entries.empty())
+      append_fan(exit.face.corners, {{}, Vec3::Zero(), 0, exit.face.normal, exit.offset}, wedges);
+    for (const Side& entry : entries)
+      append_fan(common_cone(entry, exit),
+                 {{}, entry.face.normal, entry.offset, exit.face.normal, exit.offset}, wedges);
   }
   return wedges;
+}
+
+std::vector<Wedge> wedges_of(const std::array<Vec3, 4>& vertices) {
+  std::array<ConvexFace, 4> faces;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec3 &a = vertices[(k + 1) % 4], &b = vertices[(k + 2) % 4], &c = vertices[(k + 3) % 4];
+    faces[k] = {{a, b, c}, (b - a).cross(c - a).normalized()};
+    if (faces[k].normal.dot(vertices[k] - a) > 0) faces[k].normal = -faces[k].normal;
+  }
+  return wedges_of(faces);
 }
 
 }  // namespace etendue

@@ -27,7 +27,13 @@ enum class TriangleRule { one_point, three_points, seven_points };
 void append_points(const SphericalTriangle& triangle, double largest_side, TriangleRule rule,
                    std::vector<SolidAnglePoint>& points);
 
-/// A tetrahedron seen from the origin falls into wedges: directions that come in by one plane and go out by
+/// A flat face of a convex body.
+struct ConvexFace {
+  std::vector<Vec3> corners;  ///< in order about the face
+  Vec3 normal;                ///< outward
+};
+
+/// A convex body seen from the origin falls into wedges: directions that come in by one plane and go out by
 /// another, so that all that is integrated over a wedge is smooth.
 struct Wedge {
   SphericalTriangle directions;
@@ -42,8 +48,10 @@ struct Wedge {
   double way_out(const Vec3& direction) const { return exit / exit_normal.dot(direction); }
 };
 
-/// The wedges of a tetrahedron. The origin may lie inside, outside, or on a face, an edge or a vertex: faces
-/// whose plane it lies on to 1e-10 of the size take no solid angle.
+/// The origin may lie inside, outside, or on a face, an edge or a vertex: faces whose plane it lies on to
+/// 1e-10 of the size take no solid angle.
+std::vector<Wedge> wedges_of(std::span<const ConvexFace> faces);
+/// Those of a tetrahedron.
 std::vector<Wedge> wedges_of(const std::array<Vec3, 4>& vertices);
 
 }  // namespace etendue

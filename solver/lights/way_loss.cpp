@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/lights/even_way.h"
+
 namespace etendue {
 namespace {
 
@@ -21,10 +23,11 @@ struct BeamSum {
 
   BeamSum(const LightBeams& beams, std::size_t band, double extinction = 0) {
     for (std::size_t i = 0; i < beams.size(); ++i) {
-      const double value = beams.fluence(i)[band] * std::exp(-extinction * beams.distance(i));
+      const EvenWay left = even_way(beams.way(i), extinction);
+      const double value = beams.fluence(i)[band] * left.transmittance;
       fluence += value;
       flux += value * beams.direction(i);
-      way += value * beams.distance(i);
+      way += value * left.mean;
     }
   }
 };
@@ -56,7 +59,7 @@ Seen look(const WideSource& source, const PointInCell& here, LightDetail detail,
   LightBeams open(loss.size());
   for (std::size_t i = 0; i < clear.size() && open.size() < beams.size(); ++i)
     if (clear.direction(i) == beams.direction(open.size()))
-      std::ranges::copy(clear.fluence(i), open.add(clear.direction(i), clear.distance(i)).begin());
+      std::ranges::copy(clear.fluence(i), open.add(clear.direction(i), clear.way(i)).begin());
   bool any_light = false;
   for (std::size_t b = 0; b < loss.size(); ++b) {
     loss[b] = {};

@@ -20,8 +20,9 @@ class WideSource : public LightSource {
   /// without the images behind this plane of a mirror. `beams` is room to work in.
   virtual void look_even(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
                          LightBeams& beams, EvenLight& light) const = 0;
-  /// Whether its fluence in empty space has no steps: that of a surface jumps at its rim.
-  virtual bool is_volume() const { return false; }
+  /// Whether light through even matter is added up from many parts of it, emitting each in its own way: slow,
+  /// and without steps.
+  virtual bool is_in_parts() const { return false; }
   /// The sides of its rim that a place lies on but for a distance.
   virtual std::bitset<32> rim_sides_at(const Vec3&, double) const { return {}; }
   /// Whether it fills so much of the sphere that the visible part of it is linear in cells.

@@ -53,14 +53,14 @@ TEST(FlatShape, ShinesAsItsPartsDo) {
       }
     }
     const FlatShape::View view = shape.from(eye);
-    EXPECT_NEAR(view.solid_angle / solid_angle, 1, 1e-9);
+    EXPECT_NEAR(view.fluence / solid_angle, 1, 1e-9);
     EXPECT_NEAR((view.flux - flux).norm(), 0, 1e-9);
     const FlatShape::View dimmed = shape.from(eye, extinction);
-    EXPECT_NEAR(dimmed.solid_angle / left, 1, 1e-7);
+    EXPECT_NEAR(dimmed.fluence / left, 1, 1e-7);
     EXPECT_NEAR((dimmed.flux - flux_left).norm() / left, 0, 1e-7);
   }
-  EXPECT_EQ(shape.from({0, 0, -1}).solid_angle, 0);
-  EXPECT_EQ(shape.from({5, 0, 0}).solid_angle, 0);
+  EXPECT_EQ(shape.from({0, 0, -1}).fluence, 0);
+  EXPECT_EQ(shape.from({5, 0, 0}).fluence, 0);
 }
 
 // On its own surface it is not seen, whatever rounding makes of the height: on the outline too, between whose
@@ -69,8 +69,8 @@ TEST(FlatShape, IsNotSeenFromItsPlane) {
   const FlatShape shape(frame());
   for (const double height : {1e-17, 3e-16, 1e-13})
     for (const Vec3& eye : {Vec3(0, -1, height), Vec3(1, 0.3, height), Vec3(0.7, 0.7, height)}) {
-      EXPECT_EQ(shape.from(eye).solid_angle, 0);
-      EXPECT_EQ(shape.from(eye, 1).solid_angle, 0);
+      EXPECT_EQ(shape.from(eye).fluence, 0);
+      EXPECT_EQ(shape.from(eye, 1).fluence, 0);
     }
 }
 
