@@ -23,9 +23,8 @@ constexpr double least_of_size = 1e-4;
 
 /// More faces make too many pairs of a face in front and one behind.
 constexpr std::size_t most_faces = 12;
-/// How finely a body is looked at, and below which part of its distance its radius makes it small.
-constexpr double small_in_distances = 0.25;
-constexpr double largest_side_of_body = 0.5;
+/// How finely a body is looked at, and the radius in distances below which three points of a part do.
+constexpr double largest_side_of_body = 0.5, small_body = 0.25;
 
 /// What one part brings is the integral over its solid angle of the brightness along each direction.
 void scale(std::span<double> fluence, const std::vector<double>& brightness, double factor) {
@@ -152,10 +151,12 @@ void ExtendedSource::add_body(const View& view, LightBeams& beams) const {
   for (ConvexFace& face : faces)
     for (Vec3& corner : face.corners) corner -= view.eye;
   View finer = view;
+  const double size = tree_.root().radius / (tree_.root().centre - view.eye).norm();
+  const bool fine = view.detail.rule == TriangleRule::seven_points;
   finer.detail.largest_side = std::min(view.detail.largest_side, largest_side_of_body);
-  const double distance = (tree_.root().centre - view.eye).norm();
-  finer.detail.rule = tree_.root().radius < small_in_distances * distance ? TriangleRule::three_points
-                                                                          : TriangleRule::seven_points;
+  // What stands in the way may be seen sharply.
+  if (fine) finer.detail.largest_side *= std::min(1.0, 2 * size);
+  finer.detail.rule = !fine && size < small_body ? TriangleRule::three_points : TriangleRule::seven_points;
   for (const Wedge& wedge : wedges_of(faces)) add_wedge(finer, wedge, tree_.part(0), beams);
 }
 
