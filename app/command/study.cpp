@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <new>
+#include <optional>
 
 #include "app/command/commands.h"
 #include "app/command/memory.h"
@@ -13,6 +14,7 @@
 #include "app/command/study_plot.h"
 #include "app/write/fluence_distance.h"
 #include "app/write/output_folder.h"
+#include "app/write/summary.h"
 
 namespace etendue {
 namespace {
@@ -20,18 +22,32 @@ namespace {
 /// A level that is still to be run, or was.
 struct Level {
   RunRequest request;
-  Case input;
+  std::optional<Case> input;  ///< nothing if it is refused
+  std::string problem;        ///< why
 };
 
-/// All levels as cases: what is wrong with one is known before the first is run.
+/// All levels as cases: what is wrong with one is known before the first is run. Some of the later ones may
+/// be refused, as orders that a set of directions does not have.
 std::vector<Level> read_levels(const StudyRequest& study, const Case& input) {
   std::vector<Level> levels;
-  for (int level = 1; level <= level_count(study); ++level) {
-    RunRequest request = level_request(study, input, level);
-    Case refined = read_case(request.file, request.overrides);
-    levels.push_back({std::move(request), std::move(refined)});
+  for (int number = 1; number <= level_count(study); ++number) {
+    Level& level = levels.emplace_back();
+    level.request = level_request(study, input, number);
+    try {
+      level.input = read_case(level.request.file, level.request.overrides);
+    } catch (const InputError& error) {
+      if (number == 1) throw;
+      level.problem = error.what();
+    }
   }
   return levels;
+}
+
+/// For people.
+std::string duration_text(double seconds) {
+  if (seconds < 100) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
 }
 
 void write_tables(const StudyRequest& request, const Case& input, const std::vector<StudyRow>& rows,
@@ -71,13 +87,18 @@ class Study {
 
   void take(const Level& level, int number) {
     const std::string heading = fmt::format("level {} of {}", number, level_count(request_));
-    if (request_.resume && keep_saved(level, number, heading)) return;
+    if (!level.input) {
+      fail(number, heading, level.problem);
+      return say_what_is_left(number);
+    }
+    if (request_.resume && keep_saved(*level.input, number, heading)) return say_what_is_left(number);
     out_ << heading << '\n';
+    restart_peak_memory();
     try {
       note(run_case(level.request, out_, err_, [&](const RunResult& run) {
         if (run.solution.interrupted) return;
         LevelResult result = level_result(run, number, request_.refinement);
-        save_level(result, level.input, request_.refinement);
+        save_level(result, *level.input, request_.refinement);
         results_.push_back(std::move(result));
       }));
     } catch (const std::bad_alloc&) {
@@ -91,16 +112,15 @@ class Study {
 
   /// Where nothing is exact, the norms of what the fluence of each level is off the finest level's.
   void compare_fields(const std::vector<Level>& levels) {
-    if (levels.front().input.exact || results_.size() < 2) return;
+    const LevelResult* const finest = finest_of(results_);
+    if (levels.front().input->exact || results_.size() < 2 || finest == nullptr) return;
     const auto fields_of = [&](const LevelResult& result) {
-      return levels[static_cast<std::size_t>(result.level) - 1].input.output.directory / "fields.vtu";
+      return levels[static_cast<std::size_t>(result.level) - 1].input->output.directory / "fields.vtu";
     };
-    for (LevelResult& result : results_) {
-      const bool finest = &result == &results_.back();
-      add_distances(finest ? std::vector<FluenceError>(bands_of(result).size())
-                           : fluence_distance(fields_of(result), fields_of(results_.back())),
+    for (LevelResult& result : results_)
+      add_distances(&result == finest ? std::vector<FluenceError>(bands_of(result).size())
+                                      : fluence_distance(fields_of(result), fields_of(*finest)),
                     result);
-    }
   }
 
   const std::vector<LevelResult>& results() const { return results_; }
@@ -108,10 +128,10 @@ class Study {
   ExitCode code() const { return code_; }
 
  private:
-  bool keep_saved(const Level& level, int number, const std::string& heading) {
-    std::optional<LevelResult> saved = saved_level(level.input, number, request_.refinement);
+  bool keep_saved(const Case& input, int number, const std::string& heading) {
+    std::optional<LevelResult> saved = saved_level(input, number, request_.refinement);
     if (!saved) return false;
-    out_ << heading << ": kept from an earlier study (" << level.input.output.directory.string() << ")\n";
+    out_ << heading << ": kept from an earlier study (" << input.output.directory.string() << ")\n";
     if (!saved->converged) note(ExitCode::not_converged);
     results_.push_back(std::move(*saved));
     return true;
@@ -123,14 +143,14 @@ class Study {
     return std::ldexp(1.0, 3 * times.mesh + 2 * times.directions);
   }
 
-  /// From the time that the last level took.
+  /// From the time that the last level took that ended well.
   void say_what_is_left(int number) {
     const int levels = level_count(request_);
-    if (number == levels || results_.empty() || results_.back().level != number) return;
+    if (number == levels || results_.empty()) return;
     double left = 0;
     for (int level = number + 1; level <= levels; ++level) left += work(level);
-    out_ << fmt::format("study: {} of {} levels, about {:.2g} s left\n", number, levels,
-                        left / work(number) * results_.back().seconds);
+    out_ << fmt::format("study: {} of {} levels, about {} left\n", number, levels,
+                        duration_text(left / work(results_.back().level) * results_.back().seconds));
   }
 
   void fail(int number, const std::string& heading, const std::string& problem) {

@@ -30,7 +30,7 @@ struct LevelResult {
   int sweeps = 0;       ///< of the slowest band
   double residual = 0;  ///< largest estimated relative error of the iteration
   double seconds = 0;
-  double memory = 0;  ///< most that the program has taken up to its end [bytes]
+  double memory = 0;  ///< most that the program has taken meanwhile [bytes]
   std::vector<StudyValue> values;
 };
 
@@ -64,11 +64,17 @@ struct StudyLimit {
 /// "mesh", "directions" or "both".
 const char* name_of(Refinement refinement);
 
+/// What is refined: h, or the size of the directions, (4 pi/directions)^(1/2), in the plane 2 pi/directions.
+double refined_size(const LevelResult& level, Refinement refinement);
+
+/// The level with the most cells and the most directions, if it is there: of a grid all others may be.
+const LevelResult* finest_of(const std::vector<LevelResult>& levels);
+
 /// Errors and observed orders, quantity by quantity. The error of a fluence norm is the value itself; of
 /// other quantities it is the distance from the exact value, or else from that of the finest level, which
-/// then has none, or from the limit of the last three levels. Orders are against h, or against the size of
-/// the directions, (4 pi/directions)^(1/2) (in the plane 2 pi/directions). Where both are refined there are
-/// none: the larger error would hide the other. Nor is there one where the iteration is seen.
+/// then has none, or from the limit of the last three levels. Orders are against the refined size. Where both
+/// are refined there are none: the larger error would hide the other. Nor is there one where the iteration is
+/// seen, or from the levels that a limit was made of, since it would be the limit's own.
 std::vector<StudyRow> study_rows(const std::vector<LevelResult>& levels, Refinement refinement,
                                  StudyReference against = StudyReference::finest);
 

@@ -12,12 +12,6 @@ namespace {
 // The iteration must not be seen in the error of the discretisation.
 constexpr double largest_part_of_iteration = 0.1;
 
-double refined_size(const LevelResult& level, Refinement refinement) {
-  if (refinement == Refinement::mesh) return level.size;
-  const double each = full_range(level.space) / level.directions;
-  return level.space == AngularSpace::sphere ? std::sqrt(each) : each;
-}
-
 const StudyValue* find_value(const LevelResult& level, const StudyValue& like) {
   for (const StudyValue& value : level.values)
     if (value.band == like.band && value.quantity == like.quantity) return &value;
@@ -48,8 +42,10 @@ std::optional<Extrapolation> limit_of(std::span<const StudyRow> rows, Refinement
   return richardson(sizes, values);
 }
 
-void add_errors(std::span<StudyRow> rows, Refinement refinement, StudyReference against) {
-  const StudyRow& finest = rows.back();
+void add_errors(std::span<StudyRow> rows, Refinement refinement, StudyReference against,
+                const LevelResult* finest_level) {
+  const auto finest =
+      std::ranges::find_if(rows, [&](const StudyRow& row) { return row.level == finest_level; });
   const std::optional<Extrapolation> limit =
       against == StudyReference::richardson ? limit_of(rows, refinement) : std::nullopt;
   for (StudyRow& row : rows) {
@@ -60,8 +56,8 @@ void add_errors(std::span<StudyRow> rows, Refinement refinement, StudyReference 
       row.error = std::abs(row.value->value - *row.value->exact);
     else if (limit)
       row.error = std::abs(row.value->value - limit->value);
-    else if (&row != &finest)
-      row.error = std::abs(row.value->value - finest.value->value);
+    else if (finest != rows.end() && &row != &*finest)
+      row.error = std::abs(row.value->value - finest->value->value);
   }
 }
 
@@ -77,6 +73,21 @@ std::optional<double> order_between(const StudyRow& coarse, const StudyRow& fine
 }
 
 }  // namespace
+
+double refined_size(const LevelResult& level, Refinement refinement) {
+  if (refinement == Refinement::mesh) return level.size;
+  const double each = full_range(level.space) / level.directions;
+  return level.space == AngularSpace::sphere ? std::sqrt(each) : each;
+}
+
+const LevelResult* finest_of(const std::vector<LevelResult>& levels) {
+  const auto finest = std::ranges::find_if(levels, [&](const LevelResult& level) {
+    return std::ranges::all_of(levels, [&](const LevelResult& other) {
+      return other.cells <= level.cells && other.directions <= level.directions;
+    });
+  });
+  return finest == levels.end() ? nullptr : &*finest;
+}
 
 const char* name_of(Refinement refinement) {
   switch (refinement) {
@@ -126,8 +137,10 @@ std::vector<StudyRow> study_rows(const std::vector<LevelResult>& levels, Refinem
         row.iteration = iteration_of(level, *value);
       }
     const std::span<StudyRow> of_quantity = std::span(rows).subspan(first);
-    add_errors(of_quantity, refinement, against);
-    for (std::size_t i = 1; i < of_quantity.size(); ++i)
+    add_errors(of_quantity, refinement, against, finest_of(levels));
+    // The last three levels made the limit.
+    const bool fitted = of_quantity.back().reference == ErrorReference::richardson;
+    for (std::size_t i = 1; i + (fitted ? 2 : 0) < of_quantity.size(); ++i)
       of_quantity[i].order = order_between(of_quantity[i - 1], of_quantity[i], refinement);
   }
   return rows;

@@ -22,15 +22,30 @@ std::string quoted(const std::string& text) {
 std::string or_empty(const std::optional<double>& value) { return value ? fmt::to_string(*value) : ""; }
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
+/// Where both are refined there is no size that errors could be drawn against.
+std::optional<double> size_of(const StudyRow& row, Refinement refinement) {
+  if (refinement == Refinement::both) return std::nullopt;
+  return refined_size(*row.level, refinement);
+}
+
 Json as_json(const StudyRow& row, Refinement refinement) {
-  return {{"level", row.level->level},           {"refined", name_of(refinement)},
-          {"cells", row.level->cells},           {"h", row.level->size},
-          {"directions", row.level->directions}, {"band", row.value->band},
-          {"quantity", row.value->quantity},     {"value", row.value->value},
-          {"reference", name_of(row.reference)}, {"error", or_null(row.error)},
-          {"iteration", or_null(row.iteration)}, {"order", or_null(row.order)},
-          {"sweeps", row.level->sweeps},         {"seconds", row.level->seconds},
-          {"memory", row.level->memory},         {"converged", row.level->converged}};
+  return {{"level", row.level->level},
+          {"refined", name_of(refinement)},
+          {"cells", row.level->cells},
+          {"h", row.level->size},
+          {"directions", row.level->directions},
+          {"size", or_null(size_of(row, refinement))},
+          {"band", row.value->band},
+          {"quantity", row.value->quantity},
+          {"value", row.value->value},
+          {"reference", name_of(row.reference)},
+          {"error", or_null(row.error)},
+          {"iteration", or_null(row.iteration)},
+          {"order", or_null(row.order)},
+          {"sweeps", row.level->sweeps},
+          {"seconds", row.level->seconds},
+          {"memory", row.level->memory},
+          {"converged", row.level->converged}};
 }
 
 }  // namespace

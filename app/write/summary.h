@@ -31,5 +31,7 @@ std::optional<SavedCase> case_of_earlier_run(const std::filesystem::path& direct
 
 /// The most memory that this process had at a time [bytes].
 long peak_memory();
+/// Lets the peak begin at what is taken now, where the system can (Linux, proc(5): clear_refs).
+void restart_peak_memory();
 
 }  // namespace etendue

@@ -2,7 +2,6 @@
 """Errors of a study against the size that was refined, beside slopes of whole orders."""
 
 import json
-import math
 
 import matplotlib
 
@@ -25,8 +24,8 @@ def draw_study(results, options):
         axes.loglog(*zip(*points), marker=MARKERS[number % len(MARKERS)], label=label)
     if study["refined"] != "both":
         draw_slopes(axes, study.get("expected_order"))
-    axes.set_xlabel("size of the directions, (4π/directions)^(1/2)" if study["refined"] == "directions"
-                    else "cell size h = (volume/cells)^(1/3)")
+    axes.set_xlabel("size of the directions, (4π/directions)^(1/2), in flatland 2π/directions"
+                    if study["refined"] == "directions" else "cell size h = (volume/cells)^(1/3)")
     axes.set_ylabel("error")
     axes.set_title(options.title or study["title"])
     axes.grid(alpha=0.3, which="both")
@@ -42,13 +41,12 @@ def curves(rows, refined):
         label = row["quantity"] + (f" {row['band']}" if bands > 1 else "")
         if refined == "both":
             label += f", {row['directions']} directions"
-        size = math.sqrt(4 * math.pi / row["directions"]) if refined == "directions" else row["h"]
-        found.setdefault(label, []).append((size, row["error"]))
+        found.setdefault(label, []).append((row["h"] if refined == "both" else row["size"], row["error"]))
     return found
 
 
 def draw_slopes(axes, expected):
-    """Lines of order 1 and 2, or of the order that theory promises, through the upper right corner of the errors."""
+    """Lines of order 1 and 2, or of that of the best approximation, through the upper right corner of the errors."""
     right = max(axes.dataLim.intervalx)
     left = min(axes.dataLim.intervalx)
     top = max(axes.dataLim.intervaly)

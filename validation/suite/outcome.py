@@ -72,6 +72,8 @@ def execute(run, outcome, options):
             column.write(options.output / outcome.benchmark.name / "column.msh", run["column"], run.get("width", 1.0))
         if "sheet" in run:
             sheet.write(options.output / outcome.benchmark.name / "sheet.msh", run["sheet"])
+        for old in ("summary.json", "study.json"):
+            (folder / old).unlink(missing_ok=True)
         code = start([str(options.program), *arguments(run, case, folder)])
         if code not in (0, 1):
             outcome.faults.append(f"{name}: the run failed with exit code {code}")
@@ -81,7 +83,9 @@ def execute(run, outcome, options):
         return
     result = Result(name, folder, time.monotonic() - started)
     outcome.results[name] = result
-    if "study" not in run:
+    if "study" in run:
+        outcome.faults += faults_of_study(result)
+    else:
         outcome.faults += faults_of(result, run.get("balance", 1e-5))
 
 
@@ -113,11 +117,21 @@ def faults_of(result, limit):
     return faults
 
 
+def faults_of_study(result):
+    """Levels that failed, or did not converge, or whose energy does not close."""
+    faults = [f"{result.name}: level {failure['level']} failed: {failure['problem']}" for failure in result.study["failed"]]
+    rows = result.study["rows"]
+    faults += [f"{result.name}: level {level} not converged" for level in sorted({row["level"] for row in rows if not row["converged"]})]
+    faults += [f"{result.name}: balance of level {row['level']}: residual {row['value']:.2e}"
+               for row in rows if row["quantity"] == "balance" and not abs(row["value"]) <= 1e-5]
+    return faults
+
+
 def compare(outcome):
     module = outcome.benchmark.module()
     try:
         found = module.compare(outcome.results)
-    except (KeyError, ValueError, OSError) as error:  # a value that is not there: the other benchmarks go on
+    except Exception as error:  # whatever is amiss with one: the other benchmarks go on
         outcome.faults.append(f"nothing was compared: {error!r}")
         return
     outcome.rows = [judge(row, outcome.benchmark.tolerances) for row in found]

@@ -132,8 +132,23 @@ TEST(StudyRows, MayBeTakenAgainstTheLimitOfTheLastThree) {
     EXPECT_NEAR(*rows[i].error, std::pow(levels[i].cells, -2.0 / 3), 1e-9);
   }
   EXPECT_NEAR(*rows[1].order, 2, 1e-3);
+  EXPECT_FALSE(rows[2].order) << "the limit's own";
+  EXPECT_FALSE(rows[3].order);
   EXPECT_EQ(rows[4].reference, ErrorReference::finest) << "what goes to and fro has no limit";
   EXPECT_FALSE(rows[7].error);
+}
+
+// The last level of a grid that is there may have the coarsest directions of all.
+TEST(StudyRows, HaveNoErrorsInAGridWithoutItsFinestLevel) {
+  std::vector<LevelResult> levels;
+  for (int level = 1; level <= 4; ++level) {
+    levels.push_back(level_with(level, level < 3 ? 10 : 80, {{"grey", "probe:a:0", 1.0 * level, {}}}));
+    levels.back().directions = level % 2 == 1 ? 8 : 32;
+  }
+  EXPECT_DOUBLE_EQ(*study_rows(levels, Refinement::both)[2].error, 1);
+  levels.pop_back();
+  EXPECT_EQ(finest_of(levels), nullptr);
+  for (const StudyRow& row : study_rows(levels, Refinement::both)) EXPECT_FALSE(row.error);
 }
 
 TEST(StudyRows, SkipLevelsThatAreMissing) {
@@ -234,17 +249,19 @@ TEST(Study, CutsTheCellsOfTheFirstMeshWhereItIsNested) {
   EXPECT_GT(norms[2]["order"], 1.9);
 }
 
-TEST(Study, SaysWhatTheoryPromisesOfAFamily) {
+TEST(Study, SaysWhatIsKnownOfAFamily) {
   std::string text = exact_case();
   const std::string formula = "radiance = \"3 + sin(2*x)*wx + cos(y + z)*wy^2\"";
   text.replace(text.find(formula), formula.size(), "family = \"kink\"");
   const CaseFolder folder(text);
   const Outcome outcome = etendue_says(study_of(folder.file(), "mesh", 3));
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
-  EXPECT_TRUE(has(outcome.out, "exact.family = \"kink\": theory promises order 1.5 of fluence_L2"))
+  EXPECT_TRUE(has(outcome.out, "exact.family = \"kink\": the best approximation has order 1.5 of fluence_L2"))
       << outcome.out;
   EXPECT_EQ(study_in(folder)["expected_order"], 1.5);
   EXPECT_GT(rows_of(study_in(folder), "fluence_L2")[2]["order"], 1.5);
+  const Outcome directions = etendue_says(study_of(folder.file(), "directions", 1));
+  EXPECT_TRUE(has(directions.out, "no set of directions is exact for it")) << directions.out;
 }
 
 TEST(Study, DrawsItsErrors) {
@@ -270,6 +287,18 @@ TEST(Study, KeepsTheOtherLevelsWhereOneFails) {
   EXPECT_EQ(norms[0]["level"], 2);
   EXPECT_TRUE(has(outcome.out, "level 1 failed and is left out: ")) << outcome.out;
   EXPECT_EQ(study_in(folder)["failed"][0]["level"], 1);
+}
+
+TEST(Study, GoesOnWithoutLevelsThatAreRefused) {
+  std::string text = exact_case();
+  const std::string set = "set = \"product\"\norder = 2";
+  text.replace(text.find(set), set.size(), "set = \"level-symmetric\"\norder = 16");
+  const CaseFolder folder(text);
+  const Outcome outcome = etendue_says(study_of(folder.file(), "directions", 2));
+  EXPECT_EQ(outcome.code, ExitCode::not_converged);
+  EXPECT_TRUE(has(outcome.err, "level 2 of 2 failed: ")) << outcome.err;
+  EXPECT_EQ(rows_of(study_in(folder), "fluence_L2").size(), 1U);
+  EXPECT_EQ(study_in(folder)["failed"][0]["level"], 2);
 }
 
 TEST(Study, SaysWhatCannotBeRefined) {
