@@ -260,7 +260,7 @@ TEST(Study, SaysWhatIsKnownOfAFamily) {
       << outcome.out;
   EXPECT_EQ(study_in(folder)["expected_order"], 1.5);
   EXPECT_GT(rows_of(study_in(folder), "fluence_L2")[2]["order"], 1.5);
-  const Outcome directions = etendue_says(study_of(folder.file(), "directions", 1));
+  const Outcome directions = etendue_says(study_of(folder.file(), "directions", 2));
   EXPECT_TRUE(has(directions.out, "no set of directions is exact for it")) << directions.out;
 }
 
