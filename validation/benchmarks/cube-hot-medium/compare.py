@@ -8,8 +8,15 @@ LINE, AXIS = "flux along the middle line of a wall", "fluence along the axis"
 
 
 def compare(runs):
-    cube = runs["case"]
-    return [row for band in cube.bands for row in [*on_walls(cube, band), *on_axis(cube, band)]]
+    return [row for cube in runs.values() for band in cube.bands for row in [*on_walls(cube, band), *on_axis(cube, band)]]
+
+
+def label(cube, text):
+    return f"{cube.name}: {text}" if cube.name == "along rays" else text
+
+
+def curve(cube, band):
+    return label(cube, f"kappa {band}")
 
 
 def on_walls(cube, band):
@@ -20,12 +27,12 @@ def on_walls(cube, band):
         exact = {"reference": float(row["q"]), "uncertainty": last_digit(row["q"])}
         if row["x"] == "avg":
             means = [cube.wall(wall, "irradiance_mean", band) for wall in cube.walls()]
-            found.append(Row(f"wall mean, kappa {band}", sum(means) / len(means), **exact))
+            found.append(Row(label(cube, f"wall mean, kappa {band}"), sum(means) / len(means), **exact))
             continue
         x, y = float(row["x"]), float(row["y"])
         for p in at(cube, (x, y, 0), band, ("wall", "wall-diagonal", "wall-edge")):
-            line = {"plot": LINE, "curve": f"kappa {band}", "x": x} if y == 0.5 else {}
-            found.append(Row(f"wall {x:g},{y:g}, kappa {band}", p["irradiance"], **exact, **line, run="case",
+            line = {"plot": LINE, "curve": curve(cube, band), "x": x} if y == 0.5 else {}
+            found.append(Row(label(cube, f"wall {x:g},{y:g}, kappa {band}"), p["irradiance"], **exact, **line, run=cube.name,
                              probe=p["probe"], index=p["index"], band=band, column="irradiance"))
     return found
 
@@ -37,8 +44,8 @@ def on_axis(cube, band):
         if float(row["kappa"]) != float(band):
             continue
         for p in at(cube, (0.5, 0.5, z), band, ("axis",)):
-            found.append(Row(f"axis {z:g}, kappa {band}", p["fluence"], 4 * float(row["G_over_4E"]),
-                             uncertainty=4 * last_digit(row["G_over_4E"]), plot=AXIS, curve=f"kappa {band}", x=z, run="case",
+            found.append(Row(label(cube, f"axis {z:g}, kappa {band}"), p["fluence"], 4 * float(row["G_over_4E"]),
+                             uncertainty=4 * last_digit(row["G_over_4E"]), plot=AXIS, curve=curve(cube, band), x=z, run=cube.name,
                              probe="axis", index=p["index"], band=band))
     return found
 

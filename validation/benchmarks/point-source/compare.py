@@ -8,10 +8,9 @@ from suite.row import Row
 
 
 def compare(runs):
-    medium = runs["case"]
     found = []
     for row in read_reference("point_source.csv"):
-        for point in medium.probe("distance", row["c"]) if row["c"] in medium.bands else []:
+        for point in [point for run in runs.values() if row["c"] in run.bands for point in run.probe("distance", row["c"])]:
             r = math.hypot(*place(point))
             if math.isclose(r, float(row["r"]), rel_tol=1e-6):
                 found.append(Row(f"c {row['c']} at {row['r']}", point["fluence"], float(row["phi"]), last_digit(row["phi"]),
