@@ -13,6 +13,7 @@ from vtkmodules.vtkFiltersCore import vtkCutter  # noqa: E402
 from pictures.results import array, band_names, read_fields  # noqa: E402
 
 AXES = "xyz"
+LONGEST = 8  # sides: longer cuts, as those of columns, are drawn wider than they are
 
 
 def draw_slice(results, options):
@@ -30,13 +31,15 @@ def draw_slice(results, options):
     mesh = tri.Triangulation(points[:, across[0]], points[:, across[1]], triangles)
     shown = axes.tripcolor(mesh, numpy.maximum(values, floor_of(values)) if options.log else values,
                            shading="gouraud", cmap="inferno", norm=norm_of(values, options.log), rasterized=True)
-    axes.set_aspect("equal")
+    sides = numpy.ptp(points[:, across], axis=0)
+    axes.set_aspect("equal" if sides.max() < LONGEST * sides.min() else "auto")
     axes.set_xlabel(AXES[across[0]])
     axes.set_ylabel(AXES[across[1]])
     axes.set_title(options.title or f"{options.normal} = {options.at:g}")
     label = options.array if len(bands) == 1 else f"{options.array}, band {band}"
     figure.colorbar(shown, ax=axes, label=label, shrink=0.85)
     figure.savefig(options.output, dpi=130)
+    pyplot.close(figure)
 
 
 def floor_of(values):
@@ -47,7 +50,9 @@ def floor_of(values):
 def norm_of(values, logarithmic):
     if logarithmic:
         return colors.LogNorm(max(values[values > 0].min(), floor_of(values)), values.max())
-    return colors.Normalize(values.min(), values.max())
+    # Of what is constant but for rounding no colours are made.
+    constant = values.max() - values.min() <= 1e-6 * abs(values.max())
+    return colors.Normalize(min(0, values.max()) if constant else values.min(), values.max())
 
 
 def cut_plane(fields, normal, at):

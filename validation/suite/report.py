@@ -5,6 +5,7 @@ import csv
 import dataclasses
 import pathlib
 import subprocess
+import sys
 import tomllib
 from types import SimpleNamespace
 
@@ -45,30 +46,71 @@ def about_run(options):
 
 
 def figures_of(outcome):
-    benchmark = outcome.benchmark
+    """A figure that cannot be drawn is missed, the others are not."""
     found = []
-    if not outcome.results:
-        return found
-    sketched = [result for result in outcome.results.values() if not (result.folder / "study.json").is_file()]
-    if sketched:
-        chosen = outcome.results.get(benchmark.sketch.get("run", ""), sketched[0])
-        sketch = draw_sketch(chosen, benchmark.sketch, mesh_of(benchmark, chosen, "column"), mesh_of(benchmark, chosen, "sheet"))
-        if sketch:
-            found.append(Figure(f"{benchmark.name}-sketch", "Set-up", "svg", sketch))
-    for number, plot in enumerate(benchmark.plots):
-        data = plots.draw_plot(outcome, plot)
-        if data:
-            found.append(Figure(f"{benchmark.name}-plot-{number}", plot["name"], "svg", data))
-    for number, picture in enumerate(benchmark.pictures):
-        if picture["run"] in outcome.results:
-            found.append(field(outcome, picture, number))
-    history = plots.draw_histories(outcome)
-    if history:
-        found.append(Figure(f"{benchmark.name}-iteration", "Iteration: what was left after each sweep", "svg", history))
-    for name, result in outcome.results.items():
-        if (result.folder / "study.json").is_file():
-            found.append(Figure(f"{benchmark.name}-{name}", f"Convergence: {name}", "png", plots.draw_study(result)))
+    for draw in (sketch, drawn_plots, fields, iteration, convergence) if outcome.results else ():
+        try:
+            found += draw(outcome)
+        except Exception as error:
+            print(f"{outcome.benchmark.name}: no {draw.__name__.replace('_', ' ')}: {error!r}", file=sys.stderr)
     return found
+
+
+def shown_run(outcome):
+    """The run that sketches and pictures are of, where none is named; None for studies."""
+    runs = [result for result in outcome.results.values() if not (result.folder / "study.json").is_file()]
+    return outcome.results.get(outcome.benchmark.sketch.get("run", ""), runs[0]) if runs else None
+
+
+def sketch(outcome):
+    benchmark, run = outcome.benchmark, shown_run(outcome)
+    data = run and draw_sketch(run, benchmark.sketch, mesh_of(benchmark, run, "column"), mesh_of(benchmark, run, "sheet"))
+    return [Figure(f"{benchmark.name}-sketch", "Set-up", "svg", data)] if data else []
+
+
+def drawn_plots(outcome):
+    drawn = [(number, plot["name"], plots.draw_plot(outcome, plot)) for number, plot in enumerate(outcome.benchmark.plots)]
+    return [Figure(f"{outcome.benchmark.name}-plot-{number}", name, "svg", data) for number, name, data in drawn if data]
+
+
+def fields(outcome):
+    """The pictures that the benchmark names, or the fluence in the plane of the sketch."""
+    pictures = [picture for picture in outcome.benchmark.pictures if picture["run"] in outcome.results]
+    run = shown_run(outcome)
+    if not pictures and run and (run.folder / "fields.vtu").is_file():
+        plane = {"normal": outcome.benchmark.sketch.get("normal", "y")}
+        plane["at"] = outcome.benchmark.sketch.get("at", middle_of(run.folder, plane["normal"]))
+        pictures = [{"run": run.name, "title": f"{run.name}: fluence at {plane['normal']} = {plane['at']:.3g}",
+                     "log": varies_much(run.folder), **plane}]
+    return [field(outcome, picture, number) for number, picture in enumerate(pictures)]
+
+
+def middle_of(folder, axis):
+    """A little beside the middle, where faces of a symmetric mesh may lie."""
+    from pictures.results import read_fields
+
+    low, high = read_fields(folder).GetBounds()[2 * "xyz".index(axis):][:2]
+    return low + 0.4993 * (high - low)
+
+
+def varies_much(folder):
+    """Whether the fluence of the first band is mostly less than a hundredth of what it is somewhere."""
+    import numpy
+
+    from pictures.results import array, read_fields
+
+    values = array(read_fields(folder).GetPointData(), "fluence")[:, 0]
+    return bool(values.max() > 100 * numpy.median(values))
+
+
+def iteration(outcome):
+    history = plots.draw_histories(outcome)
+    return [Figure(f"{outcome.benchmark.name}-iteration", "Iteration: what was left after each sweep", "svg", history)] if history else []
+
+
+def convergence(outcome):
+    return [Figure(f"{outcome.benchmark.name}-{name}", f"Convergence: {name}", "png", plots.draw_study(result))
+            for name, result in outcome.results.items() if (result.folder / "study.json").is_file()]
 
 
 def mesh_of(benchmark, result, kind):
