@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/lights/attenuation.h"
 #include "solver/lights/even_way.h"
 #include "solver/lights/solid_angle.h"
@@ -47,10 +48,11 @@ struct ExtendedSource::View {
                              LightBeams& beams) const {
     const Vec3 direction = paths.mirrors().image_direction(mirrors, looking);
     const std::span<double> fluence = beams.add(-direction, {length, behind});
+    // In the light itself, on a mirror that it touches too.
+    const bool is_seen_at_once = sight == Sight::clear || length == 0;
     for (std::size_t b = 0; b < fluence.size(); ++b)
-      fluence[b] = sight == Sight::clear ? paths.mirrors().reflectance(mirrors, b) : 1.0;
-    if (sight == Sight::clear || length == 0 || paths.transmit(at, direction, length, mirrors, fluence))
-      return fluence;
+      fluence[b] = is_seen_at_once ? paths.mirrors().reflectance(mirrors, b) : 1.0;
+    if (is_seen_at_once || paths.transmit(at, direction, length, mirrors, fluence)) return fluence;
     beams.drop();
     return {};
   }
@@ -71,7 +73,9 @@ ExtendedSource::ExtendedSource(std::string name, std::vector<double> power, Emit
   const auto as_first = [this](const EmitterPart& part) {
     return part.extinction == tree_.part(0).extinction;
   };
-  if (bodies_.size() == 1 && paths.matter().empty() && std::ranges::all_of(tree_.parts(), as_first))
+  // A sheet may stand in the body.
+  if (bodies_.size() == 1 && paths.matter().empty() && std::ranges::all_of(tree_.parts(), as_first) &&
+      vertices_of_sheets(paths.problem().mesh()).empty())
     convex_ = bodies_[0].first.convex_faces();
   if (convex_.size() > most_faces) convex_.clear();
 }

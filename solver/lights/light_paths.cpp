@@ -75,8 +75,8 @@ bool LightPaths::transmit(const PointInCell& from, const Vec3& direction, double
     const RayEnd end = walk(at, along, left, transmittance);
     left -= end.distance;
     const bool at_end = left <= end_of_way * length;
+    // What touches a mirror is seen behind it at once, but still by way of it.
     if (!end.wall) {
-      // What touches a mirror is seen at once behind it.
       if (!mirrors_.touches(mirrors, at.position + end.distance * along, end_of_way * length)) return false;
       break;
     }
@@ -92,7 +92,8 @@ bool LightPaths::transmit(const PointInCell& from, const Vec3& direction, double
     if (at_end && mirrors_.touches(mirrors, end.point, end_of_way * length)) break;
     if (at_end) return false;
   }
-  for (double& value : transmittance) value = std::exp(-value);
+  for (std::size_t b = 0; b < bands_; ++b)
+    transmittance[b] = mirrors_.reflectance(mirrors, b) * std::exp(-transmittance[b]);
   return true;
 }
 

@@ -53,6 +53,7 @@ struct Plane {
   std::vector<Triangle> triangles;
 };
 
+/// No more than one above the largest number of edges: such a body is not reckoned with.
 std::vector<Plane> planes_of(std::span<const Triangle> triangles, double size) {
   std::vector<Plane> planes;
   for (const Triangle& triangle : triangles) {
@@ -61,7 +62,11 @@ std::vector<Plane> planes_of(std::span<const Triangle> triangles, double size) {
     auto plane = std::find_if(planes.begin(), planes.end(), [&](const Plane& other) {
       return (other.normal - normal).norm() < one_plane && std::abs(other.offset - offset) < one_plane * size;
     });
-    if (plane == planes.end()) plane = planes.insert(plane, {normal, offset, {}});
+    if (plane == planes.end()) {
+      // A face has three edges at least, each of them another one too.
+      if (planes.size() > most_edges) break;
+      plane = planes.insert(plane, {normal, offset, {}});
+    }
     plane->triangles.push_back(triangle);
   }
   return planes;
@@ -229,7 +234,7 @@ std::vector<std::pair<SolidShape, std::vector<double>>> solid_shapes(
   for (const auto& [emission, members] : groups) {
     shapes.emplace_back(SolidShape(members), emission);
     edges += shapes.back().first.edge_count();
-    if (edges > most_edges) return {};
+    if (edges > most_edges || shapes.back().first.face_count() > most_edges) return {};
   }
   return shapes;
 }

@@ -269,6 +269,26 @@ TEST(UncollidedField, OfAVolumeBalancesBesideMirrorsToo) {
   EXPECT_NEAR(part_found(mesh, 0.6, 0.8), 1, 1.5e-5);
 }
 
+// A gas that emits everywhere between mirrors, of which it sees itself from their very surface.
+TEST(UncollidedField, OfAVolumeThatTouchesMirrorsBalances) {
+  const TetrahedralMesh mesh = cube_mesh(0.03);
+  Medium gas = uniform_medium(1, 0.8, 0, 0);
+  gas.emission = {Coefficient(1.0)};
+  gas.uncollided = Uncollided::yes;
+  std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
+  for (const char* side : {"xmax", "ymin"})
+    walls[static_cast<std::size_t>(wall_of(mesh, side))].specular = {0.6};
+  const Problem problem(mesh, {}, {gas}, walls);
+  const LightSetup lights(problem);
+  const UncollidedField field = uncollided_field(lights.paths(), lights.sources(), 1);
+  double found = 0.8 * integral_over_cells(mesh, field.fluence);
+  for (std::size_t i = 0; i < field.irradiance.size(); ++i) {
+    const FaceIndex face(static_cast<std::int64_t>(i / 3));
+    found += (1 - problem.wall(mesh.wall(face)).specular[0]) * field.irradiance[i] * mesh.area(face) / 3;
+  }
+  EXPECT_NEAR(found / lights.sources().front()->power()[0], 1, 1e-5);
+}
+
 // Where it is another extinction that the volume has, what is left is looked at from vertices and edges.
 TEST(UncollidedField, OfAThickVolumeBalances) {
   EXPECT_NEAR(part_found(two_region_mesh(0.01), 0, 3), 1, 2e-4);
