@@ -78,8 +78,9 @@ def fields(outcome):
     pictures = [picture for picture in outcome.benchmark.pictures if picture["run"] in outcome.results]
     run = shown_run(outcome)
     if not pictures and run and (run.folder / "fields.vtu").is_file():
-        plane = {"normal": outcome.benchmark.sketch.get("normal", "y")}
-        plane["at"] = outcome.benchmark.sketch.get("at", middle_of(run.folder, plane["normal"]))
+        plane = {"normal": "y"} | {key: outcome.benchmark.sketch[key] for key in ("normal", "at") if key in outcome.benchmark.sketch}
+        if "at" not in plane:
+            plane["at"] = middle_of(run.folder, plane["normal"])
         pictures = [{"run": run.name, "title": f"{run.name}: fluence at {plane['normal']} = {plane['at']:.3g}",
                      "log": varies_much(run.folder), **plane}]
     return [field(outcome, picture, number) for number, picture in enumerate(pictures)]
