@@ -10,6 +10,7 @@
 #include "solver/lights/attenuation.h"
 #include "solver/picture/lit_triangle.h"
 #include "solver/problem/light.h"
+#include "solver/problem/mirror.h"
 
 namespace etendue {
 namespace {
@@ -119,9 +120,11 @@ double MapRadiance::along(const PointInCell& start, const Vec3& direction, int b
     add_matter(stretch, work, radiance, left);
     const Wall& wall = problem_.wall(problem_.mesh().wall(*end.wall));
     const auto b = static_cast<std::size_t>(band);
-    radiance += left * (wall.radiance[b] + reflected(*end.wall, end.point, -towards, band, work).value);
-    left *= wall.specular[b];
     const Vec3 normal = problem_.mesh().area_normal(*end.wall).normalized();
+    const double cosine = std::max(0.0, towards.dot(normal));
+    radiance +=
+        left * (radiance_sent(wall, b, cosine) + reflected(*end.wall, end.point, -towards, band, work).value);
+    left *= mirrored_part(wall, b, cosine);
     towards = (towards - 2 * towards.dot(normal) * normal).normalized();
     at = {end.cell, end.point};
   }

@@ -133,6 +133,14 @@ ETENDUE_PHOTON_INLINE void fetch(const void* from, std::size_t bytes) {
     __builtin_prefetch(static_cast<const char*>(from) + line);
 }
 
+/// What a wall does with light that meets it at an angle.
+struct Meeting {
+  double glossy;     ///< part that the lobe reflects
+  double mirrored;   ///< part
+  double by_angle;   ///< part that is reflected, in so far as it depends on the angle
+  double from_wall;  ///< radiance that the wall sends the other way [power/(length^2 sr)]
+};
+
 struct Forward {
   const PhotonTally& tally;
 
@@ -150,7 +158,7 @@ struct Forward {
   }
   ETENDUE_PHOTON_MEMBER void collide(const Photon&, bool) {}
   ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
-                                    const Four& coordinate, double glossy) {
+                                    const Four& coordinate, const Meeting& meeting) {
     double* sums = tally.faces + 4 * static_cast<std::ptrdiff_t>(face);
     const double a = coordinate[wall.corner[0]], b = coordinate[wall.corner[1]],
                  c = coordinate[wall.corner[2]];
@@ -158,7 +166,7 @@ struct Forward {
     sums[0] += share * a;
     sums[1] += share * b;
     sums[2] += share * c;
-    sums[3] += photon.weight * glossy;
+    sums[3] += photon.weight * meeting.by_angle;
   }
 };
 
@@ -173,8 +181,8 @@ struct Recording {
     if (scatters) keep(photon, photon.cell, rooms.matter);
   }
   ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
-                                    const Four&, double glossy) {
-    if (wall.diffuse + wall.transmittance + glossy > 0) keep(photon, face, rooms.walls);
+                                    const Four&, const Meeting& meeting) {
+    if (wall.diffuse + wall.transmittance + meeting.glossy > 0) keep(photon, face, rooms.walls);
   }
   ETENDUE_PHOTON_MEMBER static void keep(const Photon& photon, std::int32_t place, HitRoom& room) {
     if (room.count++ >= room.room) return;
@@ -198,11 +206,24 @@ struct Backward {
     score += cell.emission * weighted;
   }
   ETENDUE_PHOTON_MEMBER void collide(const Photon&, bool) {}
-  ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t, const PhotonFace& wall, const Four&,
-                                    double) {
-    score += wall.radiance * photon.weight;
+  ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t, const PhotonFace&, const Four&,
+                                    const Meeting& meeting) {
+    score += meeting.from_wall * photon.weight;
   }
 };
+
+ETENDUE_PHOTON_INLINE Meeting meet(const PhotonFace& wall, const double (&w)[3]) {
+  const double* n = wall.normal;
+  if (wall.refractive_index == 1 && wall.glossy == nullptr) return {0, wall.specular, 0, wall.radiance};
+  const double cos_in = -(w[0] * n[0] + w[1] * n[1] + w[2] * n[2]);
+  if (wall.glossy != nullptr) {
+    const double glossy = glossy_albedo(*wall.glossy, cos_in);
+    return {glossy, wall.specular, glossy, wall.radiance};
+  }
+  const double mirrored = part_mirrored(cos_in, wall.refractive_index);
+  const double square = wall.refractive_index * wall.refractive_index;
+  return {0, mirrored, mirrored, square * (1 - mirrored) * wall.radiance};
+}
 
 /// Meets a wall. Whether anything is reflected or transmitted. The glossy part is chosen by the albedo and
 /// its direction weighed by what the sample is off it.
@@ -210,13 +231,9 @@ template <class Score>
 ETENDUE_PHOTON_INLINE bool arrive(const PhotonSceneView& scene, Photon& photon, std::int32_t face,
                                   const Passage& way, Score& score) {
   const PhotonFace& wall = scene.faces[face];
-  const double* n = wall.normal;
-  const double glossy =
-      wall.glossy == nullptr
-          ? 0
-          : glossy_albedo(*wall.glossy, -(photon.w[0] * n[0] + photon.w[1] * n[1] + photon.w[2] * n[2]));
-  score.arrive(photon, face, wall, way.coordinate + way.rate * way.length, glossy);
-  const double back = wall.diffuse + glossy, kept = back + wall.transmittance + wall.specular;
+  const Meeting meeting = meet(wall, photon.w);
+  score.arrive(photon, face, wall, way.coordinate + way.rate * way.length, meeting);
+  const double back = wall.diffuse + meeting.glossy, kept = back + wall.transmittance + meeting.mirrored;
   if (kept <= 0) return false;
   photon.weight *= kept;
   std::uint32_t word[4];
@@ -229,7 +246,8 @@ ETENDUE_PHOTON_INLINE bool arrive(const PhotonSceneView& scene, Photon& photon, 
   }
   if (lot < back) {
     photon.weight *=
-        reflect_glossily(*wall.glossy, wall.normal, uniform(word[1]), uniform(word[2]), photon.w) / glossy;
+        reflect_glossily(*wall.glossy, wall.normal, uniform(word[1]), uniform(word[2]), photon.w) /
+        meeting.glossy;
     return photon.weight > 0;
   }
   const PhotonFace& behind = scene.faces[wall.behind];

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesh/tetrahedra/sheet_faces.h"
+#include "solver/problem/mirror.h"
 #include "solver/problem/problem_checks.h"
 
 namespace etendue {
@@ -26,6 +27,10 @@ void copy(const Vec3& from, double (&to)[3]) { std::copy(from.begin(), from.end(
 double sampled_cosine(const PhaseSampler& sampler, double u) { return sampler.cosine(u); }
 
 double glossy_albedo(const Reflectance& glossy, double cos_in) { return glossy.albedo(cos_in); }
+
+double part_mirrored(double cos_in, double refractive_index) {
+  return fresnel_reflectance(std::max(0.0, cos_in), refractive_index);
+}
 
 double reflect_glossily(const Reflectance& glossy, const double (&n)[3], double u, double v, double (&w)[3]) {
   const Vec3 normal(n[0], n[1], n[2]), light(-w[0], -w[1], -w[2]);
@@ -92,6 +97,7 @@ void PhotonMesh::add_faces(const Problem& problem, int band) {
     face.glossy = wall.glossy_in(b);
     face.behind = behind[index.at()];
     face.radiance = wall.radiance[b];
+    face.refractive_index = wall.refractive_index;
     face.cell = mesh.owner(index).value();
     const auto& faces = mesh.faces(mesh.owner(index));
     face.local = static_cast<std::int32_t>(std::find(faces.begin(), faces.end(), f) - faces.begin());
@@ -154,11 +160,9 @@ void refuse_for_photons(const Problem& problem) {
       refuse(origin_of(medium, "absorption"), "depends on the direction");
     if (any(medium.emission_by_direction)) refuse(origin_of(medium, "emission"), "depends on the direction");
   }
-  for (const Wall& wall : problem.walls()) {
+  for (const Wall& wall : problem.walls())
     if (any(wall.radiance_by_direction))
       refuse(origin_of(wall, "radiance"), "depends on the place or the direction");
-    if (wall.refractive_index != 1) refuse(origin_of(wall, "refractive_index"), "refracts");
-  }
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 

@@ -13,6 +13,8 @@ class Reflectance;
 double sampled_cosine(const PhaseSampler& sampler, double u);
 /// What a glossy wall reflects in all directions of light at this cosine of incidence.
 double glossy_albedo(const Reflectance& glossy, double cos_in);
+/// The part of light that a smooth surface mirrors which it meets at this cosine (fresnel_reflectance).
+double part_mirrored(double cos_in, double refractive_index);
 /// Turns the direction of travel w at a wall with the unit normal n, which points into the domain. Gives f_r
 /// cos / density; 0 where the light does not leave the wall.
 double reflect_glossily(const Reflectance& glossy, const double (&n)[3], double u, double v, double (&w)[3]);
@@ -39,6 +41,7 @@ struct alignas(64) PhotonFace {
   double transmittance;       ///< to the other side of a sheet
   const Reflectance* glossy;  ///< null: none
   double radiance;            ///< [power/(length^2 sr)]
+  double refractive_index;    ///< of the domain over that behind; 1: the wall does not refract
   std::int32_t corner[3];     ///< places of its vertices among those of its cell
   std::int32_t cell, local;   ///< the face is face `local` of this cell
   std::int32_t behind;        ///< boundary face on the other side of a sheet, -1: none
@@ -72,8 +75,8 @@ struct PhotonStart {
 
 /// What a history leaves, as sums over histories. Cells: the moments of the barycentric coordinates,
 /// [cell][4 (1, wx, wy, wz)][4], each the sum of weight × integral of the coordinate along the track
-/// [power length]; faces: [face][4] the sum of weight × coordinate, and of what is reflected glossily
-/// [power].
+/// [power length]; faces: [face][4] the sum of weight × coordinate, and of what is reflected by
+/// the angle: glossily, or as a surface that refracts does [power].
 struct PhotonTally {
   double* cells;
   double* faces;

@@ -7,6 +7,7 @@
 
 #include "solver/photons/photon_turns.h"
 #include "solver/problem/lamp_shape.h"
+#include "solver/problem/mirror.h"
 
 namespace etendue {
 namespace {
@@ -112,9 +113,11 @@ void PhotonSources::add_media() {
 
 void PhotonSources::add_walls() {
   const double range = half_range(problem_.space());
-  for (std::int32_t f = 0; f < problem_.mesh().boundary_face_count(); ++f)
+  for (std::int32_t f = 0; f < problem_.mesh().boundary_face_count(); ++f) {
+    const Wall& wall = problem_.wall(problem_.mesh().wall(FaceIndex(f)));
     add({Kind::face, f, 0},
-        range * mesh_.faces()[static_cast<std::size_t>(f)].radiance * problem_.mesh().area(FaceIndex(f)));
+        range * wall.radiance[band_] * entering_part(wall) * problem_.mesh().area(FaceIndex(f)));
+  }
 }
 
 void PhotonSources::add_lights() {
@@ -190,11 +193,27 @@ PhotonStart PhotonSources::from_face(std::int32_t f, const Vec3* beam, Numbers& 
   const PhotonFace& face = mesh_.faces()[static_cast<std::size_t>(f)];
   const double u = random.number(), v = random.number();
   const Vec3 point = point_in(triangle_of(problem_.mesh(), FaceIndex(f)), u, v);
-  PhotonStart start = started(
-      point, beam != nullptr ? *beam : lambert(vector_of(face.normal), vector_of(face.tangent), random));
+  const auto direction = [&] {
+    return face.refractive_index != 1 ? refracted_in(face, random)
+                                      : lambert(vector_of(face.normal), vector_of(face.tangent), random);
+  };
+  PhotonStart start = started(point, beam != nullptr ? *beam : direction());
   start.cell = face.cell;
   start.entered = face.local;
   return start;
+}
+
+/// Behind the wall light falls on it from all sides alike; what the surface turns back there is drawn anew.
+Vec3 PhotonSources::refracted_in(const PhotonFace& face, Numbers& random) const {
+  const double index = face.refractive_index;
+  const Vec3 normal = vector_of(face.normal);
+  while (true) {
+    const Vec3 behind = lambert(normal, vector_of(face.tangent), random);
+    const double cosine = behind.dot(normal);
+    if (random.number() < fresnel_reflectance(cosine, 1 / index)) continue;
+    const double inside = std::sqrt(std::max(0.0, 1 - (1 - cosine * cosine) / (index * index)));
+    return (behind / index + (inside - cosine / index) * normal).normalized();
+  }
 }
 
 PhotonStart PhotonSources::from_point(const PointLight& light, const AngleTable& angles,

@@ -54,6 +54,7 @@ class PhotonSources {
   PhotonStart from_cell(std::int32_t cell, Numbers& random) const;
   /// In the direction of a beam, or without one as Lambert says.
   PhotonStart from_face(std::int32_t face, const Vec3* beam, Numbers& random) const;
+  Vec3 refracted_in(const PhotonFace& face, Numbers& random) const;
   PhotonStart from_point(const PointLight& light, const AngleTable& angles, Numbers& random) const;
   PhotonStart from_surface(const EmittingTriangle& triangle, Numbers& random) const;
   void start_inside(const Vec3& point, const Vec3& direction, PhotonStart& start) const;

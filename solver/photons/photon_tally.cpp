@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mesh/tetrahedra/sheet_faces.h"
+#include "solver/problem/mirror.h"
 
 namespace etendue {
 namespace {
@@ -92,6 +93,7 @@ void complete_fields(const Problem& problem, Solution& fields) {
   const std::vector<std::int32_t> behind = faces_behind(mesh);
   for (std::size_t f = 0; f < fields.half_range.size(); ++f) {
     const Wall& wall = problem.wall(mesh.wall(FaceIndex(static_cast<std::int64_t>(f))));
+    fields.half_range[f] *= entering_part(wall);
     for (std::size_t node = 3 * f; node < 3 * f + 3; ++node)
       for (std::size_t b = 0; b < bands; ++b) {
         fields.exitance[node * bands + b] +=

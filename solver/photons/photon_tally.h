@@ -20,7 +20,7 @@ class TallySums {
   PhotonTally view() { return {cells_.data(), faces_.data()}; }
 
   /// The P1 fields whose moments in each cell and face are `scale` times the sums, in one band of a solution:
-  /// fluence, net flux and irradiance; the exitance is what is reflected glossily, even on each face. The
+  /// fluence, net flux and irradiance; the exitance is what is reflected by the angle, even on each face. The
   /// inverse of the mass matrix V/20 (1 + delta_ij) of a tetrahedron is 20/V (delta_ij - 1/5), that of A/12
   /// (1 + delta_ij) of a triangle is 12/A (delta_ij - 1/4).
   void to_fields(const Problem& problem, int band, double scale, Solution& fields) const;
@@ -35,7 +35,7 @@ Solution empty_fields(const Problem& problem);
 
 /// What a solution by photons has beside its fields, so that all measures can be taken of it: half ranges,
 /// what beams and lights send, and to the exitance what is emitted, and what is reflected and transmitted of
-/// the irradiance otherwise than glossily.
+/// the irradiance whatever the angle.
 void complete_fields(const Problem& problem, Solution& fields);
 
 }  // namespace etendue

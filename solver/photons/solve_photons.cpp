@@ -92,7 +92,7 @@ class PhotonRun {
     sums_.net_flux.add(fields.net_flux, weight);
     sums_.irradiance.add(fields.irradiance, weight);
     sums_.face_means.add(node_means(fields.irradiance, 3, bands_), weight);
-    if (is_glossy_) sums_.exitance.add(fields.exitance, weight);
+    if (reflects_by_angle_) sums_.exitance.add(fields.exitance, weight);
     if (reader_) add_derived(reader_(fields), weight);
     sums_.histories += number;
     report_.segments += static_cast<double>(outcome.counts.segments);
@@ -162,7 +162,7 @@ class PhotonRun {
     solution.exitance.assign(solution.irradiance.size(), 0);
     complete_fields(problem_, solution);
     // It does not follow from the irradiance alone.
-    if (is_glossy_) solution.exitance = sums_.exitance.means();
+    if (reflects_by_angle_) solution.exitance = sums_.exitance.means();
     solution.interrupted = stopped_;
     solution.history = std::move(history_);
     report_.error = errors();
@@ -208,7 +208,8 @@ class PhotonRun {
   std::vector<double> last_error_;
   double begun_with_ = 0;
   bool stopped_ = false;
-  bool is_glossy_ = std::ranges::any_of(problem_.walls(), [](const Wall& wall) { return wall.is_glossy(); });
+  bool reflects_by_angle_ = std::ranges::any_of(
+      problem_.walls(), [](const Wall& wall) { return wall.is_glossy() || wall.refractive_index != 1; });
   Clock::time_point start_ = Clock::now();
 };
 
@@ -235,7 +236,7 @@ PhotonSums PhotonSums::unpacked(std::span<const double> numbers) {
   sums.histories = static_cast<std::uint64_t>(numbers[0]);
   numbers = numbers.subspan(1);
   for (const auto part : statistics_of_sums) {
-    // Runs without glossy walls may end before it.
+    // Runs without walls that reflect by the angle may end before it.
     if (part == &PhotonSums::exitance && numbers.empty()) break;
     if (numbers.empty() || !(numbers[0] >= 0) || numbers[0] > static_cast<double>(numbers.size() - 1))
       throw cut();

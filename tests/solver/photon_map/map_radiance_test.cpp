@@ -126,6 +126,26 @@ TEST(MapRadiance, IsThatOfAFurnaceAlongRaysAndThroughMirrors) {
   }
 }
 
+// A furnace whose radiance is that behind the walls times the square of their index.
+TEST(MapRadiance, IsThatOfAFurnaceBehindWallsThatRefract) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  Wall wall = uniform_wall(1, u / (1.5 * 1.5), 0, 0);
+  wall.refractive_index = 1.5;
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.8, 2, 0.8 * u), wall);
+  const MapRadiance map = map_of(problem, 40000, 100);
+  std::mt19937 random(7);
+  const CellLocator locator(mesh);
+  MapRadiance::Workspace work;
+  const int rays = 40;
+  double mean = 0;
+  for (int i = 0; i < rays; ++i) {
+    const Vec3 point = random_point(random);
+    mean +=
+        map.along({locator.find(point).front().cell, point}, random_direction(random), 0, work) / u / rays;
+  }
+  EXPECT_NEAR(mean, 1, 0.03);
+}
+
 // A beam of irradiance 3 on a plane across it, which falls on a wall at 60 degrees.
 TEST(MapRadiance, IsThatOfALitWall) {
   const TetrahedralMesh mesh = cube_mesh(0.005);

@@ -4,7 +4,7 @@
 import math
 
 from suite.kobayashi import CASES
-from suite.result import place, read_reference, same_point
+from suite.result import last_digit, place, read_reference, same_point
 from suite.row import Row
 
 
@@ -18,6 +18,15 @@ def slab_rows(result, g, tau):
             yield Row(f"{part}, slab g {g:g}, tau {tau:g}, albedo {band}", result.wall(wall, "incoming", band) / sent,
                       float(reference[column]),
                       math.hypot(result.wall(wall, "incoming_error", band) / sent, float(reference["conv"])))
+
+
+def half_space_row(result):
+    reference, = read_reference("mcml_half_space.csv")
+    surface = ((1.5 - 1) / (1.5 + 1)) ** 2
+    balance, error = result.summary["balance"][0], result.summary["photons"]["balance_error"][0]
+    scale = (1 - surface) / balance["inflow"]
+    return Row("total reflectance of a half-space of index 1.5", surface + scale * balance["outflow"], float(reference["published"]),
+               math.hypot(scale * error["outflow"], last_digit(reference["published"])))
 
 
 def cube_references():
@@ -71,6 +80,8 @@ def compare(runs):
             found += slab_rows(result, g, tau)
         elif name.startswith("kobayashi"):
             found += kobayashi_rows(result, name.split()[-1])
+        elif name == "half-space":
+            found.append(half_space_row(result))
         else:
             found += cube_rows(result) if name == "cube" else cloud_rows(result)
     return found
