@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "solver/photon_map/map_picture.h"
+#include "solver/photons/directional_medium.h"
 
 namespace etendue {
 namespace {
@@ -38,6 +39,11 @@ void check_photon_cameras(const std::vector<CameraCase>& cameras, const Problem&
                    "errors = true asks for the errors of cells and directions, and photons have "
                    "none of these (their picture is known to 1/sqrt(photon_map.neighbours)); remove "
                    "it"));
+  if (!cameras.empty() && depends_on_direction(problem))
+    faults.push_back(
+        fault_at(cameras.front().origin, "",
+                 "looks at matter that depends on the direction, and the photon map does not know "
+                 "that (not in this version); use solve.method = \"auto\""));
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 

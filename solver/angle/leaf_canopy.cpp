@@ -14,25 +14,6 @@ using std::numbers::pi;
 
 constexpr int inclinations = 48, azimuths = 64;
 
-/// Density of the inclination of the normals from the vertical, with integral 1 over [0, pi/2] (de Wit 1965,
-/// in the trigonometric form of Bunnik 1978).
-double inclination_density(LeafAngles angles, double inclination) {
-  switch (angles) {
-    case LeafAngles::planophile:
-      return 2 / pi * (1 + std::cos(2 * inclination));
-    case LeafAngles::erectophile:
-      return 2 / pi * (1 - std::cos(2 * inclination));
-    case LeafAngles::plagiophile:
-      return 2 / pi * (1 - std::cos(4 * inclination));
-    case LeafAngles::extremophile:
-      return 2 / pi * (1 + std::cos(4 * inclination));
-    case LeafAngles::spherical:
-      return std::sin(inclination);
-    default:
-      return 2 / pi;
-  }
-}
-
 void add_ring(LeafNormals& leaves, double inclination, double share) {
   for (int j = 0; j < azimuths; ++j) {
     const double azimuth = 2 * pi * (j + 0.5) / azimuths;
@@ -52,6 +33,23 @@ double ring_projection(double inclination, double upward) {
 }
 
 }  // namespace
+
+double inclination_density(LeafAngles angles, double inclination) {
+  switch (angles) {
+    case LeafAngles::planophile:
+      return 2 / pi * (1 + std::cos(2 * inclination));
+    case LeafAngles::erectophile:
+      return 2 / pi * (1 - std::cos(2 * inclination));
+    case LeafAngles::plagiophile:
+      return 2 / pi * (1 - std::cos(4 * inclination));
+    case LeafAngles::extremophile:
+      return 2 / pi * (1 + std::cos(4 * inclination));
+    case LeafAngles::spherical:
+      return std::sin(inclination);
+    default:
+      return 2 / pi;
+  }
+}
 
 LeafNormals leaf_normals(LeafAngles angles) {
   if (angles == LeafAngles::horizontal) return {{Vec3::UnitZ()}, {1}};

@@ -15,6 +15,10 @@ struct LeafNormals {
 };
 LeafNormals leaf_normals(LeafAngles angles);
 
+/// Density of the inclination of the normals from the vertical [1/rad], with integral 1 over [0, pi/2] (de
+/// Wit 1965, in the trigonometric form of Bunnik 1978); not of leaves that are all level or upright.
+double inclination_density(LeafAngles angles, double inclination);
+
 /// Ross's G (Ross 1981): the mean projection of a unit of leaf area along a direction; 1/2 in the mean over
 /// directions.
 double leaf_projection(LeafAngles angles, const Vec3& direction);

@@ -219,23 +219,45 @@ PathCoefficients RayMatter::at(CellIndex cell, std::size_t band, const View& vie
   return turned(here, cell, band, view);
 }
 
+PathCoefficients RayMatter::along(CellIndex cell, std::size_t band, const Vec3& travel) const {
+  const auto b = static_cast<int>(band);
+  const Entry& entry = entries_[static_cast<std::size_t>(problem_.mesh().region(cell)) * bands_ + band];
+  PathCoefficients unit;
+  if (entry.kind >= 0) unit = kinds_[static_cast<std::size_t>(entry.kind)]->at(travel);
+  double value = 0;
+  if (entry.formula >= 0) {
+    Formula& formula = *formulas_[static_cast<std::size_t>(entry.formula)];
+    value = formula.depends_on_place ? formula.mean(corners_of(problem_.mesh(), cell), travel)
+                                     : formula.at(Vec3::Zero(), travel);
+  }
+  return composed({problem_.absorption(cell, b), problem_.scattering(cell, b)}, entry, unit, value);
+}
+
 PathCoefficients RayMatter::turned(PathCoefficients here, CellIndex cell, std::size_t band,
                                    const View& view) const {
   const Entry& entry = entries_[static_cast<std::size_t>(problem_.mesh().region(cell)) * bands_ + band];
+  PathCoefficients unit;
+  if (entry.kind >= 0) unit = view.kinds[static_cast<std::size_t>(entry.kind)];
+  double value = 0;
+  if (entry.formula >= 0) {
+    const auto number = static_cast<std::size_t>(entry.formula);
+    value = formulas_[number]->depends_on_place
+                ? formulas_[number]->mean(corners_of(problem_.mesh(), cell), view.travel)
+                : view.absorption[number];
+  }
+  return composed(here, entry, unit, value);
+}
+
+PathCoefficients RayMatter::composed(PathCoefficients here, const Entry& entry, const PathCoefficients& unit,
+                                     double value) const {
   if (entry.kind >= 0) {
     const Kind& kind = *kinds_[static_cast<std::size_t>(entry.kind)];
-    const PathCoefficients& unit = view.kinds[static_cast<std::size_t>(entry.kind)];
     const double density = (here.scattering + (kind.own_absorption ? here.absorption : 0)) / kind.reference;
     here.scattering = density * unit.scattering;
     if (kind.own_absorption) here.absorption = density * unit.absorption;
   }
-  if (entry.formula >= 0) {
-    const auto number = static_cast<std::size_t>(entry.formula);
-    here.absorption = formulas_[number]->depends_on_place
-                          ? formulas_[number]->mean(corners_of(problem_.mesh(), cell), view.travel)
-                          : view.absorption[number];
-    if (entry.is_extinction) here.absorption = std::max(0.0, here.absorption - here.scattering);
-  }
+  if (entry.formula >= 0)
+    here.absorption = entry.is_extinction ? std::max(0.0, value - here.scattering) : value;
   return here;
 }
 

@@ -42,6 +42,8 @@ class RayMatter {
     std::vector<double> absorption;       ///< [formula] that does not depend on the place
   };
   View view(const Vec3& travel) const;
+  /// In the mean over a cell, without a view: for light that asks once in each direction.
+  PathCoefficients along(CellIndex cell, std::size_t band, const Vec3& travel) const;
   /// In the mean over a cell.
   PathCoefficients at(CellIndex cell, std::size_t band, const View& view) const;
   /// At a point of it.
@@ -68,6 +70,9 @@ class RayMatter {
   const Problem& problem_;
   std::size_t bands_;
   PathCoefficients turned(PathCoefficients here, CellIndex cell, std::size_t band, const View& view) const;
+  /// Coefficients of a cell whose kind of matter is `unit` for a density of 1, and whose formula `value`.
+  PathCoefficients composed(PathCoefficients here, const Entry& entry, const PathCoefficients& unit,
+                            double value) const;
 
   LinearCoefficients linear_;
   bool empty_ = true;

@@ -23,9 +23,9 @@ double processor_seconds() {
 }  // namespace
 
 PhotonBatches::PhotonBatches(const Problem& problem, const CellLocator& locator, std::uint64_t seed)
-    : problem_(problem), seed_(seed), kernels_(choose_photon_kernels()) {
+    : problem_(problem), seed_(seed), kernels_(choose_photon_kernels()), media_(problem) {
   for (int b = 0; b < problem.band_count(); ++b)
-    bands_.push_back(std::make_unique<Band>(problem, locator, b));
+    bands_.push_back(std::make_unique<Band>(problem, media_, locator, b));
 }
 
 PhotonBatches::Outcome PhotonBatches::walk(std::uint64_t first, std::size_t count) const {

@@ -40,12 +40,13 @@ class PhotonBatches {
   struct Band {
     PhotonMesh mesh;
     PhotonSources sources;
-    Band(const Problem& problem, const CellLocator& locator, int band)
-        : mesh(problem, band), sources(problem, mesh, locator, band) {}
+    Band(const Problem& problem, const DirectionalMedia& media, const CellLocator& locator, int band)
+        : mesh(problem, media, band), sources(problem, mesh, locator, band) {}
   };
   const Problem& problem_;
   std::uint64_t seed_;
   PhotonKernels kernels_;
+  DirectionalMedia media_;
   std::vector<std::unique_ptr<Band>> bands_;
 };
 

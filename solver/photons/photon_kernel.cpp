@@ -70,7 +70,23 @@ struct Photon {
     }
     depth = scatters ? events.depth[used] : rest;
   }
+
+  /// The same where the medium draws the direction itself.
+  ETENDUE_PHOTON_MEMBER void turn_by_direction(const DirectionalMedium& matter, bool scatters, double rest) {
+    depth = rest;
+    if (!scatters) return;
+    scatter_by_direction(matter, random, w);
+    if (++used == events_at_a_time) {
+      events.draw(random);
+      medium = -1;
+      used = 0;
+    }
+    depth = events.depth[used];
+  }
 };
+
+/// Whether coefficients or turns anywhere depend on the direction: the others need not ask.
+enum class Turning { by_angle, by_direction };
 
 /// The way through a cell.
 struct Passage {
@@ -156,6 +172,7 @@ struct Forward {
     add(sums + 8, moments * photon.w[1]);
     add(sums + 12, moments * photon.w[2]);
   }
+  ETENDUE_PHOTON_MEMBER void absorb(std::int32_t cell, double power) { tally.absorbed[cell] += power; }
   ETENDUE_PHOTON_MEMBER void collide(const Photon&, bool) {}
   ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
                                     const Four& coordinate, const Meeting& meeting) {
@@ -177,6 +194,7 @@ struct Recording {
     fetch(scene.cells + cell, sizeof(PhotonCell));
   }
   ETENDUE_PHOTON_MEMBER void pass(const Photon&, const PhotonCell&, const Four&, double) {}
+  ETENDUE_PHOTON_MEMBER void absorb(std::int32_t, double) {}
   ETENDUE_PHOTON_MEMBER void collide(const Photon& photon, bool scatters) {
     if (scatters) keep(photon, photon.cell, rooms.matter);
   }
@@ -205,6 +223,7 @@ struct Backward {
   ETENDUE_PHOTON_MEMBER void pass(const Photon&, const PhotonCell& cell, const Four&, double weighted) {
     score += cell.emission * weighted;
   }
+  ETENDUE_PHOTON_MEMBER void absorb(std::int32_t, double) {}
   ETENDUE_PHOTON_MEMBER void collide(const Photon&, bool) {}
   ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t, const PhotonFace&, const Four&,
                                     const Meeting& meeting) {
@@ -257,8 +276,28 @@ ETENDUE_PHOTON_INLINE bool arrive(const PhotonSceneView& scene, Photon& photon, 
   return true;
 }
 
+/// What light meets in a cell.
+struct Matter {
+  double scattering, free_path, absorption;
+  const DirectionalMedium* turns;  ///< null where the deflection of the cell does
+};
+template <Turning turning>
+ETENDUE_PHOTON_INLINE Matter matter_of(const PhotonSceneView& scene, const PhotonCell& cell,
+                                       const Photon& photon) {
+  Matter matter{cell.scattering, cell.free_path, cell.absorption, nullptr};
+  if constexpr (turning == Turning::by_direction) {
+    const Deflection& deflection = scene.deflections[cell.deflection];
+    if (deflection.medium == nullptr) return matter;
+    const DirectedCoefficients found =
+        coefficients_along(*deflection.medium, photon.cell, photon.w, scene.sense);
+    matter = {found.scattering, found.scattering > 0 ? 1 / found.scattering : endless, found.absorption,
+              deflection.turns_by_direction ? deflection.medium : nullptr};
+  }
+  return matter;
+}
+
 /// One step: to the next face or collision. Whether the photon lives on.
-template <class Score>
+template <Turning turning, class Score>
 ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, Photon& photon, Score& score,
                                 PhotonCounts& counts) {
   const PhotonCell& cell = scene.cells[photon.cell];
@@ -267,23 +306,28 @@ ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, P
     ++counts.lost;
     return false;
   }
-  const double flight = photon.depth * cell.free_path;
+  const Matter matter = matter_of<turning>(scene, cell, photon);
+  const double flight = photon.depth * matter.free_path;
   const bool scatters = flight <= way.length;
   way.length = flight < way.length ? flight : way.length;
-  const Attenuated part = attenuated(cell.absorption * way.length);
+  const Attenuated part = attenuated(matter.absorption * way.length);
   const double weighted = photon.weight * way.length;
   const double integral = weighted * part.mean;
   score.pass(photon, cell, way.coordinate * integral + way.rate * (weighted * way.length * part.first),
              integral);
-  photon.weight -= cell.absorption * integral;
+  photon.weight -= matter.absorption * integral;
+  if constexpr (turning == Turning::by_direction) score.absorb(photon.cell, matter.absorption * integral);
   for (int axis = 0; axis < 3; ++axis) photon.x[axis] += way.length * photon.w[axis];
   ++photon.steps;
   photon.standing = way.length > 0 ? 0 : photon.standing + 1;
   const std::int32_t across = cell.across[way.exit];
-  if (cell.scattering > 0) {
-    const double rest = photon.depth - way.length * cell.scattering;
+  if (matter.scattering > 0) {
+    const double rest = photon.depth - way.length * matter.scattering;
     score.collide(photon, scatters);
-    photon.turn(scene, cell.deflection, scatters, rest > 0 ? rest : 0);
+    if (turning == Turning::by_direction && matter.turns != nullptr)
+      photon.turn_by_direction(*matter.turns, scatters, rest > 0 ? rest : 0);
+    else
+      photon.turn(scene, cell.deflection, scatters, rest > 0 ? rest : 0);
     counts.collisions += scatters;
   }
   if (!scatters & (across < 0)) {
@@ -302,7 +346,7 @@ ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, P
 
 /// Walks histories, `together` of them step by step in turn: one computes while another waits for its next
 /// cell. `score_of(i)` takes what history i leaves.
-template <int together, class ScoreOf>
+template <int together, Turning turning, class ScoreOf>
 ETENDUE_PHOTON_INLINE PhotonCounts walk(const PhotonSceneView& scene, const HistoryRange& range,
                                         RandomUse use, ScoreOf&& score_of) {
   PhotonCounts counts;
@@ -321,7 +365,7 @@ ETENDUE_PHOTON_INLINE PhotonCounts walk(const PhotonSceneView& scene, const Hist
   while (alive > 0) {
     for (int place = 0; place < alive; ++place) {
       auto& score = score_of(history[place]);
-      if (step(scene, range.roulette, *photon[place], score, counts)) continue;
+      if (step<turning>(scene, range.roulette, *photon[place], score, counts)) continue;
       counts.segments += photon[place]->steps;
       if (next < count) {
         begin(place);
@@ -338,23 +382,30 @@ ETENDUE_PHOTON_INLINE PhotonCounts walk(const PhotonSceneView& scene, const Hist
 
 constexpr int walked_together = 4;
 
+template <class ScoreOf>
+ETENDUE_PHOTON_INLINE PhotonCounts walk_in_turn(const PhotonSceneView& scene, const HistoryRange& range,
+                                                RandomUse use, ScoreOf&& score_of) {
+  if (scene.by_direction) return walk<walked_together, Turning::by_direction>(scene, range, use, score_of);
+  return walk<walked_together, Turning::by_angle>(scene, range, use, score_of);
+}
+
 PhotonCounts follow_all(const PhotonSceneView& scene, const HistoryRange& range, const PhotonTally& tally) {
   Forward score{tally};
-  return walk<walked_together>(scene, range, RandomUse::flight,
-                               [&](std::uint64_t) -> Forward& { return score; });
+  return walk_in_turn(scene, range, RandomUse::flight, [&](std::uint64_t) -> Forward& { return score; });
 }
 
 PhotonCounts record_all(const PhotonSceneView& scene, const HistoryRange& range, HitRooms& rooms) {
   Recording score{rooms};
-  return walk<walked_together>(scene, range, RandomUse::flight,
-                               [&](std::uint64_t) -> Recording& { return score; });
+  return walk_in_turn(scene, range, RandomUse::flight, [&](std::uint64_t) -> Recording& { return score; });
 }
 
 PhotonCounts collect_all(const PhotonSceneView& scene, const HistoryRange& range, double* scores) {
   Backward* score = reinterpret_cast<Backward*>(scores);
   for (std::uint64_t i = 0; i < range.starts.size(); ++i) scores[i] = 0;
-  return walk<walked_together>(scene, range, RandomUse::reverse,
-                               [&](std::uint64_t i) -> Backward& { return score[i]; });
+  PhotonSceneView backwards = scene;
+  backwards.sense = -1;
+  return walk_in_turn(backwards, range, RandomUse::reverse,
+                      [&](std::uint64_t i) -> Backward& { return score[i]; });
 }
 
 }  // namespace

@@ -41,10 +41,11 @@ double reflect_glossily(const Reflectance& glossy, const double (&n)[3], double 
   return ray.weight;
 }
 
-PhotonMesh::PhotonMesh(const Problem& problem, int band) : in_plane_(problem.space() == AngularSpace::plane) {
+PhotonMesh::PhotonMesh(const Problem& problem, const DirectionalMedia& media, int band)
+    : in_plane_(problem.space() == AngularSpace::plane), by_direction_(!media.empty()) {
   add_cells(problem, band);
   add_faces(problem, band);
-  add_deflections(problem, band);
+  add_deflections(problem, media, band);
 }
 
 // The gradient of coordinate i is -(area normal of face i out of the cell) / (3 V).
@@ -106,18 +107,20 @@ void PhotonMesh::add_faces(const Problem& problem, int band) {
   }
 }
 
-void PhotonMesh::add_deflections(const Problem& problem, int band) {
+void PhotonMesh::add_deflections(const Problem& problem, const DirectionalMedia& media, int band) {
   const PhaseList phases(problem);
   for (const PhaseFunction& phase : phases.phases())
     samplers_.push_back(std::make_unique<PhaseSampler>(phase));
   for (int region = 0; region < static_cast<int>(problem.media().size()); ++region) {
+    Deflection how;
+    how.medium = media.of(region, band);
+    how.turns_by_direction = how.medium != nullptr && how.medium->sampler() != nullptr;
     const int number = phases.of(region, static_cast<std::size_t>(band));
     if (number < 0) {
-      deflections_.push_back({});
+      deflections_.push_back(how);
       continue;
     }
     const auto at = static_cast<std::size_t>(number);
-    Deflection how;
     if (const auto* hg = std::get_if<PhaseHenyeyGreenstein>(&phases.phases()[at])) {
       how.kind = Deflection::Kind::henyey_greenstein;
       how.asymmetry = hg->asymmetry;
@@ -153,11 +156,11 @@ void refuse_for_photons(const Problem& problem) {
                                   "\"auto\", or what is the same in all directions"));
   };
   for (const Medium& medium : problem.media()) {
-    const auto directional = [](const DirectionalScattering& s) { return s.index() != 0; };
-    if (std::ranges::any_of(medium.directional, directional))
-      refuse(medium.origin, "scatters by the directions themselves (leaves, flakes or a kernel)");
-    if (any(medium.absorption_by_direction))
-      refuse(origin_of(medium, "absorption"), "depends on the direction");
+    const auto is_kernel = [](const DirectionalScattering& s) {
+      return std::holds_alternative<KernelFormula>(s) || std::holds_alternative<KernelMatrix>(s);
+    };
+    if (std::ranges::any_of(medium.directional, is_kernel))
+      refuse(origin_of(medium, "kernel"), "scatters by the directions themselves");
     if (any(medium.emission_by_direction)) refuse(origin_of(medium, "emission"), "depends on the direction");
   }
   for (const Wall& wall : problem.walls())

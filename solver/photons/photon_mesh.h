@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "solver/photons/directional_medium.h"
 #include "solver/photons/photon_scene.h"
 #include "solver/problem/phase_list.h"
 #include "solver/problem/phase_sampler.h"
@@ -14,12 +15,14 @@ namespace etendue {
 /// One band of a problem as photons see it. Coefficients are the means of cells, as everywhere.
 class PhotonMesh {
  public:
-  /// The problem must outlive it.
-  PhotonMesh(const Problem& problem, int band);
+  /// The arguments must outlive it.
+  PhotonMesh(const Problem& problem, const DirectionalMedia& media, int band);
   PhotonMesh(const PhotonMesh&) = delete;
   PhotonMesh& operator=(const PhotonMesh&) = delete;
 
-  PhotonSceneView view() const { return {cells_.data(), faces_.data(), deflections_.data(), in_plane_}; }
+  PhotonSceneView view() const {
+    return {cells_.data(), faces_.data(), deflections_.data(), in_plane_, by_direction_};
+  }
   const std::vector<PhotonCell>& cells() const { return cells_; }
   const std::vector<PhotonFace>& faces() const { return faces_; }
   /// How far a ray goes in a cell; below zero where it starts outside.
@@ -28,17 +31,18 @@ class PhotonMesh {
  private:
   void add_cells(const Problem& problem, int band);
   void add_faces(const Problem& problem, int band);
-  void add_deflections(const Problem& problem, int band);
+  void add_deflections(const Problem& problem, const DirectionalMedia& media, int band);
 
   bool in_plane_;
+  bool by_direction_;
   std::vector<PhotonCell> cells_;
   std::vector<PhotonFace> faces_;  ///< [boundary face]
   std::vector<std::unique_ptr<PhaseSampler>> samplers_;
   std::vector<Deflection> deflections_;  ///< [region]
 };
 
-/// What photons do not know yet in a problem: scattering, absorption and emission that depend on the
-/// direction itself. Throws InputError that names each.
+/// What photons do not know yet in a problem: kernels, and emission that depends on the direction. Throws
+/// InputError that names each.
 void refuse_for_photons(const Problem& problem);
 
 }  // namespace etendue

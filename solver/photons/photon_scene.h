@@ -6,7 +6,9 @@
 
 namespace etendue {
 
+class DirectionalMedium;
 class PhaseSampler;
+class RandomStream;
 class Reflectance;
 
 /// Draws a cosine of deflection (PhaseSampler::cosine), for code that must not include it.
@@ -18,6 +20,16 @@ double part_mirrored(double cos_in, double refractive_index);
 /// Turns the direction of travel w at a wall with the unit normal n, which points into the domain. Gives f_r
 /// cos / density; 0 where the light does not leave the wall.
 double reflect_glossily(const Reflectance& glossy, const double (&n)[3], double u, double v, double (&w)[3]);
+
+/// What matter that depends on the direction does to light that travels along `sense` × w, a unit vector
+/// [1/length].
+struct DirectedCoefficients {
+  double absorption, scattering;
+};
+DirectedCoefficients coefficients_along(const DirectionalMedium& medium, std::int32_t cell,
+                                        const double (&w)[3], double sense);
+/// Turns w to where such a medium scatters it, which has a sampler.
+void scatter_by_direction(const DirectionalMedium& medium, RandomStream& stream, double (&w)[3]);
 
 /// A cell as photons see it, in one band. The barycentric coordinate of vertex i at x is
 /// gx[i] x + gy[i] y + gz[i] z + offset[i]; it vanishes on face i and is positive inside.
@@ -47,13 +59,16 @@ struct alignas(64) PhotonFace {
   std::int32_t behind;        ///< boundary face on the other side of a sheet, -1: none
 };
 
-/// How light turns in a medium.
+/// How light turns in a medium. Where that depends on its direction the medium draws it, and coefficients
+/// are the medium's in place of the cell's.
 struct Deflection {
   enum class Kind : std::int32_t { isotropic, henyey_greenstein, sampled };
   Kind kind = Kind::isotropic;
   double asymmetry = 0;     ///< g
   double half_inverse = 0;  ///< 1/(2 g); 0 for g = 0
   const PhaseSampler* sampler = nullptr;
+  const DirectionalMedium* medium = nullptr;  ///< null where nothing depends on the direction
+  bool turns_by_direction = false;
 };
 
 /// All that a history of one band meets. Arrays belong to a PhotonScene.
@@ -62,6 +77,8 @@ struct PhotonSceneView {
   const PhotonFace* faces;
   const Deflection* deflections;
   bool in_plane;
+  bool by_direction = false;  ///< whether any deflection has a medium
+  double sense = 1;           ///< light travels so many times along histories: -1 where they go back
 };
 
 /// Where a history stands.
@@ -80,6 +97,7 @@ struct PhotonStart {
 struct PhotonTally {
   double* cells;
   double* faces;
+  double* absorbed;  ///< [cell] [power], where matter depends on the direction
 };
 
 /// A photon where it met a wall, or where it scattered, as it came there.

@@ -67,25 +67,6 @@ Vec3 vector_of(const double (&values)[3]) { return {values[0], values[1], values
 
 }  // namespace
 
-/// The random numbers of one start, one after the other.
-class PhotonSources::Numbers {
- public:
-  Numbers(std::uint64_t seed, std::uint64_t history) : stream_(seed, history, RandomUse::emission) {}
-  std::uint32_t word() {
-    if (used_ == 4) {
-      stream_.next(words_);
-      used_ = 0;
-    }
-    return words_[used_++];
-  }
-  double number() { return uniform(word()); }
-
- private:
-  RandomStream stream_;
-  std::uint32_t words_[4];
-  int used_ = 4;
-};
-
 PhotonSources::PhotonSources(const Problem& problem, const PhotonMesh& mesh, const CellLocator& locator,
                              int band)
     : problem_(problem),
@@ -144,7 +125,7 @@ void PhotonSources::add_lights() {
   }
 }
 
-Vec3 PhotonSources::isotropic(Numbers& random) const {
+Vec3 PhotonSources::isotropic(DrawnNumbers& random) const {
   double c, s;
   unit_circle(random.word(), c, s);
   if (in_plane_) return {c, s, 0};
@@ -152,7 +133,7 @@ Vec3 PhotonSources::isotropic(Numbers& random) const {
   return {sine * c, sine * s, mu};
 }
 
-Vec3 PhotonSources::lambert(const Vec3& normal, const Vec3& tangent, Numbers& random) const {
+Vec3 PhotonSources::lambert(const Vec3& normal, const Vec3& tangent, DrawnNumbers& random) const {
   if (in_plane_) {
     const double along = 2 * random.number() - 1;
     return std::sqrt(1 - along * along) * normal + along * tangent;
@@ -181,7 +162,7 @@ PhotonStart PhotonSources::started(const Vec3& point, const Vec3& direction) con
   return start;
 }
 
-PhotonStart PhotonSources::from_cell(std::int32_t cell, Numbers& random) const {
+PhotonStart PhotonSources::from_cell(std::int32_t cell, DrawnNumbers& random) const {
   const double s = random.number(), t = random.number(), u = random.number();
   const Vec3 point = point_in(problem_.mesh(), CellIndex(cell), s, t, u);
   PhotonStart start = started(point, isotropic(random));
@@ -189,7 +170,7 @@ PhotonStart PhotonSources::from_cell(std::int32_t cell, Numbers& random) const {
   return start;
 }
 
-PhotonStart PhotonSources::from_face(std::int32_t f, const Vec3* beam, Numbers& random) const {
+PhotonStart PhotonSources::from_face(std::int32_t f, const Vec3* beam, DrawnNumbers& random) const {
   const PhotonFace& face = mesh_.faces()[static_cast<std::size_t>(f)];
   const double u = random.number(), v = random.number();
   const Vec3 point = point_in(triangle_of(problem_.mesh(), FaceIndex(f)), u, v);
@@ -204,7 +185,7 @@ PhotonStart PhotonSources::from_face(std::int32_t f, const Vec3* beam, Numbers& 
 }
 
 /// Behind the wall light falls on it from all sides alike; what the surface turns back there is drawn anew.
-Vec3 PhotonSources::refracted_in(const PhotonFace& face, Numbers& random) const {
+Vec3 PhotonSources::refracted_in(const PhotonFace& face, DrawnNumbers& random) const {
   const double index = face.refractive_index;
   const Vec3 normal = vector_of(face.normal);
   while (true) {
@@ -217,7 +198,7 @@ Vec3 PhotonSources::refracted_in(const PhotonFace& face, Numbers& random) const 
 }
 
 PhotonStart PhotonSources::from_point(const PointLight& light, const AngleTable& angles,
-                                      Numbers& random) const {
+                                      DrawnNumbers& random) const {
   Vec3 direction;
   if (angles.empty()) {
     direction = isotropic(random);
@@ -239,7 +220,7 @@ PhotonStart PhotonSources::from_point(const PointLight& light, const AngleTable&
   return start;
 }
 
-PhotonStart PhotonSources::from_surface(const Triangle& triangle, Numbers& random) const {
+PhotonStart PhotonSources::from_surface(const Triangle& triangle, DrawnNumbers& random) const {
   const double u = random.number(), v = random.number();
   const Vec3 point = point_in(triangle, u, v);
   const auto& [a, b, c] = triangle.corner;
@@ -250,7 +231,7 @@ PhotonStart PhotonSources::from_surface(const Triangle& triangle, Numbers& rando
   return start;
 }
 
-PhotonStart PhotonSources::start_of(const Source& source, Numbers& random) const {
+PhotonStart PhotonSources::start_of(const Source& source, DrawnNumbers& random) const {
   const auto light = [&]() -> const Light& {
     return problem_.lights()[static_cast<std::size_t>(source.index)];
   };
@@ -275,7 +256,8 @@ std::vector<PhotonStart> PhotonSources::starts(std::uint64_t seed, const Batch& 
   std::vector<PhotonStart> starts;
   starts.reserve(count);
   for (std::size_t i = from; i < from + count; ++i) {
-    Numbers random(seed, batch.first + i);
+    RandomStream stream(seed, batch.first + i, RandomUse::emission);
+    DrawnNumbers random(stream);
     const double share = (static_cast<double>(i) + random.number()) / static_cast<double>(batch.count);
     const auto above = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, share * power());
     starts.push_back(start_of(sources_[static_cast<std::size_t>(above - cumulative_.begin())], random));

@@ -8,6 +8,7 @@
 
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/photons/angle_table.h"
+#include "solver/photons/drawn_numbers.h"
 #include "solver/photons/photon_mesh.h"
 #include "solver/problem/problem.h"
 
@@ -44,22 +45,21 @@ class PhotonSources {
     std::int32_t index;  ///< of a cell, a face or a light
     std::int32_t part;   ///< the face that a beam comes in by, the triangle of a light
   };
-  class Numbers;
   void add(Source source, double power);
   void add_media();
   void add_walls();
   void add_lights();
-  PhotonStart start_of(const Source& source, Numbers& random) const;
+  PhotonStart start_of(const Source& source, DrawnNumbers& random) const;
   PhotonStart started(const Vec3& point, const Vec3& direction) const;
-  PhotonStart from_cell(std::int32_t cell, Numbers& random) const;
+  PhotonStart from_cell(std::int32_t cell, DrawnNumbers& random) const;
   /// In the direction of a beam, or without one as Lambert says.
-  PhotonStart from_face(std::int32_t face, const Vec3* beam, Numbers& random) const;
-  Vec3 refracted_in(const PhotonFace& face, Numbers& random) const;
-  PhotonStart from_point(const PointLight& light, const AngleTable& angles, Numbers& random) const;
-  PhotonStart from_surface(const EmittingTriangle& triangle, Numbers& random) const;
+  PhotonStart from_face(std::int32_t face, const Vec3* beam, DrawnNumbers& random) const;
+  Vec3 refracted_in(const PhotonFace& face, DrawnNumbers& random) const;
+  PhotonStart from_point(const PointLight& light, const AngleTable& angles, DrawnNumbers& random) const;
+  PhotonStart from_surface(const EmittingTriangle& triangle, DrawnNumbers& random) const;
   void start_inside(const Vec3& point, const Vec3& direction, PhotonStart& start) const;
-  Vec3 isotropic(Numbers& random) const;
-  Vec3 lambert(const Vec3& normal, const Vec3& tangent, Numbers& random) const;
+  Vec3 isotropic(DrawnNumbers& random) const;
+  Vec3 lambert(const Vec3& normal, const Vec3& tangent, DrawnNumbers& random) const;
 
   const Problem& problem_;
   const PhotonMesh& mesh_;

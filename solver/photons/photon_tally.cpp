@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mesh/tetrahedra/sheet_faces.h"
+#include "solver/photons/directional_medium.h"
 #include "solver/problem/mirror.h"
 
 namespace etendue {
@@ -44,6 +45,7 @@ double power_inside(const Light& light, std::size_t band) {
 void TallySums::clear() {
   std::ranges::fill(cells_, 0);
   std::ranges::fill(faces_, 0);
+  std::ranges::fill(absorbed_, 0);
 }
 
 void TallySums::to_fields(const Problem& problem, int band, double scale, Solution& fields) const {
@@ -51,6 +53,7 @@ void TallySums::to_fields(const Problem& problem, int band, double scale, Soluti
   const auto bands = static_cast<std::size_t>(problem.band_count()), b = static_cast<std::size_t>(band);
   for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c) {
     const double factor = scale / mesh.volume(CellIndex(static_cast<std::int64_t>(c)));
+    if (!fields.absorbed.empty()) fields.absorbed[c * bands + b] = factor * absorbed_[c];
     for (std::size_t quantity = 0; quantity < 4; ++quantity) {
       const double* m = cells_.data() + 16 * c + 4 * quantity;
       const double sum = m[0] + m[1] + m[2] + m[3];
@@ -81,6 +84,7 @@ Solution empty_fields(const Problem& problem) {
   Solution fields;
   fields.fluence.assign(4 * cells * bands, 0);
   fields.net_flux.assign(12 * cells * bands, 0);
+  if (depends_on_direction(problem)) fields.absorbed.assign(cells * bands, 0);
   fields.irradiance.assign(3 * faces * bands, 0);
   fields.exitance.assign(3 * faces * bands, 0);
   return fields;

@@ -93,6 +93,7 @@ class PhotonRun {
     sums_.irradiance.add(fields.irradiance, weight);
     sums_.face_means.add(node_means(fields.irradiance, 3, bands_), weight);
     if (reflects_by_angle_) sums_.exitance.add(fields.exitance, weight);
+    if (!fields.absorbed.empty()) sums_.absorbed.add(fields.absorbed, weight);
     if (reader_) add_derived(reader_(fields), weight);
     sums_.histories += number;
     report_.segments += static_cast<double>(outcome.counts.segments);
@@ -163,6 +164,7 @@ class PhotonRun {
     complete_fields(problem_, solution);
     // It does not follow from the irradiance alone.
     if (reflects_by_angle_) solution.exitance = sums_.exitance.means();
+    solution.absorbed = sums_.absorbed.means();
     solution.interrupted = stopped_;
     solution.history = std::move(history_);
     report_.error = errors();
@@ -215,7 +217,7 @@ class PhotonRun {
 
 constexpr std::array statistics_of_sums = {
     &PhotonSums::fluence,    &PhotonSums::cell_means, &PhotonSums::net_flux, &PhotonSums::irradiance,
-    &PhotonSums::face_means, &PhotonSums::derived,    &PhotonSums::exitance};
+    &PhotonSums::face_means, &PhotonSums::derived,    &PhotonSums::exitance, &PhotonSums::absorbed};
 
 }  // namespace
 
@@ -236,8 +238,8 @@ PhotonSums PhotonSums::unpacked(std::span<const double> numbers) {
   sums.histories = static_cast<std::uint64_t>(numbers[0]);
   numbers = numbers.subspan(1);
   for (const auto part : statistics_of_sums) {
-    // Runs without walls that reflect by the angle may end before it.
-    if (part == &PhotonSums::exitance && numbers.empty()) break;
+    // Runs that had no use for the last ones may end before them.
+    if ((part == &PhotonSums::exitance || part == &PhotonSums::absorbed) && numbers.empty()) break;
     if (numbers.empty() || !(numbers[0] >= 0) || numbers[0] > static_cast<double>(numbers.size() - 1))
       throw cut();
     const auto size = static_cast<std::size_t>(numbers[0]);

@@ -184,17 +184,17 @@ TEST(SolvePhotons, MirrorsStandForTheOtherHalf) {
   EXPECT_LT(std::abs(balance.residual), 1e-3);
 }
 
-TEST(SolvePhotons, RefusesAbsorptionThatDependsOnTheDirection) {
+TEST(SolvePhotons, RefusesEmissionThatDependsOnTheDirection) {
   const TetrahedralMesh mesh = cube_mesh(0.1);
-  Medium medium = uniform_medium(1, 1, 0, 1);
+  Medium medium = uniform_medium(1, 1, 0, 0);
   medium.origin = {"case.toml", 7, "media.fog"};
-  medium.absorption_by_direction = {AngularFormula("1 + 0.5*wz")};
+  medium.emission_by_direction = {AngularFormula("1 + 0.5*wz")};
   const Problem problem = uniform_problem(mesh, medium, uniform_wall(1, 0, 0, 0));
   try {
     solved(problem, 100);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("case.toml:7: media.fog.absorption: depends on the direction"),
+    EXPECT_NE(std::string(error.what()).find("case.toml:7: media.fog.emission: depends on the direction"),
               std::string::npos)
         << error.what();
   }

@@ -10,7 +10,7 @@ AREA = 2.0
 
 
 def compare(runs):
-    return rows_of(runs["case"], "") + rows_of(runs["sun"], "sun: ")
+    return rows_of(runs["case"], "") + rows_of(runs["sun"], "sun: ") + rows_of(runs["photons"], "photons: ")
 
 
 def rows_of(canopy, prefix):
@@ -18,8 +18,9 @@ def rows_of(canopy, prefix):
     for band, (r, t) in LEAVES.items():
         sent = canopy.wall("sky", "outgoing", band)
         for name, wall, exact in (("R", "sky", reflected(r, t)), ("T", "ground", transmitted(r, t))):
+            error = canopy.wall(wall, "incoming_error", band) / sent if prefix == "photons: " else None
             if exact:
-                found.append(Row(f"{prefix}{name}, {band}", canopy.wall(wall, "incoming", band) / sent, exact))
+                found.append(Row(f"{prefix}{name}, {band}", canopy.wall(wall, "incoming", band) / sent, exact, error))
     return found
 
 
