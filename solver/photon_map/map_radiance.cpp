@@ -51,6 +51,12 @@ MapRadiance::MapRadiance(const Problem& problem, std::vector<BandHits> hits, std
       rays_(problem.mesh()),
       planes_(problem.mesh()),
       behind_(faces_behind(problem.mesh())) {
+  for (const Wall& wall : problem.walls())
+    for (std::size_t b = 0; b < static_cast<std::size_t>(problem.band_count()); ++b)
+      formulas_.push_back(
+          b < wall.radiance_by_direction.size() && wall.radiance_by_direction[b]
+              ? std::make_unique<const FormulaEmitter>(problem, *wall.radiance_by_direction[b])
+              : nullptr);
   for (BandHits& band : hits_) {
     surfaces_.emplace_back(problem.mesh(), planes_, neighbours, band.walls);
     volumes_.emplace_back(problem.mesh(), rays_, neighbours, band.matter);
@@ -106,6 +112,14 @@ Estimate MapRadiance::scattered(CellIndex cell, const Vec3& point, const Vec3& t
   return sum.times(volume.power() / work.volume.volume);
 }
 
+double MapRadiance::emitted(FaceIndex face, const Vec3& point, const Vec3& travel, int band) const {
+  const int number = problem_.mesh().wall(face);
+  const double cosine = std::max(0.0, -travel.dot(problem_.mesh().area_normal(face).normalized()));
+  const auto& formula = formulas_[static_cast<std::size_t>(number * problem_.band_count() + band)];
+  return radiance_sent(problem_.wall(number), static_cast<std::size_t>(band), cosine) +
+         (formula ? formula->at(point, travel) : 0);
+}
+
 double MapRadiance::along(const PointInCell& start, const Vec3& direction, int band, Workspace& work) const {
   double radiance = 0, left = 1;
   PointInCell at = start;
@@ -122,8 +136,8 @@ double MapRadiance::along(const PointInCell& start, const Vec3& direction, int b
     const auto b = static_cast<std::size_t>(band);
     const Vec3 normal = problem_.mesh().area_normal(*end.wall).normalized();
     const double cosine = std::max(0.0, towards.dot(normal));
-    radiance +=
-        left * (radiance_sent(wall, b, cosine) + reflected(*end.wall, end.point, -towards, band, work).value);
+    radiance += left * (emitted(*end.wall, end.point, -towards, band) +
+                        reflected(*end.wall, end.point, -towards, band, work).value);
     left *= mirrored_part(wall, b, cosine);
     towards = (towards - 2 * towards.dot(normal) * normal).normalized();
     at = {end.cell, end.point};

@@ -10,6 +10,7 @@
 #include "solver/photon_map/keep_hits.h"
 #include "solver/photon_map/surface_hits.h"
 #include "solver/photon_map/volume_hits.h"
+#include "solver/photons/formula_emission.h"
 #include "solver/photons/probe_histories.h"
 #include "solver/problem/problem.h"
 
@@ -67,6 +68,8 @@ class MapRadiance {
   double add_flat_lights(const Stretch& stretch, double length, const Workspace& work) const;
   double march(const Stretch& stretch, std::size_t first, std::size_t last, double begin,
                Workspace& work) const;
+  /// What a wall sends by itself at a point of a face.
+  double emitted(FaceIndex face, const Vec3& point, const Vec3& travel, int band) const;
   double extinction(CellIndex cell, int band) const {
     return problem_.absorption(cell, band) + problem_.scattering(cell, band);
   }
@@ -75,6 +78,7 @@ class MapRadiance {
   std::vector<BandHits> hits_;
   RayMesh rays_;
   WallPlanes planes_;
+  std::vector<std::unique_ptr<const FormulaEmitter>> formulas_;  ///< [wall][band] of radiance; null: none
   std::vector<std::int32_t> behind_;   ///< [boundary face] other side of a sheet, -1: none
   std::vector<SurfaceHits> surfaces_;  ///< [band]
   std::vector<VolumeHits> volumes_;    ///< [band]

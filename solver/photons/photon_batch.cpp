@@ -23,9 +23,9 @@ double processor_seconds() {
 }  // namespace
 
 PhotonBatches::PhotonBatches(const Problem& problem, const CellLocator& locator, std::uint64_t seed)
-    : problem_(problem), seed_(seed), kernels_(choose_photon_kernels()), media_(problem) {
+    : problem_(problem), seed_(seed), kernels_(choose_photon_kernels()), input_(problem) {
   for (int b = 0; b < problem.band_count(); ++b)
-    bands_.push_back(std::make_unique<Band>(problem, media_, locator, b));
+    bands_.push_back(std::make_unique<Band>(problem, input_, locator, b));
 }
 
 PhotonBatches::Outcome PhotonBatches::walk(std::uint64_t first, std::size_t count) const {
@@ -48,6 +48,7 @@ PhotonBatches::Outcome PhotonBatches::walk(std::uint64_t first, std::size_t coun
     sums.to_fields(problem_, b, band.sources.power() / static_cast<double>(count), outcome.fields);
   }
   complete_fields(problem_, outcome.fields);
+  input_.emission.add_to(outcome.fields);
   outcome.seconds = processor_seconds() - start;
   return outcome;
 }

@@ -34,19 +34,22 @@ class PhotonBatches {
   };
   Hits hits(int band, std::uint64_t first, std::size_t count) const;
 
+  /// Adds what complete_fields() does not know: emission by formulas.
+  void add_emission(Solution& fields) const { input_.emission.add_to(fields); }
+
   double power(int band) const { return bands_[static_cast<std::size_t>(band)]->sources.power(); }
 
  private:
   struct Band {
     PhotonMesh mesh;
     PhotonSources sources;
-    Band(const Problem& problem, const DirectionalMedia& media, const CellLocator& locator, int band)
-        : mesh(problem, media, band), sources(problem, mesh, locator, band) {}
+    Band(const Problem& problem, const DirectionalInput& input, const CellLocator& locator, int band)
+        : mesh(problem, input, band), sources(problem, mesh, locator, band) {}
   };
   const Problem& problem_;
   std::uint64_t seed_;
   PhotonKernels kernels_;
-  DirectionalMedia media_;
+  DirectionalInput input_;
   std::vector<std::unique_ptr<Band>> bands_;
 };
 

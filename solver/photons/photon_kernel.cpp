@@ -172,6 +172,7 @@ struct Forward {
     add(sums + 8, moments * photon.w[1]);
     add(sums + 12, moments * photon.w[2]);
   }
+  ETENDUE_PHOTON_MEMBER void pass_emitter(const FormulaEmitter&, const Photon&, const Four&) {}
   ETENDUE_PHOTON_MEMBER void absorb(std::int32_t cell, double power) { tally.absorbed[cell] += power; }
   ETENDUE_PHOTON_MEMBER void collide(const Photon&, bool) {}
   ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
@@ -194,6 +195,7 @@ struct Recording {
     fetch(scene.cells + cell, sizeof(PhotonCell));
   }
   ETENDUE_PHOTON_MEMBER void pass(const Photon&, const PhotonCell&, const Four&, double) {}
+  ETENDUE_PHOTON_MEMBER void pass_emitter(const FormulaEmitter&, const Photon&, const Four&) {}
   ETENDUE_PHOTON_MEMBER void absorb(std::int32_t, double) {}
   ETENDUE_PHOTON_MEMBER void collide(const Photon& photon, bool scatters) {
     if (scatters) keep(photon, photon.cell, rooms.matter);
@@ -223,11 +225,20 @@ struct Backward {
   ETENDUE_PHOTON_MEMBER void pass(const Photon&, const PhotonCell& cell, const Four&, double weighted) {
     score += cell.emission * weighted;
   }
+  ETENDUE_PHOTON_MEMBER void pass_emitter(const FormulaEmitter& emitter, const Photon& photon,
+                                          const Four& moments) {
+    const double parts[4] = {moments[0], moments[1], moments[2], moments[3]};
+    score += emission_along(emitter, photon.cell, photon.w, parts);
+  }
   ETENDUE_PHOTON_MEMBER void absorb(std::int32_t, double) {}
   ETENDUE_PHOTON_MEMBER void collide(const Photon&, bool) {}
-  ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t, const PhotonFace&, const Four&,
-                                    const Meeting& meeting) {
+  ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
+                                    const Four& coordinate, const Meeting& meeting) {
     score += meeting.from_wall * photon.weight;
+    if (wall.sent == nullptr) return;
+    const double parts[3] = {coordinate[wall.corner[0]], coordinate[wall.corner[1]],
+                             coordinate[wall.corner[2]]};
+    score += photon.weight * radiance_along(*wall.sent, face, photon.w, parts);
   }
 };
 
@@ -313,8 +324,11 @@ ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, P
   const Attenuated part = attenuated(matter.absorption * way.length);
   const double weighted = photon.weight * way.length;
   const double integral = weighted * part.mean;
-  score.pass(photon, cell, way.coordinate * integral + way.rate * (weighted * way.length * part.first),
-             integral);
+  const Four moments = way.coordinate * integral + way.rate * (weighted * way.length * part.first);
+  score.pass(photon, cell, moments, integral);
+  if constexpr (turning == Turning::by_direction)
+    if (const FormulaEmitter* emitter = scene.deflections[cell.deflection].emitter)
+      score.pass_emitter(*emitter, photon, moments);
   photon.weight -= matter.absorption * integral;
   if constexpr (turning == Turning::by_direction) score.absorb(photon.cell, matter.absorption * integral);
   for (int axis = 0; axis < 3; ++axis) photon.x[axis] += way.length * photon.w[axis];

@@ -41,11 +41,11 @@ double reflect_glossily(const Reflectance& glossy, const double (&n)[3], double 
   return ray.weight;
 }
 
-PhotonMesh::PhotonMesh(const Problem& problem, const DirectionalMedia& media, int band)
-    : in_plane_(problem.space() == AngularSpace::plane), by_direction_(!media.empty()) {
+PhotonMesh::PhotonMesh(const Problem& problem, const DirectionalInput& input, int band)
+    : in_plane_(problem.space() == AngularSpace::plane), by_direction_(!input.empty()) {
   add_cells(problem, band);
-  add_faces(problem, band);
-  add_deflections(problem, media, band);
+  add_faces(problem, input.emission, band);
+  add_deflections(problem, input, band);
 }
 
 // The gradient of coordinate i is -(area normal of face i out of the cell) / (3 V).
@@ -80,7 +80,7 @@ void PhotonMesh::add_cells(const Problem& problem, int band) {
   }
 }
 
-void PhotonMesh::add_faces(const Problem& problem, int band) {
+void PhotonMesh::add_faces(const Problem& problem, const FormulaEmission& emission, int band) {
   const TetrahedralMesh& mesh = problem.mesh();
   const auto b = static_cast<std::size_t>(band);
   const std::vector<std::int32_t> behind = faces_behind(mesh);
@@ -97,6 +97,7 @@ void PhotonMesh::add_faces(const Problem& problem, int band) {
     face.transmittance = wall.transmitted(b);
     face.glossy = wall.glossy_in(b);
     face.behind = behind[index.at()];
+    face.sent = emission.of_wall(mesh.wall(index), band);
     face.radiance = wall.radiance[b];
     face.refractive_index = wall.refractive_index;
     face.cell = mesh.owner(index).value();
@@ -107,13 +108,14 @@ void PhotonMesh::add_faces(const Problem& problem, int band) {
   }
 }
 
-void PhotonMesh::add_deflections(const Problem& problem, const DirectionalMedia& media, int band) {
+void PhotonMesh::add_deflections(const Problem& problem, const DirectionalInput& input, int band) {
   const PhaseList phases(problem);
   for (const PhaseFunction& phase : phases.phases())
     samplers_.push_back(std::make_unique<PhaseSampler>(phase));
   for (int region = 0; region < static_cast<int>(problem.media().size()); ++region) {
     Deflection how;
-    how.medium = media.of(region, band);
+    how.emitter = input.emission.of_region(region, band);
+    how.medium = input.media.of(region, band);
     how.turns_by_direction = how.medium != nullptr && how.medium->sampler() != nullptr;
     const int number = phases.of(region, static_cast<std::size_t>(band));
     if (number < 0) {
@@ -145,9 +147,6 @@ double PhotonMesh::way_through(CellIndex index, const Vec3& x, const Vec3& w) co
 }
 
 void refuse_for_photons(const Problem& problem) {
-  const auto any = [](const auto& formulas) {
-    return std::ranges::any_of(formulas, [](const auto& formula) { return formula.has_value(); });
-  };
   std::vector<Fault> faults;
   const auto refuse = [&](const Origin& origin, const std::string& what) {
     faults.push_back(fault_at(origin, "",
@@ -161,11 +160,7 @@ void refuse_for_photons(const Problem& problem) {
     };
     if (std::ranges::any_of(medium.directional, is_kernel))
       refuse(origin_of(medium, "kernel"), "scatters by the directions themselves");
-    if (any(medium.emission_by_direction)) refuse(origin_of(medium, "emission"), "depends on the direction");
   }
-  for (const Wall& wall : problem.walls())
-    if (any(wall.radiance_by_direction))
-      refuse(origin_of(wall, "radiance"), "depends on the place or the direction");
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 

@@ -7,6 +7,7 @@
 namespace etendue {
 
 class DirectionalMedium;
+class FormulaEmitter;
 class PhaseSampler;
 class RandomStream;
 class Reflectance;
@@ -31,6 +32,14 @@ DirectedCoefficients coefficients_along(const DirectionalMedium& medium, std::in
 /// Turns w to where such a medium scatters it, which has a sampler.
 void scatter_by_direction(const DirectionalMedium& medium, RandomStream& stream, double (&w)[3]);
 
+/// The emission of a cell by a formula in the direction -w, times the moments of its barycentric coordinates
+/// on the way of a history that goes back along the light; and the radiance of a wall's face, where the
+/// shares of its corners are those of a point.
+double emission_along(const FormulaEmitter& emitter, std::int32_t cell, const double (&w)[3],
+                      const double (&moments)[4]);
+double radiance_along(const FormulaEmitter& emitter, std::int32_t face, const double (&w)[3],
+                      const double (&shares)[3]);
+
 /// A cell as photons see it, in one band. The barycentric coordinate of vertex i at x is
 /// gx[i] x + gy[i] y + gz[i] z + offset[i]; it vanishes on face i and is positive inside.
 struct alignas(64) PhotonCell {
@@ -50,13 +59,14 @@ struct alignas(64) PhotonFace {
   double normal[3];   ///< unit, into the domain
   double tangent[3];  ///< unit; in the plane it lies in the plane too
   double diffuse, specular;
-  double transmittance;       ///< to the other side of a sheet
-  const Reflectance* glossy;  ///< null: none
-  double radiance;            ///< [power/(length^2 sr)]
-  double refractive_index;    ///< of the domain over that behind; 1: the wall does not refract
-  std::int32_t corner[3];     ///< places of its vertices among those of its cell
-  std::int32_t cell, local;   ///< the face is face `local` of this cell
-  std::int32_t behind;        ///< boundary face on the other side of a sheet, -1: none
+  double transmittance;        ///< to the other side of a sheet
+  const Reflectance* glossy;   ///< null: none
+  const FormulaEmitter* sent;  ///< beside the radiance; null: nothing
+  double radiance;             ///< [power/(length^2 sr)]
+  double refractive_index;     ///< of the domain over that behind; 1: the wall does not refract
+  std::int32_t corner[3];      ///< places of its vertices among those of its cell
+  std::int32_t cell, local;    ///< the face is face `local` of this cell
+  std::int32_t behind;         ///< boundary face on the other side of a sheet, -1: none
 };
 
 /// How light turns in a medium. Where that depends on its direction the medium draws it, and coefficients
@@ -69,6 +79,7 @@ struct Deflection {
   const PhaseSampler* sampler = nullptr;
   const DirectionalMedium* medium = nullptr;  ///< null where nothing depends on the direction
   bool turns_by_direction = false;
+  const FormulaEmitter* emitter = nullptr;  ///< beside the cells' emission; null: none
 };
 
 /// All that a history of one band meets. Arrays belong to a PhotonScene.
@@ -77,7 +88,7 @@ struct PhotonSceneView {
   const PhotonFace* faces;
   const Deflection* deflections;
   bool in_plane;
-  bool by_direction = false;  ///< whether any deflection has a medium
+  bool by_direction = false;  ///< whether any deflection has a medium or an emitter
   double sense = 1;           ///< light travels so many times along histories: -1 where they go back
 };
 

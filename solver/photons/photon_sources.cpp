@@ -63,6 +63,20 @@ double draw_azimuth(const PointLight& light, double angle, Draw&& number) {
   }
 }
 
+/// A point of a simplex as likely as its barycentric coordinate number `corner` is large: gamma variables
+/// over their sum (Dirichlet's distribution; Devroye 1986, section XI.4).
+template <std::size_t count>
+std::array<double, count> point_towards(std::size_t corner, DrawnNumbers& random) {
+  std::array<double, count> shares;
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    shares[i] = -std::log(random.number() * (i == corner ? random.number() : 1.0));
+    sum += shares[i];
+  }
+  for (double& share : shares) share /= sum;
+  return shares;
+}
+
 Vec3 vector_of(const double (&values)[3]) { return {values[0], values[1], values[2]}; }
 
 }  // namespace
@@ -86,18 +100,29 @@ void PhotonSources::add(Source source, double power) {
 }
 
 void PhotonSources::add_media() {
+  const TetrahedralMesh& mesh = problem_.mesh();
   const double range = full_range(problem_.space());
-  for (std::int32_t c = 0; c < problem_.mesh().cell_count(); ++c)
-    add({Kind::cell, c, 0},
-        range * mesh_.cells()[static_cast<std::size_t>(c)].emission * problem_.mesh().volume(CellIndex(c)));
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const CellIndex cell(c);
+    add({Kind::cell, c, 0}, range * mesh_.cells()[cell.at()].emission * mesh.volume(cell));
+    const FormulaEmitter* emitter = mesh_.emitter(mesh.region(cell));
+    for (std::int32_t i = 0; i < 4 && emitter != nullptr; ++i)
+      add({Kind::cell_corner, c, i},
+          mesh.volume(cell) / 4 * emitter->node(cell, static_cast<std::size_t>(i)).integral);
+  }
 }
 
 void PhotonSources::add_walls() {
+  const TetrahedralMesh& mesh = problem_.mesh();
   const double range = half_range(problem_.space());
-  for (std::int32_t f = 0; f < problem_.mesh().boundary_face_count(); ++f) {
-    const Wall& wall = problem_.wall(problem_.mesh().wall(FaceIndex(f)));
-    add({Kind::face, f, 0},
-        range * wall.radiance[band_] * entering_part(wall) * problem_.mesh().area(FaceIndex(f)));
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const Wall& wall = problem_.wall(mesh.wall(face));
+    add({Kind::face, f, 0}, range * wall.radiance[band_] * entering_part(wall) * mesh.area(face));
+    const FormulaEmitter* sent = mesh_.faces()[face.at()].sent;
+    for (std::int32_t i = 0; i < 3 && sent != nullptr; ++i)
+      add({Kind::face_corner, f, i},
+          mesh.area(face) / 3 * sent->node(face, static_cast<std::size_t>(i)).integral);
   }
 }
 
@@ -197,6 +222,38 @@ Vec3 PhotonSources::refracted_in(const PhotonFace& face, DrawnNumbers& random) c
   }
 }
 
+PhotonStart PhotonSources::from_cell_corner(std::int32_t number, std::size_t corner,
+                                            DrawnNumbers& random) const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const CellIndex cell(number);
+  const FormulaEmitter& emitter = *mesh_.emitter(mesh.region(cell));
+  const auto shares = point_towards<4>(corner, random);
+  Vec3 point = Vec3::Zero(), direction;
+  for (std::size_t i = 0; i < 4; ++i) point += shares[i] * mesh.point(VertexIndex(mesh.vertices(cell)[i]));
+  do direction = isotropic(random);
+  while (random.number() * emitter.node(cell, corner).largest >= emitter.at_corner(cell, corner, direction));
+  PhotonStart start = started(point, direction);
+  start.cell = number;
+  return start;
+}
+
+PhotonStart PhotonSources::from_face_corner(std::int32_t number, std::size_t corner,
+                                            DrawnNumbers& random) const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const FaceIndex index(number);
+  const PhotonFace& face = mesh_.faces()[index.at()];
+  const auto shares = point_towards<3>(corner, random);
+  Vec3 point = Vec3::Zero(), direction;
+  for (std::size_t i = 0; i < 3; ++i) point += shares[i] * mesh.point(VertexIndex(mesh.vertices(index)[i]));
+  do direction = lambert(vector_of(face.normal), vector_of(face.tangent), random);
+  while (random.number() * face.sent->node(index, corner).largest >=
+         face.sent->at_corner(index, corner, direction));
+  PhotonStart start = started(point, direction);
+  start.cell = face.cell;
+  start.entered = face.local;
+  return start;
+}
+
 PhotonStart PhotonSources::from_point(const PointLight& light, const AngleTable& angles,
                                       DrawnNumbers& random) const {
   Vec3 direction;
@@ -245,6 +302,10 @@ PhotonStart PhotonSources::start_of(const Source& source, DrawnNumbers& random) 
     case Kind::point:
       return from_point(std::get<PointLight>(light().kind), angles_[static_cast<std::size_t>(source.index)],
                         random);
+    case Kind::cell_corner:
+      return from_cell_corner(source.index, static_cast<std::size_t>(source.part), random);
+    case Kind::face_corner:
+      return from_face_corner(source.index, static_cast<std::size_t>(source.part), random);
     case Kind::triangle:
       break;
   }

@@ -39,11 +39,11 @@ class PhotonSources {
                                   std::size_t count) const;
 
  private:
-  enum class Kind : std::int32_t { cell, face, point, beam, triangle };
+  enum class Kind : std::int32_t { cell, face, point, beam, triangle, cell_corner, face_corner };
   struct Source {
     Kind kind;
     std::int32_t index;  ///< of a cell, a face or a light
-    std::int32_t part;   ///< the face that a beam comes in by, the triangle of a light
+    std::int32_t part;   ///< the face that a beam comes in by, the triangle of a light, the corner
   };
   void add(Source source, double power);
   void add_media();
@@ -54,6 +54,9 @@ class PhotonSources {
   PhotonStart from_cell(std::int32_t cell, DrawnNumbers& random) const;
   /// In the direction of a beam, or without one as Lambert says.
   PhotonStart from_face(std::int32_t face, const Vec3* beam, DrawnNumbers& random) const;
+  /// From a corner's part of a cell or face that emits by a formula.
+  PhotonStart from_cell_corner(std::int32_t cell, std::size_t corner, DrawnNumbers& random) const;
+  PhotonStart from_face_corner(std::int32_t face, std::size_t corner, DrawnNumbers& random) const;
   Vec3 refracted_in(const PhotonFace& face, DrawnNumbers& random) const;
   PhotonStart from_point(const PointLight& light, const AngleTable& angles, DrawnNumbers& random) const;
   PhotonStart from_surface(const EmittingTriangle& triangle, DrawnNumbers& random) const;

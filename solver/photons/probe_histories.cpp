@@ -102,12 +102,12 @@ std::vector<std::vector<ProbeEstimate>> walk_back_from(const std::vector<PhotonP
                                                        const ProbeOptions& options) {
   if (!problem.lights().empty()) return {};
   const PhotonKernels kernels = choose_photon_kernels();
-  const DirectionalMedia media(problem);
+  const DirectionalInput input(problem);
   std::vector<std::vector<ProbeEstimate>> found(
       probes.size(), std::vector<ProbeEstimate>(static_cast<std::size_t>(problem.band_count())));
   const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
   for (int band = 0; band < problem.band_count(); ++band) {
-    const PhotonMesh mesh(problem, media, band);
+    const PhotonMesh mesh(problem, input, band);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
     for (std::size_t i = 0; i < probes.size(); ++i)
       found[i][static_cast<std::size_t>(band)] =

@@ -164,6 +164,7 @@ class PhotonRun {
     complete_fields(problem_, solution);
     // It does not follow from the irradiance alone.
     if (reflects_by_angle_) solution.exitance = sums_.exitance.means();
+    batches_.add_emission(solution);
     solution.absorbed = sums_.absorbed.means();
     solution.interrupted = stopped_;
     solution.history = std::move(history_);

@@ -146,6 +146,19 @@ TEST(MapRadiance, IsThatOfAFurnaceBehindWallsThatRefract) {
   EXPECT_NEAR(mean, 1, 0.03);
 }
 
+TEST(MapRadiance, SeesRadianceByAFormula) {
+  const TetrahedralMesh mesh = cube_mesh(0.05);
+  Wall wall = uniform_wall(1, 0, 0, 0);
+  wall.radiance_by_direction = {AngularFormula("2 + x + max(0, wz)")};
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0, 0, 0), wall);
+  const MapRadiance map = map_of(problem, 1000, 10);
+  const CellLocator locator(mesh);
+  MapRadiance::Workspace work;
+  const Vec3 point(0.5, 0.4, 0.3), direction = Vec3(3, 0, -4) / 5;
+  const PointInCell start{locator.find(point).front().cell, point};
+  EXPECT_NEAR(map.along(start, direction, 0, work), 2 + 0.5 + 0.3 * 3 / 4 + 0.8, 1e-9);
+}
+
 // A beam of irradiance 3 on a plane across it, which falls on a wall at 60 degrees.
 TEST(MapRadiance, IsThatOfALitWall) {
   const TetrahedralMesh mesh = cube_mesh(0.005);

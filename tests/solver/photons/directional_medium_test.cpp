@@ -116,7 +116,8 @@ TEST(DirectionalMedium, LevelLeavesReflectAndTransmitAsTwoStreams) {
   EXPECT_LT(std::abs(derived.mean(2)), 3 * derived.error(2) + 1e-12);
 }
 
-// Absorption by a formula of the direction, with its mean over the cells, and what is left of an extinction.
+// Absorption by a formula of the direction, and what is left of an extinction. Where it depends on the place
+// too it is the mean over each cell, which a ray does not meet evenly.
 TEST(DirectionalMedium, AbsorptionByAFormulaIsThatOfTheDirection) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   Medium medium = uniform_medium(1, 1, 0, 0);

@@ -184,18 +184,17 @@ TEST(SolvePhotons, MirrorsStandForTheOtherHalf) {
   EXPECT_LT(std::abs(balance.residual), 1e-3);
 }
 
-TEST(SolvePhotons, RefusesEmissionThatDependsOnTheDirection) {
+TEST(SolvePhotons, RefusesKernels) {
   const TetrahedralMesh mesh = cube_mesh(0.1);
-  Medium medium = uniform_medium(1, 1, 0, 0);
+  Medium medium = uniform_medium(1, 1, 1, 0);
   medium.origin = {"case.toml", 7, "media.fog"};
-  medium.emission_by_direction = {AngularFormula("1 + 0.5*wz")};
+  medium.directional = {KernelMatrix{}};
   const Problem problem = uniform_problem(mesh, medium, uniform_wall(1, 0, 0, 0));
   try {
     solved(problem, 100);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("case.toml:7: media.fog.emission: depends on the direction"),
-              std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("case.toml:7: media.fog.kernel: "), std::string::npos)
         << error.what();
   }
 }
