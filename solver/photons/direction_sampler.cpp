@@ -26,7 +26,7 @@ class LeafSampler : public DirectionSampler {
  public:
   explicit LeafSampler(const LeafCanopy& leaves) : leaves_(leaves) {}
 
-  Vec3 scattered(const Vec3& travel, DrawnNumbers& random) const override {
+  Vec3 scattered(CellIndex, const Vec3& travel, DrawnNumbers& random) const override {
     Vec3 ahead = normal_met(travel, random);
     if (ahead.dot(travel) < 0) ahead = -ahead;
     const bool through =
@@ -65,7 +65,7 @@ class FlakeSampler : public DirectionSampler {
  public:
   explicit FlakeSampler(const MicroFlakes& flakes) : flakes_(flakes) {}
 
-  Vec3 scattered(const Vec3& travel, DrawnNumbers& random) const override {
+  Vec3 scattered(CellIndex, const Vec3& travel, DrawnNumbers& random) const override {
     const Vec3 normal = stretched(lambert_about(stretched(travel), random));
     return (travel - 2 * travel.dot(normal) * normal).normalized();
   }

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "mesh/tetrahedra/tetrahedral_mesh.h"
 #include "solver/photons/drawn_numbers.h"
 #include "solver/problem/directional_scattering.h"
 
@@ -13,8 +14,11 @@ namespace etendue {
 class DirectionSampler {
  public:
   virtual ~DirectionSampler() = default;
-  /// `travel` is the unit vector w. Something must be scattered out of it.
-  virtual Vec3 scattered(const Vec3& travel, DrawnNumbers& random) const = 0;
+  /// `travel` is the unit vector w. Something must be scattered out of it. It is given back where the light
+  /// has met nothing.
+  virtual Vec3 scattered(CellIndex cell, const Vec3& travel, DrawnNumbers& random) const = 0;
+  /// [1/length] at which light must be asked whether it has met something; 0: the scattering coefficient.
+  virtual double meeting_rate() const { return 0; }
 };
 
 /// Of leaves and flakes; null for others.

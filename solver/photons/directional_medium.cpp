@@ -6,12 +6,26 @@
 #include "solver/angle/direction_set.h"
 #include "solver/ordinates/directional_absorption.h"
 #include "solver/photons/photon_scene.h"
+#include "solver/problem/problem_checks.h"
 
 namespace etendue {
 namespace {
 
 bool depends_on_direction(const Medium& medium, int band) {
   return medium.is_directional(band) || medium.absorbs_by_direction(band);
+}
+
+std::unique_ptr<DirectionSampler> sampler_of(const Problem& problem, int region, int band) {
+  const Medium& medium = problem.medium(region);
+  if (!medium.is_directional(band)) return nullptr;
+  const DirectionalScattering& scattering = medium.directional[static_cast<std::size_t>(band)];
+  const auto* kernel = std::get_if<KernelFormula>(&scattering);
+  if (kernel == nullptr) return make_direction_sampler(scattering);
+  try {
+    return std::make_unique<KernelSampler>(*kernel, problem.mesh(), region);
+  } catch (const InputError& error) {
+    throw InputError(fault_at(origin_of(medium, "kernel"), "", error.faults().front().text));
+  }
 }
 
 /// Looks at absorption by a formula in some directions.
@@ -47,12 +61,37 @@ DirectionalMedia::DirectionalMedia(const Problem& problem) : bands_(problem.band
       media_.emplace_back();
       if (!depends_on_direction(medium, band)) continue;
       if (medium.absorbs_by_direction(band)) check_absorption(problem, *matter_, region, band);
-      media_.back() = std::make_unique<const DirectionalMedium>(
-          *matter_, static_cast<std::size_t>(band),
-          medium.is_directional(band)
-              ? make_direction_sampler(medium.directional[static_cast<std::size_t>(band)])
-              : nullptr);
+      media_.back() = std::make_unique<const DirectionalMedium>(problem, *matter_, region, band,
+                                                                sampler_of(problem, region, band));
+      if (const auto* kernel = dynamic_cast<const KernelSampler*>(media_.back()->sampler()))
+        kernels_.push_back(kernel);
     }
+}
+
+double DirectionalMedia::beyond_bounds() const {
+  std::int64_t beyond = 0, draws = 0;
+  for (const KernelSampler* kernel : kernels_) {
+    beyond += kernel->beyond_bound().first;
+    draws += kernel->beyond_bound().second;
+  }
+  return draws > 0 ? static_cast<double>(beyond) / static_cast<double>(draws) : 0;
+}
+
+DirectionalMedium::DirectionalMedium(const Problem& problem, const RayMatter& matter, int region, int band,
+                                     std::unique_ptr<DirectionSampler> sampler)
+    : problem_(problem),
+      matter_(matter),
+      band_(static_cast<std::size_t>(band)),
+      absorbs_by_direction_(problem.medium(region).absorbs_by_direction(band)),
+      sampler_(std::move(sampler)),
+      meeting_rate_(sampler_ ? sampler_->meeting_rate() : 0) {}
+
+bool is_reciprocal(const Problem& problem) {
+  for (const Medium& medium : problem.media())
+    for (const DirectionalScattering& scattering : medium.directional)
+      if (const auto* kernel = std::get_if<KernelFormula>(&scattering); kernel && !kernel->reciprocal)
+        return false;
+  return true;
 }
 
 bool depends_on_direction(const Problem& problem) {
@@ -68,9 +107,10 @@ DirectedCoefficients coefficients_along(const DirectionalMedium& medium, std::in
   return {found.absorption, found.scattering};
 }
 
-void scatter_by_direction(const DirectionalMedium& medium, RandomStream& stream, double (&w)[3]) {
+void scatter_by_direction(const DirectionalMedium& medium, std::int32_t cell, RandomStream& stream,
+                          double (&w)[3]) {
   DrawnNumbers random(stream);
-  const Vec3 scattered = medium.sampler()->scattered({w[0], w[1], w[2]}, random);
+  const Vec3 scattered = medium.sampler()->scattered(CellIndex(cell), {w[0], w[1], w[2]}, random);
   for (int axis = 0; axis < 3; ++axis) w[axis] = scattered[axis];
 }
 

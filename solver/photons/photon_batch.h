@@ -34,6 +34,8 @@ class PhotonBatches {
   };
   Hits hits(int band, std::uint64_t first, std::size_t count) const;
 
+  /// Of draws from kernels the part that was beyond what they were taken to be at most.
+  double beyond_bounds() const { return input_.media.beyond_bounds(); }
   /// Adds what complete_fields() does not know: emission by formulas.
   void add_emission(Solution& fields) const { input_.emission.add_to(fields); }
 

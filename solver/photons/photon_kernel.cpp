@@ -75,7 +75,7 @@ struct Photon {
   ETENDUE_PHOTON_MEMBER void turn_by_direction(const DirectionalMedium& matter, bool scatters, double rest) {
     depth = rest;
     if (!scatters) return;
-    scatter_by_direction(matter, random, w);
+    scatter_by_direction(matter, cell, random, w);
     if (++used == events_at_a_time) {
       events.draw(random);
       medium = -1;

@@ -148,19 +148,13 @@ double PhotonMesh::way_through(CellIndex index, const Vec3& x, const Vec3& w) co
 
 void refuse_for_photons(const Problem& problem) {
   std::vector<Fault> faults;
-  const auto refuse = [&](const Origin& origin, const std::string& what) {
-    faults.push_back(fault_at(origin, "",
-                              what +
-                                  " and photons do not know that (not in this version); use solve.method = "
-                                  "\"auto\", or what is the same in all directions"));
-  };
-  for (const Medium& medium : problem.media()) {
-    const auto is_kernel = [](const DirectionalScattering& s) {
-      return std::holds_alternative<KernelFormula>(s) || std::holds_alternative<KernelMatrix>(s);
-    };
-    if (std::ranges::any_of(medium.directional, is_kernel))
-      refuse(origin_of(medium, "kernel"), "scatters by the directions themselves");
-  }
+  for (const Medium& medium : problem.media())
+    if (std::ranges::any_of(medium.directional, [](const DirectionalScattering& scattering) {
+          return std::holds_alternative<KernelMatrix>(scattering);
+        }))
+      faults.push_back(fault_at(origin_of(medium, "kernel"), "",
+                                "is a matrix between the ordinates of a set, and photons have none; give a "
+                                "formula, or use solve.method = \"auto\""));
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 

@@ -56,8 +56,7 @@ class PhotonMesh {
   std::vector<Deflection> deflections_;  ///< [region]
 };
 
-/// What photons do not know yet in a problem: kernels. Throws
-/// InputError that names each.
+/// What photons do not know in a problem: kernels as matrices. Throws InputError that names each.
 void refuse_for_photons(const Problem& problem);
 
 }  // namespace etendue

@@ -29,8 +29,9 @@ struct DirectedCoefficients {
 };
 DirectedCoefficients coefficients_along(const DirectionalMedium& medium, std::int32_t cell,
                                         const double (&w)[3], double sense);
-/// Turns w to where such a medium scatters it, which has a sampler.
-void scatter_by_direction(const DirectionalMedium& medium, RandomStream& stream, double (&w)[3]);
+/// Turns w to where such a medium scatters it in a cell, which has a sampler.
+void scatter_by_direction(const DirectionalMedium& medium, std::int32_t cell, RandomStream& stream,
+                          double (&w)[3]);
 
 /// The emission of a cell by a formula in the direction -w, times the moments of its barycentric coordinates
 /// on the way of a history that goes back along the light; and the radiance of a wall's face, where the

@@ -100,7 +100,7 @@ class Walk {
 std::vector<std::vector<ProbeEstimate>> walk_back_from(const std::vector<PhotonProbe>& probes,
                                                        const Problem& problem, const CellLocator& locator,
                                                        const ProbeOptions& options) {
-  if (!problem.lights().empty()) return {};
+  if (!problem.lights().empty() || !is_reciprocal(problem)) return {};
   const PhotonKernels kernels = choose_photon_kernels();
   const DirectionalInput input(problem);
   std::vector<std::vector<ProbeEstimate>> found(

@@ -193,6 +193,10 @@ class PhotonRun {
   void add_notes(Solution& solution) const {
     if (begun_with_ > 0)
       solution.notes.push_back(fmt::format("{:.6g} histories a band of earlier runs count too", begun_with_));
+    if (const double beyond = batches_.beyond_bounds(); beyond > 0)
+      solution.notes.push_back(fmt::format(
+          "in {:.2g} of the directions drawn a kernel was larger than was found beforehand, and cut there",
+          beyond));
     if (report_.lost > 0)
       solution.notes.push_back(fmt::format(
           "{:.0f} of {:.6g} histories were given up: their light goes on for ever between mirrors",

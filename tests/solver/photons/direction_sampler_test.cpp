@@ -42,7 +42,7 @@ void expect_drawn_as_scattered(const DirectionalScattering& scattering, const Ve
   for (int n = 0; n < count; ++n) {
     RandomStream stream(5, static_cast<std::uint64_t>(n), RandomUse::flight);
     DrawnNumbers random(stream);
-    const Vec3 after = sampler->scattered(before, random);
+    const Vec3 after = sampler->scattered(CellIndex(0), before, random);
     ASSERT_NEAR(after.norm(), 1, 1e-12);
     const auto f = values(before, after);
     for (std::size_t i = 0; i < functions; ++i) {

@@ -184,7 +184,7 @@ TEST(SolvePhotons, MirrorsStandForTheOtherHalf) {
   EXPECT_LT(std::abs(balance.residual), 1e-3);
 }
 
-TEST(SolvePhotons, RefusesKernels) {
+TEST(SolvePhotons, RefusesKernelsAsMatrices) {
   const TetrahedralMesh mesh = cube_mesh(0.1);
   Medium medium = uniform_medium(1, 1, 1, 0);
   medium.origin = {"case.toml", 7, "media.fog"};
@@ -194,7 +194,7 @@ TEST(SolvePhotons, RefusesKernels) {
     solved(problem, 100);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("case.toml:7: media.fog.kernel: "), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("case.toml:7: media.fog.kernel: is a matrix"), std::string::npos)
         << error.what();
   }
 }
