@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/command/method_checks.h"
 #include "app/command/photon_numbers.h"
 #include "app/command/photon_progress.h"
 #include "app/command/probes.h"
@@ -101,15 +102,8 @@ PhotonSums sums_to_start_from(const PhotonRunInput& run, std::ostream& out) {
 
 void check_for_photons(const Case& input, const Problem& problem) {
   refuse_for_photons(problem);
-  if (input.exact)
-    throw InputError(
-        fault_at(input.exact->origin, "",
-                 "its source depends on the direction, and photons do not know that (not in this "
-                 "version); use solve.method = \"auto\""));
-  if (!input.output.radiance_ordinates.empty())
-    throw InputError(fault_at(input.output.origin, "",
-                              "asks for the radiance of an ordinate, and photons have none; take it out of "
-                              "output.fields"));
+  refuse_what_needs_ordinates(input, "photons have",
+                              "its source is made for the ordinates of a set, and photons have none");
 }
 
 PhotonRun run_photons(const PhotonRunInput& run, std::ostream& out,

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/command/method_checks.h"
 #include "mesh/base/errors.h"
 
 namespace etendue {
@@ -64,15 +65,8 @@ void check_views_of_radiosity(const Case& input) {
 void check_for_radiosity(const Case& input, const Problem& problem) {
   refuse_for_radiosity(problem);
   check_views_of_radiosity(input);
-  if (input.exact)
-    throw InputError(
-        fault_at(input.exact->origin, "",
-                 "its source lies in the domain, and radiosity knows walls alone; use solve.method "
-                 "= \"auto\""));
-  if (!input.output.radiance_ordinates.empty())
-    throw InputError(fault_at(input.output.origin, "",
-                              "asks for the radiance of an ordinate, and radiosity has none; take it out of "
-                              "output.fields"));
+  refuse_what_needs_ordinates(input, "radiosity has",
+                              "its source lies in the domain, and radiosity knows walls alone");
   if (input.initial)
     throw InputError(
         fault_at(input.initial->origin, input.initial->path.string(),

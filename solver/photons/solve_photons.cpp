@@ -254,15 +254,17 @@ PhotonSums PhotonSums::unpacked(std::span<const double> numbers) {
   return sums;
 }
 
-// Per cell and band: 17 values with their squares, twice where they are saved or read as means; the record of
-// the cell; and for each thread the sums of one band and the fields of a batch.
+// Per cell and band: 17 values, and what is absorbed where that does not follow from them, with their
+// squares, twice where they are saved or read as means; the record of the cell; and for each thread the sums
+// of one band and the fields of a batch.
 std::size_t estimate_photon_memory(const Problem& problem, int threads) {
   const auto cells = static_cast<std::size_t>(problem.mesh().cell_count());
   const auto faces = static_cast<std::size_t>(problem.mesh().boundary_face_count());
   const auto bands = static_cast<std::size_t>(problem.band_count());
-  const std::size_t values = bands * (17 * cells + 7 * faces);
+  const std::size_t of_a_cell = depends_on_direction(problem) ? 18 : 17;
+  const std::size_t values = bands * (of_a_cell * cells + 7 * faces);
   const std::size_t records = bands * (cells * sizeof(PhotonCell) + faces * sizeof(PhotonFace));
-  const std::size_t of_a_thread = (16 * cells + 4 * faces + values + bands * 3 * faces) * sizeof(double);
+  const std::size_t of_a_thread = (17 * cells + 4 * faces + values + bands * 3 * faces) * sizeof(double);
   return 7 * values * sizeof(double) + records + static_cast<std::size_t>(threads) * of_a_thread;
 }
 

@@ -130,5 +130,44 @@ TEST(RunPhotons, RefusesErrorsOfPictures) {
   EXPECT_TRUE(has(outcome.err, "photon_map.neighbours")) << outcome.err;
 }
 
+/// The small case with leaves in place of smoke.
+std::string leaves_case() {
+  std::string text = small_case();
+  const std::string smoke = "[media.smoke]\nabsorption = [0.1, 0.2, 0.3]\nscattering = 1.0\n";
+  return text.replace(text.find(smoke), smoke.size(),
+                      "[media.smoke.leaves]\narea_density = \"2 + x\"\nangles = \"planophile\"\n"
+                      "reflectance = [0.1, 0.2, 0.4]\ntransmittance = 0.1\n");
+}
+
+TEST(RunPhotons, WalksThroughLeavesAndGoesOnFromThere) {
+  const CaseFolder folder(leaves_case());
+  ASSERT_EQ(etendue_says(by_photons(folder, folder.results())).code, ExitCode::done);
+  const std::string first = folder.results();
+  const Outcome more = etendue_says(by_photons(folder, (folder.path() / "more").string(),
+                                               {"--set", "solve.initial=\"" + first + "/solution.vtu\""}));
+  ASSERT_EQ(more.code, ExitCode::done) << more.err;
+  const json summary = summary_in(folder.path() / "more");
+  EXPECT_EQ(summary["photons"]["histories"], 6000);
+  for (const json& balance : summary["balance"]) {
+    EXPECT_GT(balance["absorbed"].get<double>(), 0);
+    EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-2);
+  }
+}
+
+TEST(RunPhotons, RefusesCamerasThatLookAtLeaves) {
+  const CaseFolder folder(leaves_case() + camera);
+  const Outcome outcome = etendue_says(by_photons(folder, folder.results()));
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "the photon map does not know that")) << outcome.err;
+}
+
+TEST(RunPhotons, RefusesTheRadianceOfAnOrdinate) {
+  const CaseFolder folder;
+  const Outcome outcome =
+      etendue_says(by_photons(folder, folder.results(), {"--set", "output.fields=[\"radiance:1\"]"}));
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "asks for the radiance of an ordinate, and photons have none")) << outcome.err;
+}
+
 }  // namespace
 }  // namespace etendue
