@@ -68,6 +68,25 @@ TEST(FormulaEmission, KeepsAFurnaceThatAbsorbsByDirection) {
   EXPECT_NEAR(seen[1][0].irradiance->value, 2 * pi, 3 * seen[1][0].irradiance->error);
 }
 
+// The same in the plane, where the radiance is per radian.
+TEST(FormulaEmission, KeepsAFurnaceInThePlane) {
+  const TetrahedralMesh mesh = cube_mesh(0.03);
+  Medium medium = emitting(1, "2*(1 + 0.5*wx)");
+  medium.scattering = {Coefficient(1)};
+  medium.absorption_by_direction = {AngularFormula("1 + 0.5*wx")};
+  std::vector<Wall> walls(mesh.wall_names().size(), emitter("1.4 + 0*x", 0.3));
+  for (const char* name : {"zmin", "zmax"}) walls[wall_of(mesh, name)] = uniform_wall(1, 0, 0, 1);
+  const Problem problem(mesh, {}, {medium}, walls, AngularSpace::plane);
+  const PhotonSolution found = solved(problem, 20000);
+  EXPECT_NEAR(region_powers(problem, found.solution)[0][0].emitted, 4 * pi, 1e-9);
+  EXPECT_NEAR(wall_powers(problem, found.solution)[wall_of(mesh, "xmin")][0].emitted, 2.8, 1e-5);
+  double square = 0;
+  for (std::size_t c = 0; c < found.sums.cell_means.size(); ++c)
+    square += std::pow((found.sums.cell_means.mean(c) - 4 * pi) / found.sums.cell_means.error(c), 2);
+  EXPECT_NEAR(square / static_cast<double>(found.sums.cell_means.size()), 1, 0.3);
+  EXPECT_LT(found.report.error[0], 0.1);
+}
+
 // A void between mirrors: what travels upwards arrives above, and its moments over the height are those of
 // the formula, which is linear in cells.
 TEST(FormulaEmission, SendsWhatTheFormulaSays) {
