@@ -39,6 +39,18 @@ double Column::cross_section(const Vec3& direction) const {
   return std::abs((entry[1] - entry[0]).cross(entry[2] - entry[0]).dot(direction)) / 2;
 }
 
+Column Column::over(const std::array<Vec3, 3>& part) const {
+  const Vec3 first = entry[1] - entry[0], second = entry[2] - entry[0], across = first.cross(second);
+  const double whole = across.squaredNorm();
+  Column column{part, {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 from = part[i] - entry[0];
+    const double b = from.cross(second).dot(across) / whole, c = first.cross(from).dot(across) / whole;
+    column.length[i] = std::max(0.0, (1 - b - c) * length[0] + b * length[1] + c * length[2]);
+  }
+  return column;
+}
+
 std::array<Column, 4> Column::quarters() const {
   Column middle;
   for (std::size_t i = 0; i < 3; ++i) {

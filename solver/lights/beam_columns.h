@@ -16,6 +16,8 @@ struct Column {
 
   /// As light of a unit direction sees it.
   double cross_section(const Vec3& direction) const;
+  /// What of it begins in a part of its entry.
+  Column over(const std::array<Vec3, 3>& part) const;
   /// Four parts of equal cross section.
   std::array<Column, 4> quarters() const;
 };

@@ -28,7 +28,9 @@ BeamSource::BeamSource(std::string name, const BeamLight& light, const LightPath
     const Vec3 direction = paths.mirrors().image_direction(mirrors, light.direction);
     // A beam along a mirror is its own image.
     const auto same = [&](const Vec3& other) { return (other - direction).norm() < same_direction; };
-    if (std::none_of(directions_.begin(), directions_.end(), same)) directions_.push_back(direction);
+    if (std::ranges::any_of(directions_, same)) continue;
+    directions_.push_back(direction);
+    mirrors_.push_back(mirrors);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "solver/lights/beam_source.h"
+#include "solver/lights/crease_planes.h"
 #include "solver/lights/light_source.h"
 #include "solver/lights/nodal_moments.h"
 #include "solver/lights/point_source.h"
@@ -31,15 +32,18 @@ struct LitCell {
 /// Adds the light of a point in its polar frame: with the shape functions a + b r along a direction,
 ///
 ///     integral over K of shape phi dV = P integral dw i(w) T(in) integral of (a + b r) e^(-s (r - in)) dr.
-void add_in_polar_frame(const LightPaths& paths, const PointSource& source, const LitCell& cell,
-                        NodalMoments& moments);
+///
+/// Creases part what is seen.
+void add_in_polar_frame(const LightPaths& paths, const PointSource& source, const CreasePlanes& creases,
+                        const LitCell& cell, NodalMoments& moments);
 
-/// Adds the light of a beam column by column, in closed form along the light.
-void add_in_columns(const LightPaths& paths, const BeamSource& source, const LitCell& cell,
-                    NodalMoments& moments);
+/// Adds the light of a beam column by column, in closed form along the light, parted by creases.
+void add_in_columns(const LightPaths& paths, const BeamSource& source, const CreasePlanes& creases,
+                    const LitCell& cell, NodalMoments& moments);
 
-/// Adds the light of any source by looking at it from points of the cell.
-void add_by_points(const LightPaths& paths, const LightSource& source, const LitCell& cell, LightBeams& beams,
-                   NodalMoments& moments);
+/// Adds the light of a point or a beam: in one of these ways, or from a few points of the cell where light is
+/// even enough.
+void add_directly(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
+                  const LitCell& cell, LightBeams& beams, NodalMoments& moments);
 
 }  // namespace etendue

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "solver/lights/arriving_light.h"
 #include "solver/lights/point_source.h"
 #include "solver/lights/simplex_rules.h"
 #include "solver/lights/solid_angle.h"
@@ -28,6 +29,9 @@ struct LitFace {
   Vec3 position(const std::array<double, 3>& b) const {
     return b[0] * corners[0] + b[1] * corners[1] + b[2] * corners[2];
   }
+  SubTriangle barycentric(const std::array<Vec3, 3>& part) const {
+    return {barycentric(part[0]), barycentric(part[1]), barycentric(part[2])};
+  }
   std::array<double, 3> barycentric(const Vec3& point) const {
     const Vec3 along = (corners[1] - corners[0]).cross(corners[2] - corners[0]) / 2;
     const double whole = along.squaredNorm();
@@ -42,35 +46,60 @@ struct LitFace {
   std::array<Vec3, 3> corners;
 };
 
+double triangle_area(const std::array<Vec3, 3>& corners) {
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2;
+}
+
 /// How often a face with a shadow's edge is divided in four.
 constexpr int most_divisions = 3;
-/// Optical thickness of the matter along a face from which on its parts are this thin at most.
-constexpr double thin = 0.3, even_depth = 0.7;
+/// Optical thickness of the matter along a face from which on it is divided until all that a light brings to
+/// its points agrees within a factor, as long as that is not a trifle of what the light would bring.
+constexpr double thin = 0.3, even_factor = 2;
+/// A wide light's face is not divided below this thickness.
+constexpr double even_depth = 0.7;
+constexpr double trifle = 1e-13;
+constexpr int most_even_divisions = 8;
+
+struct Divisions {
+  int in_shadow;
+  int even;
+};
 
 class PointsOfFace {
  public:
   PointsOfFace(const LightSource& source, const LitFace& face, LightBeams& beams, NodalMoments& moments)
-      : source_(source), face_(face), beams_(beams), moments_(moments) {}
-
-  /// In parts over which what media leave changes as slowly as a rule of degree 5 can see.
-  void add_in_even_parts(const SubTriangle& part, double measure, double thickness, int divisions) {
-    if (thickness <= even_depth) return add(seven_point_rule(), part, measure, divisions);
-    for (const SubTriangle& child : equal_parts(part))
-      add_in_even_parts(child, measure / 4, thickness / 2, divisions);
+      : source_(source),
+        face_(face),
+        beams_(beams),
+        moments_(moments),
+        arriving_(beams.bands()),
+        trifle_(beams.bands(), 0) {
+    beams_.clear();
+    source_.add_beams({face.cell, face.centroid}, Sight::clear, coarse_light, beams_);
+    for (std::size_t k = 0; k < beams_.size(); ++k)
+      for (std::size_t b = 0; b < beams_.bands(); ++b) trifle_[b] += trifle * beams_.fluence(k)[b];
   }
 
+  /// Divided in four as often as it is in part in a shadow, and as what media leave varies over it.
   template <class Rule>
-  void add(const Rule& rule, const SubTriangle& part, double measure, int divisions) {
+  void add(const Rule& rule, const SubTriangle& part, double measure, Divisions left) {
     NodalMoments sum(3, 1, beams_.bands());
     std::size_t fewest = SIZE_MAX, most = 0;
+    arriving_.clear();
     for (const FacePointWeight& point : rule) {
       const std::size_t count = add_point(in_whole(point.barycentric, part), point.weight * measure, sum);
       fewest = std::min(fewest, count);
       most = std::max(most, count);
     }
-    if (fewest == most || divisions == 0) return moments_.add(sum);
-    for (const SubTriangle& child : equal_parts(part))
-      add(three_point_rule(), child, measure / 4, divisions - 1);
+    if (fewest != most && left.in_shadow > 0) {
+      for (const SubTriangle& child : equal_parts(part))
+        add(three_point_rule(), child, measure / 4, {left.in_shadow - 1, 0});
+    } else if (left.even > 0 && !arriving_.is_even(even_factor, trifle_)) {
+      for (const SubTriangle& child : equal_parts(part))
+        add(rule, child, measure / 4, {left.in_shadow, left.even - 1});
+    } else {
+      moments_.add(sum);
+    }
   }
 
  private:
@@ -83,6 +112,9 @@ class PointsOfFace {
       for (std::size_t b = 0; b < beams_.bands(); ++b)
         for (std::size_t i = 0; i < 3; ++i) sum.at(i, 0, b) += barycentric[i] * seen * beams_.fluence(k)[b];
     }
+    const std::span<double> sum_of_beams = arriving_.add();
+    for (std::size_t k = 0; k < beams_.size(); ++k)
+      for (std::size_t b = 0; b < beams_.bands(); ++b) sum_of_beams[b] += beams_.fluence(k)[b];
     return beams_.size();
   }
 
@@ -90,18 +122,21 @@ class PointsOfFace {
   const LitFace& face_;
   LightBeams& beams_;
   NodalMoments& moments_;
+  ArrivingLight arriving_;      ///< at the points
+  std::vector<double> trifle_;  ///< [band]
 };
 
 void add_image(const LightPaths& paths, const PointSource& source, const PointSource::Image& image,
-               const LitFace& face, NodalMoments& moments) {
+               std::span<const CreasePlane> planes, const LitFace& face, NodalMoments& moments) {
   const double height = face.normal.dot(face.centroid - image.position);
   constexpr double on_plane = 1e-10;
   if (height <= on_plane * face.size) return;
   std::vector<double> transmittance(paths.bands());
   std::vector<SolidAnglePoint> points;
-  append_points(
-      {face.corners[0] - image.position, face.corners[1] - image.position, face.corners[2] - image.position},
-      largest_side, TriangleRule::seven_points, points);
+  const SphericalTriangle seen{face.corners[0] - image.position, face.corners[1] - image.position,
+                               face.corners[2] - image.position};
+  for (const SphericalTriangle& part : cut_by_planes(seen, planes))
+    append_points(part, largest_side, TriangleRule::seven_points, points);
   for (const SolidAnglePoint& point : points) {
     const double distance = height / face.normal.dot(point.direction);
     const Vec3 position = image.position + distance * point.direction;
@@ -116,26 +151,38 @@ void add_image(const LightPaths& paths, const PointSource& source, const PointSo
   }
 }
 
+/// A wide light is seen in part from everywhere, so edges of shadows are nowhere.
+void add_wide(const LightSource& source, const LitFace& face, double thickness, PointsOfFace& points) {
+  if (thickness > thin)
+    points.add(seven_point_rule(), whole_face, face.area,
+               {0, static_cast<int>(std::ceil(std::log2(std::max(1.0, thickness / even_depth))))});
+  else if (source.is_near(face.centroid, far_in_sizes / 3 * face.size))
+    points.add(seven_point_rule(), whole_face, face.area, {0, 0});
+  else
+    points.add(three_point_rule(), whole_face, face.area, {0, 0});
+}
+
 }  // namespace
 
-void add_irradiance(const LightPaths& paths, const LightSource& source, FaceIndex index, LightBeams& beams,
-                    NodalMoments& moments) {
+void add_irradiance(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
+                    FaceIndex index, LightBeams& beams, NodalMoments& moments) {
   const LitFace face(paths.problem().mesh(), index);
+  std::vector<CreasePlane> planes;
   const PointSource* point = source.as_point();
   if (point != nullptr && source.is_near(face.centroid, face.size)) {
-    for (const PointSource::Image& image : point->images()) add_image(paths, *point, image, face, moments);
+    for (std::size_t i = 0; i < point->images().size(); ++i) {
+      creases.find(i, face.corners, planes);
+      add_image(paths, *point, point->images()[i], planes, face, moments);
+    }
     return;
   }
   PointsOfFace points(source, face, beams, moments);
-  // A wide light is seen in part from everywhere.
-  const int divisions = source.as_wide() != nullptr ? 0 : most_divisions;
   const double thickness = paths.largest_extinction(face.cell) * face.size;
-  if (thickness > thin)
-    points.add_in_even_parts(whole_face, face.area, thickness, divisions);
-  else if (source.is_near(face.centroid, far_in_sizes / 3 * face.size))
-    points.add(seven_point_rule(), whole_face, face.area, divisions);
-  else
-    points.add(three_point_rule(), whole_face, face.area, divisions);
+  if (source.as_wide() != nullptr) return add_wide(source, face, thickness, points);
+  creases.find(face.corners, planes);
+  for (const std::array<Vec3, 3>& part : cut_by_planes(face.corners, planes))
+    points.add(seven_point_rule(), face.barycentric(part), triangle_area(part),
+               {most_divisions, thickness > thin ? most_even_divisions : 0});
 }
 
 }  // namespace etendue

@@ -58,6 +58,10 @@ Vec3 MirrorPlanes::reflected(int plane, const Vec3& direction) const {
   return direction - 2 * direction.dot(normal) * normal;
 }
 
+bool MirrorPlanes::are_parallel(int a, int b) const {
+  return std::abs(normal(a).dot(normal(b))) > 1 - same_plane;
+}
+
 bool MirrorPlanes::touches(MirrorSet set, const Vec3& point, double distance) const {
   for (std::size_t i = 0; i < planes_.size(); ++i)
     if ((set >> i & 1) != 0 && std::abs(planes_[i].normal.dot(point) - planes_[i].offset) > distance)

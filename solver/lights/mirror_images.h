@@ -20,6 +20,13 @@ class MirrorPlanes {
   /// -1 where the face does not mirror in any band.
   int of(FaceIndex face) const { return of_face_[face.at()]; }
   bool empty() const { return planes_.empty(); }
+  int count() const { return static_cast<int>(planes_.size()); }
+  /// Unit.
+  const Vec3& normal(int plane) const { return planes_[static_cast<std::size_t>(plane)].normal; }
+  /// Of the points x of a plane: normal.x [length].
+  double offset(int plane) const { return planes_[static_cast<std::size_t>(plane)].offset; }
+  /// Whether two of them show each other again and again.
+  bool are_parallel(int a, int b) const;
   Vec3 reflected(int plane, const Vec3& direction) const;
   /// Whether a point lies on all planes of a set to within a distance.
   bool touches(MirrorSet mirrors, const Vec3& point, double distance) const;

@@ -26,12 +26,7 @@ void append_unit(const SphericalTriangle& t, double largest_side, TriangleRule r
   const double side =
       std::max({(t[0] - t[1]).squaredNorm(), (t[1] - t[2]).squaredNorm(), (t[2] - t[0]).squaredNorm()});
   if (side > largest_side * largest_side) {
-    const Vec3 ab = (t[0] + t[1]).normalized(), bc = (t[1] + t[2]).normalized(),
-               ca = (t[2] + t[0]).normalized();
-    append_unit({t[0], ab, ca}, largest_side, rule, points);
-    append_unit({ab, t[1], bc}, largest_side, rule, points);
-    append_unit({ca, bc, t[2]}, largest_side, rule, points);
-    append_unit({ab, bc, ca}, largest_side, rule, points);
+    for (const SphericalTriangle& part : quarters(t)) append_unit(part, largest_side, rule, points);
     return;
   }
   const double half_determinant = std::abs(t[0].dot(t[1].cross(t[2]))) / 2;
@@ -69,12 +64,21 @@ std::vector<Vec3> common_cone(const Side& entry, const Side& exit) {
 
 }  // namespace
 
+std::optional<SphericalTriangle> on_sphere(const SphericalTriangle& triangle) {
+  for (const Vec3& corner : triangle)
+    if (corner.isZero()) return std::nullopt;
+  return SphericalTriangle{triangle[0].normalized(), triangle[1].normalized(), triangle[2].normalized()};
+}
+
+std::array<SphericalTriangle, 4> quarters(const SphericalTriangle& t) {
+  const Vec3 ab = (t[0] + t[1]).normalized(), bc = (t[1] + t[2]).normalized(),
+             ca = (t[2] + t[0]).normalized();
+  return {{{t[0], ab, ca}, {ab, t[1], bc}, {ca, bc, t[2]}, {ab, bc, ca}}};
+}
+
 void append_points(const SphericalTriangle& triangle, double largest_side, TriangleRule rule,
                    std::vector<SolidAnglePoint>& points) {
-  for (const Vec3& corner : triangle)
-    if (corner.isZero()) return;
-  append_unit({triangle[0].normalized(), triangle[1].normalized(), triangle[2].normalized()}, largest_side,
-              rule, points);
+  if (const auto unit = on_sphere(triangle)) append_unit(*unit, largest_side, rule, points);
 }
 
 std::vector<Wedge> wedges_of(std::span<const ConvexFace> faces) {

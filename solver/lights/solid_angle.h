@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,11 @@ struct SolidAnglePoint {
 
 /// Directions between three corners (vectors of any length, seen from the origin), of less than a half space.
 using SphericalTriangle = std::array<Vec3, 3>;
+
+/// With unit corners; empty where one of them is the origin.
+std::optional<SphericalTriangle> on_sphere(const SphericalTriangle& triangle);
+/// Four parts of a triangle with unit corners, again with unit corners.
+std::array<SphericalTriangle, 4> quarters(const SphericalTriangle& triangle);
 
 /// Points of a rule in a triangle: degree 1, 2 or 5.
 enum class TriangleRule { one_point, three_points, seven_points };

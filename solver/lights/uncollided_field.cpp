@@ -14,24 +14,6 @@
 namespace etendue {
 namespace {
 
-/// Cells thicker than this are integrated in the polar frame of a point light wherever they are: along the
-/// ray that is exact.
-constexpr double thick = 1.5;
-/// And from here on in the columns of a beam.
-constexpr double thin = 0.3;
-
-void add_cell(const LightPaths& paths, const LightSource& source,
-              const std::optional<ExtendedLight>& extended, const LitCell& cell, LightBeams& beams,
-              NodalMoments& moments) {
-  const PointSource* point = source.as_point();
-  if (point != nullptr && (cell.thickness > thick || source.is_near(cell.centroid, cell.size)))
-    return add_in_polar_frame(paths, *point, cell, moments);
-  if (const BeamSource* beam = source.as_beam(); beam != nullptr && cell.thickness > thin)
-    return add_in_columns(paths, *beam, cell, moments);
-  if (extended) return extended->add(cell, beams, moments);
-  add_by_points(paths, source, cell, beams, moments);
-}
-
 /// The product of the fluence in a cell, [4][band], with what it meets at the corners, linear between them.
 NodalMoments losses_of(const LitCell& cell, const VertexLosses& vertices, std::span<const double> fluence) {
   const std::size_t bands = fluence.size() / 4;
@@ -83,7 +65,7 @@ void add_losses(const LightPaths& paths, const LitCell& cell, const std::optiona
     }
 }
 
-void add_cells(const LightPaths& paths, const LightSource& source,
+void add_cells(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
                const std::optional<ExtendedLight>& extended, int threads, UncollidedField& field) {
   const bool with_losses = !paths.matter().empty();
   std::optional<VertexLosses> vertices;
@@ -99,7 +81,10 @@ void add_cells(const LightPaths& paths, const LightSource& source,
     for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
       const LitCell cell(paths, CellIndex(c));
       moments.clear();
-      add_cell(paths, source, extended, cell, beams, moments);
+      if (extended)
+        extended->add(cell, beams, moments);
+      else
+        add_directly(paths, source, creases, cell, beams, moments);
       for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t b = 0; b < bands; ++b) {
           const std::size_t node = cell.index.at() * 4 + i;
@@ -112,7 +97,7 @@ void add_cells(const LightPaths& paths, const LightSource& source,
   }
 }
 
-void add_walls(const LightPaths& paths, const LightSource& source,
+void add_walls(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
                const std::optional<ExtendedLight>& extended, int threads, std::vector<double>& irradiance) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::size_t bands = paths.bands();
@@ -128,7 +113,7 @@ void add_walls(const LightPaths& paths, const LightSource& source,
       if (extended && !source.as_wide()->is_soft())
         extended->add(face, beams, moments);
       else
-        add_irradiance(paths, source, face, beams, moments);
+        add_irradiance(paths, source, creases, face, beams, moments);
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t b = 0; b < bands; ++b)
           irradiance[(face.at() * 3 + i) * bands + b] += moments.nodal(i, 0, b, mesh.area(face));
@@ -151,8 +136,9 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
     if (!paths.matter().empty()) field.collided_by_source.emplace_back(field.fluence.size(), 0);
     std::optional<ExtendedLight> extended;
     if (source->as_wide() != nullptr) extended.emplace(paths, *source->as_wide(), threads);
-    add_cells(paths, *source, extended, threads, field);
-    add_walls(paths, *source, extended, threads, field.irradiance);
+    const CreasePlanes creases(paths, *source);
+    add_cells(paths, *source, creases, extended, threads, field);
+    add_walls(paths, *source, creases, extended, threads, field.irradiance);
     for (std::size_t i = 0; i < field.fluence.size(); ++i) field.fluence[i] += field.by_source.back()[i];
   }
   field.glossy = GlossyBeams(paths, sources, threads);

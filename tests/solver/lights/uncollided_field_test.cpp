@@ -85,7 +85,7 @@ TEST(UncollidedField, OfAPointLightBalances) {
     const UncollidedField field = uncollided_field(paths, point_at({0.31, 0.47, 0.62}, paths), 1);
     const double sum =
         absorption * integral_over_cells(mesh, field.fluence) + integral_over_walls(mesh, field.irradiance);
-    EXPECT_NEAR(sum, 1, 1e-6) << absorption;
+    EXPECT_NEAR(sum, 1, 2e-7) << absorption;
   }
 }
 
@@ -104,12 +104,12 @@ TEST(UncollidedField, OfAPointLightBalancesWhereverItStands) {
     const UncollidedField field = uncollided_field(paths, point_at(position, paths), 1);
     const double sum =
         0.7 * integral_over_cells(mesh, field.fluence) + integral_over_walls(mesh, field.irradiance);
-    EXPECT_NEAR(sum, 1, 1e-5);
+    EXPECT_NEAR(sum, 1, 1e-6);
   }
   const UncollidedField field = uncollided_field(paths, point_at({0.4, 0.6, 1}, paths), 1);
   const double sum =
       0.7 * integral_over_cells(mesh, field.fluence) + integral_over_walls(mesh, field.irradiance);
-  EXPECT_NEAR(sum, 0.5, 1e-5);  // half of it goes into the wall
+  EXPECT_NEAR(sum, 0.5, 1e-6);  // half of it goes into the wall
 }
 
 TEST(UncollidedField, OfAPointLightConverges) {
@@ -217,7 +217,8 @@ TEST(UncollidedField, OfALampWithPlanesBalances) {
     kept += (1 - problem.wall(mesh.wall(face)).specular[0]) * power;
     arrived[static_cast<std::size_t>(mesh.wall(face))] += power;
   }
-  EXPECT_NEAR(0.7 * integral_over_cells(mesh, field.fluence) + kept, 1, 1e-4);
+  // Its table bends at each of its angles.
+  EXPECT_NEAR(0.7 * integral_over_cells(mesh, field.fluence) + kept, 1, 2e-5);
   EXPECT_NEAR(arrived[static_cast<std::size_t>(wall_of(mesh, "ymin"))] /
                   arrived[static_cast<std::size_t>(wall_of(mesh, "ymax"))],
               1, 0.2);
@@ -337,7 +338,7 @@ TEST(UncollidedField, OfASlantingSunBalancesInWideFlatCells) {
   const LightSources sources = sun(Vec3(0.96, 0, -0.28), 0, paths);
   const UncollidedField field = uncollided_field(paths, sources, 1);
   const double absorbed = 20 * integral_over_cells(mesh, field.fluence);
-  EXPECT_NEAR((absorbed + integral_over_walls(mesh, field.irradiance)) / sources[0]->power()[0], 1, 1e-4);
+  EXPECT_NEAR((absorbed + integral_over_walls(mesh, field.irradiance)) / sources[0]->power()[0], 1, 1e-6);
 }
 
 TEST(UncollidedField, BeforeAMirrorIsThatOfTheUnfoldedRoom) {
@@ -381,8 +382,8 @@ TEST(UncollidedField, IsDarkBehindABox) {
   const auto kept = [&](const UncollidedField& field) {
     return 0.1 * integral_over_cells(mesh, field.fluence) + integral_over_walls(mesh, field.irradiance);
   };
-  EXPECT_NEAR(kept(of_lamp), 1, 1e-3);
-  EXPECT_NEAR(kept(of_sun), 1, 1e-3);
+  EXPECT_NEAR(kept(of_lamp), 1, 1e-7);
+  EXPECT_NEAR(kept(of_sun), 1, 1e-12);
 }
 
 TEST(UncollidedField, IsTheSameForAnyNumberOfThreads) {
