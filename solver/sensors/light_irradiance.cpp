@@ -83,10 +83,12 @@ UncollidedAtPoint LightIrradiance::at(const PointInCell& point, const Vec3& norm
     beams.clear();
     source.add_beams(point, sight, detail, beams);
     add_beams(beams, normal, factor, light);
+    return beams.size();
   };
   for (const LightSource* source : others_) add(*source, Sight::attenuated, fine_light, 1);
   for (const FlatLight& flat : flat_) {
-    add(*flat.source, Sight::attenuated, each_triangle, 1);
+    // Nothing of it is seen: no rounding is to be left of (1).
+    if (add(*flat.source, Sight::attenuated, each_triangle, 1) == 0) continue;
     add(*flat.source, Sight::clear, each_triangle, -1);
     for (const MirrorSet mirrors : images_) add_clear(flat, mirrors, point.position, normal, light);
   }
