@@ -236,8 +236,8 @@ TEST(VisiblePart, ThroughHardlyAnyMatterIsThatInVacuum) {
   const HalfHiddenLight light(disc(0.2), corners_of(Obstacle::box));
   for (const Vec3& place : grid(5)) {
     const VisibleLight thin = light.seen_from(place, 1e-12), none = light.seen_from(place, 0);
-    EXPECT_NEAR(thin.fluence, none.fluence, 1e-8);
-    EXPECT_NEAR(thin.irradiance, none.irradiance, 1e-8);
+    EXPECT_NEAR(thin.fluence, none.fluence, 1e-10);
+    EXPECT_NEAR(thin.irradiance, none.irradiance, 1e-10);
   }
 }
 

@@ -90,25 +90,29 @@ std::array<double, 2> exponential_integrals(double x) {
 ///     fluence = closed integral of E_2(s h) - E_2(s r) h / r over the azimuth,
 ///     irradiance that of E_3(s h) - E_3(s r) h^2 / r^2,
 ///
-/// r being the distance of the outline from the eye: on a side r^2 = h^2 + d^2 / cos^2, with the distance d
-/// of the side's line from the pole and the azimuth from the foot of the perpendicular.
+/// r being the distance of the outline from the eye: on a side r^2 = h^2 + d^2 cosh^2(v), with the distance d
+/// of the side's line from the pole and d sinh(v) from the foot of the perpendicular, where the azimuth grows
+/// by dv / cosh(v). As a function of v all is smooth however small d is.
 VisibleLight dimmed_light(const Polygon& polygon, const Vec3& eye, double extinction) {
   static const GaussRule rule = gauss_legendre(16);
-  constexpr int parts = 4;
+  constexpr double widest = 1.5;
   VisibleLight light;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 from = polygon[i] - eye, to = polygon[(i + 1) % polygon.size()] - eye;
     const Vec3 along = (to - from).normalized();
     const double height = from.z(), turning = from.x() * along.y() - from.y() * along.x();
-    const double first = std::atan2(from.dot(along), std::abs(turning));
-    const double step = (std::atan2(to.dot(along), std::abs(turning)) - first) / parts;
+    const double distance = std::abs(turning);
+    if (distance == 0) continue;
+    const double first = std::asinh(from.dot(along) / distance);
+    const double range = std::asinh(to.dot(along) / distance) - first;
+    const int parts = static_cast<int>(std::ceil(range / widest));
     const auto near = exponential_integrals(extinction * height);
     for (int part = 0; part < parts; ++part)
       for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-        const double azimuth = first + step * (part + (1 + rule.nodes[k]) / 2);
-        const double r = std::hypot(height, turning / std::cos(azimuth)), slope = height / r;
+        const double stretch = std::cosh(first + range / parts * (part + (1 + rule.nodes[k]) / 2));
+        const double r = std::hypot(height, distance * stretch), slope = height / r;
         const auto far = exponential_integrals(extinction * r);
-        const double weight = std::copysign(rule.weights[k] * step / 2, turning);
+        const double weight = std::copysign(rule.weights[k] * range / parts / 2 / stretch, turning);
         light.fluence += weight * (near[0] - far[0] * slope);
         light.irradiance += weight * (near[1] - far[1] * slope * slope);
       }
@@ -116,11 +120,11 @@ VisibleLight dimmed_light(const Polygon& polygon, const Vec3& eye, double extinc
   return light;
 }
 
-VisibleLight light_of(const Polygon& polygon, const Vec3& eye, double extinction) {
+}  // namespace
+
+VisibleLight light_of_polygon(const std::vector<Vec3>& polygon, const Vec3& eye, double extinction) {
   return extinction > 0 ? dimmed_light(polygon, eye, extinction) : clear_light(polygon, eye);
 }
-
-}  // namespace
 
 HalfHiddenLight::HalfHiddenLight(std::vector<Vec3> light, std::vector<Vec3> body)
     : light_(std::move(light)), body_(std::move(body)) {
@@ -140,12 +144,12 @@ std::vector<Vec3> HalfHiddenLight::hidden_part(const Vec3& eye) const {
 }
 
 VisibleLight HalfHiddenLight::whole_from(const Vec3& eye, double extinction) const {
-  return light_of(light_, eye, extinction);
+  return light_of_polygon(light_, eye, extinction);
 }
 
 VisibleLight HalfHiddenLight::seen_from(const Vec3& eye, double extinction) const {
   const VisibleLight whole = whole_from(eye, extinction),
-                     hidden = light_of(hidden_part(eye), eye, extinction);
+                     hidden = light_of_polygon(hidden_part(eye), eye, extinction);
   return {whole.fluence - hidden.fluence, whole.irradiance - hidden.irradiance};
 }
 

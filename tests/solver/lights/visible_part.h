@@ -12,6 +12,11 @@ struct VisibleLight {
   double fluence = 0, irradiance = 0;
 };
 
+/// That of a polygon at one height above the eye, its corners counterclockwise as seen from above: in empty
+/// space by Lambert's formula (1760) and the solid angle by Girard's (1629), through even matter of an
+/// extinction by an integral along the sides.
+VisibleLight light_of_polygon(const std::vector<Vec3>& polygon, const Vec3& eye, double extinction);
+
 /// A flat convex light that shines down, as it is seen past a black convex body from below that body. What
 /// the body hides of it is again a convex polygon.
 class HalfHiddenLight {
@@ -19,8 +24,7 @@ class HalfHiddenLight {
   /// Corners of the light in order, all at one height; and of the body, in any order.
   HalfHiddenLight(std::vector<Vec3> light, std::vector<Vec3> body);
 
-  /// What is seen of it: in empty space by Lambert's formula (1760) and the solid angle by Girard's (1629),
-  /// through even matter of an extinction by an integral along the sides.
+  /// What is seen of it.
   VisibleLight seen_from(const Vec3& eye, double extinction) const;
   /// All of it, with nothing in the way.
   VisibleLight whole_from(const Vec3& eye, double extinction) const;
