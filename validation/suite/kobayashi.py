@@ -19,9 +19,12 @@ def scattering(row):
 
 CASES = {"i": ("kobayashi_i.csv", absorber), "ii": ("kobayashi_ii.csv", scattering)}
 
+FINE = 30_000  # cells, from which on their own functions are compared at points
+
 
 def compare(runs):
-    """Names of runs are i or ii, and "along rays" or "on directions"."""
+    """Names of runs are i or ii, and "along rays" or "on directions". Of case i along rays on fine cells also what the
+    linear functions of the cells say at the points."""
     found = []
     for name, result in runs.items():
         case, way = name.split(", ")
@@ -33,4 +36,7 @@ def compare(runs):
                 found.append(Row(f"{name}: {row['probe']} {row['x']},{row['y']},{row['z']}", float(row["fluence"]), value,
                                  uncertainty, plot=f"line {row['probe']}", curve=name, x=float(row[ALONG[row["probe"]]]),
                                  run=name, probe=row["probe"], index=row["index"], band=row["band"]))
+                if name == "i, along rays" and result.summary["cells"] > FINE:
+                    found.append(Row(f"field of i: {row['probe']} {row['x']},{row['y']},{row['z']}", float(row["fluence_field"]),
+                                     value, uncertainty))
     return found

@@ -42,10 +42,14 @@ def lit_and_dark(result):
     return ("lit", "dark") if "lit" in result.walls() else ("zmin", "zmax")
 
 
+SMALL = 0.01  # of the incident light: what is below is compared as a part of it, the rest relatively
+
+
 def part_rows(label, computed, row):
     found = []
     for part, column, word in (("R", "R", "reflected"), ("T", "T_total", "transmitted")):
-        found.append(Row(f"{part}, {label}", computed[part], float(row[column]), uncertainty=max(float(row["conv"]), 5e-10),
+        size = ", small" if float(row[column]) < SMALL else ""
+        found.append(Row(f"{part}, {label}{size}", computed[part], float(row[column]), uncertainty=max(float(row["conv"]), 5e-10),
                          plot=f"{word} part, optical thickness {float(row['tau']):g}", curve=f"g = {float(row['g']):g}",
                          x=float(row["w"])))
     return found
