@@ -105,8 +105,7 @@ void ExtendedSource::add_node(const View& view, const EmitterTree::Node& node, L
   const bool simple = !flat || !node.normal.isZero();
   // All of it shines the other way.
   if (flat && simple && node.normal.dot(view.eye - node.centre) <= 0) return;
-  // A single part is as thin as it gets.
-  const bool thin = node.part >= 0 || node.thickness < view.detail.thickness;
+  const bool thin = node.thickness < view.detail.thickness;
   if (simple && thin && !node.hollow && node.radius < view.detail.opening * (node.centre - view.eye).norm())
     return add_points(view, node, beams);
   if (node.part < 0) {

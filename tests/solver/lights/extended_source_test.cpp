@@ -7,7 +7,10 @@
 #include <functional>
 #include <numbers>
 
+#include "mesh/geometry/arrangement.h"
 #include "mesh/tetrahedra/cell_locator.h"
+#include "mesh/tetrahedra/tetrahedralize.h"
+#include "solver/lights/light_setup.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
 namespace etendue {
@@ -49,6 +52,132 @@ TEST(ExtendedSource, DiscLightsItsAxisAsItsHalfAngleSays) {
     source.add_beams({locator.find(point)[0].cell, point}, Sight::attenuated, fine_light, beams);
     const double sine = radius / std::hypot(radius, distance);
     EXPECT_NEAR(irradiance(beams, Vec3::UnitZ()) / (pi * sine * sine), 1, 1e-3) << distance;
+  }
+}
+
+/// A ball of radius 0.15 in the unit cube: a hole whose wall shines with radiance 1, or matter that would if
+/// it were thick enough.
+enum class Ball { wall, matter };
+const Vec3 ball_centre(0.5, 0.5, 0.7);
+constexpr double radius_of_ball = 0.15;
+
+class SceneWithBall {
+ public:
+  /// The extinction of its matter times the radius.
+  SceneWithBall(Ball kind, int facets, double thickness)
+      : mesh_(mesh_with(kind, facets)), problem_(problem_on(mesh_, thickness)), lights_(problem_) {}
+
+  double irradiance(const Vec3& point) const {
+    const PointInCell at{CellLocator(mesh_).find(point).front().cell, point};
+    return lights_.at(at, (ball_centre - point).normalized()).irradiance[0];
+  }
+  /// That of its facets by Lambert (1760).
+  double irradiance_of_facets(const Vec3& point) const {
+    const Vec3 up = (ball_centre - point).normalized();
+    double sum = 0;
+    for (const auto& facet : facets_of(mesh_)) {
+      std::array<Vec3, 3> way;
+      for (std::size_t i = 0; i < 3; ++i) way[i] = facet[i] - point;
+      if ((way[1] - way[0]).cross(way[2] - way[0]).dot(way[0]) >= 0) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 &a = way[i], &b = way[(i + 1) % 3];
+        sum += std::atan2(a.cross(b).norm(), a.dot(b)) * b.cross(a).normalized().dot(up) / 2;
+      }
+    }
+    return sum;
+  }
+
+ private:
+  static TetrahedralMesh mesh_with(Ball kind, int facets) {
+    Geometry geometry;
+    BoxPrimitive room;
+    room.region = "room";
+    geometry.primitives.emplace_back(room);
+    SpherePrimitive ball;
+    ball.center = ball_centre;
+    ball.radius = radius_of_ball;
+    ball.facets = facets;
+    ball.hole = kind == Ball::wall;
+    (ball.hole ? ball.name : ball.region) = "ball";
+    geometry.primitives.emplace_back(ball);
+    std::vector<double> volumes(kind == Ball::wall ? 1 : 2, 0.02);
+    return TetrahedralMesh(tetrahedralize(arrange(geometry), {volumes, 1.4, {}}));
+  }
+  static Problem problem_on(const TetrahedralMesh& mesh, double thickness) {
+    std::vector<Medium> media;
+    for (const std::string& region : mesh.region_names()) {
+      const double extinction = region == "ball" ? thickness / radius_of_ball : 0;
+      media.push_back(uniform_medium(1, extinction, 0, extinction));
+      if (region == "ball") media.back().uncollided = Uncollided::yes;
+    }
+    std::vector<Wall> walls;
+    for (const std::string& name : mesh.wall_names()) {
+      walls.push_back(uniform_wall(1, name.starts_with("ball") ? 1 : 0, 0, 0));
+      if (name.starts_with("ball")) walls.back().uncollided = Uncollided::yes;
+    }
+    return Problem(mesh, {}, media, walls);
+  }
+  /// Of the ball, counterclockwise as seen from outside of it.
+  static std::vector<std::array<Vec3, 3>> facets_of(const TetrahedralMesh& mesh) {
+    std::vector<std::array<Vec3, 3>> facets;
+    for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+      const FaceIndex face(f);
+      if (f >= mesh.boundary_face_count() &&
+          mesh.region(mesh.owner(face)) == mesh.region(mesh.neighbour(face)))
+        continue;
+      std::array<Vec3, 3> corners;
+      bool on_ball = true;
+      for (std::size_t i = 0; i < 3; ++i) {
+        corners[i] = mesh.point(VertexIndex(mesh.vertices(face)[i]));
+        on_ball = on_ball && std::abs((corners[i] - ball_centre).norm() - radius_of_ball) < 1e-9;
+      }
+      if (!on_ball) continue;
+      if ((corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[0] - ball_centre) < 0)
+        std::swap(corners[1], corners[2]);
+      facets.push_back(corners);
+    }
+    return facets;
+  }
+
+  TetrahedralMesh mesh_;
+  Problem problem_;
+  LightSetup lights_;
+};
+
+/// Near the ball and far from it.
+std::vector<Vec3> places() { return {{0.5, 0.5, 0.5}, {0.52, 0.49, 0.1}, {0.1, 0.2, 0.9}}; }
+
+/// What a ball of matter brings to a meter that faces it, over what one of radiance 1 does, pi sin^2 a: the
+/// integral of 1 - exp(-2 s sqrt(R^2 - d^2 sin^2)) over the ball's disc.
+double part_of_black(double thickness) {
+  const double x = 2 * thickness;
+  return 1 - 2 * (1 - (1 + x) * std::exp(-x)) / (x * x);
+}
+
+// E = pi L sin^2 a of a ball of half angle a: its facets bring what Lambert says, and four times as many are
+// four times as near.
+TEST(ExtendedSource, WallOfABallShinesAsItsHalfAngleSays) {
+  const SceneWithBall coarse(Ball::wall, 80, 0), fine(Ball::wall, 320, 0);
+  for (const Vec3& place : places()) {
+    const double exact = pi * std::pow(radius_of_ball / (place - ball_centre).norm(), 2);
+    EXPECT_NEAR(coarse.irradiance(place) / coarse.irradiance_of_facets(place), 1, 1e-5);
+    EXPECT_NEAR(fine.irradiance(place) / fine.irradiance_of_facets(place), 1, 1e-5);
+    EXPECT_NEAR(fine.irradiance(place) / exact, 1, 0.02);
+    EXPECT_GT((exact - coarse.irradiance(place)) / (exact - fine.irradiance(place)), 3.5);
+  }
+}
+
+// The same of an emitting ball, from thin to thick, as of a light of pi sin^2 a times what its chords send;
+// from far away too, where its parts are small but not thin.
+TEST(ExtendedSource, EmittingBallShinesAsItsHalfAngleSays) {
+  for (const double thickness : {0.1, 1.0, 3.0, 10.0}) {
+    const SceneWithBall coarse(Ball::matter, 80, thickness), fine(Ball::matter, 320, thickness);
+    for (const Vec3& place : places()) {
+      const double exact =
+          pi * std::pow(radius_of_ball / (place - ball_centre).norm(), 2) * part_of_black(thickness);
+      EXPECT_NEAR(fine.irradiance(place) / exact, 1, 0.035) << thickness << " " << place.transpose();
+      EXPECT_GT((exact - coarse.irradiance(place)) / (exact - fine.irradiance(place)), 2.5) << thickness;
+    }
   }
 }
 
