@@ -17,27 +17,33 @@ namespace {
 
 /// Part of a size within which a point lies on a plane.
 constexpr double on_plane = 1e-9;
-/// Lines of one cell that are told apart: so many cut it into some dozens of parts.
-constexpr std::size_t most_planes = 64;
+/// Planes of one cell or face that are told apart, and of an image in all.
+constexpr std::size_t most_planes = 64, most_in_all = 20000;
 
-/// Whether light of this direction meets something abrupt at a crease: passes over the edge of a wall, or
-/// comes in beside it or through matter on one of its sides. `by_mirrors` says that it may come from mirrors.
-bool is_abrupt(const Crease& crease, const Vec3& direction, std::span<const int> lit_walls,
-               std::span<const char> mirrors, bool by_mirrors) {
-  bool enters = false, leaves = false, lit = false, by_mirror = false, forth = false, back = false;
-  for (const auto& [normal, wall] : crease.surfaces) {
-    const bool along = normal.dot(direction) > 0;
-    if (wall < 0) {
-      (along ? forth : back) = true;
-      continue;
+/// Whether light of this direction meets something abrupt at a crease: passes over an edge, beyond which
+/// there is nothing of the surface, or comes in beside it or through matter on one of its sides. `by_mirrors`
+/// says that it may come from mirrors.
+bool is_abrupt(const Crease& crease, const Vec3& direction, std::span<const int> lit_walls, bool by_mirrors) {
+  const Vec3 across = (crease.end - crease.begin).cross(direction);
+  struct {
+    bool some = false, right = false, left = false;
+    void add(double side, double along) {
+      some = true;
+      right = right || side > along;
+      left = left || side < -along;
     }
-    (along ? leaves : enters) = true;
-    lit = lit || (!along && std::ranges::count(lit_walls, wall) > 0);
-    by_mirror = by_mirror || (by_mirrors && mirrors[static_cast<std::size_t>(wall)] != 0);
+    bool end_here() const { return some && !(right && left); }
+  } walls, media;
+  bool lit = false, by_mirror = false;
+  for (const Crease::Surface& surface : crease.surfaces) {
+    (surface.wall < 0 ? media : walls).add(across.dot(surface.away), on_plane * across.norm());
+    if (surface.wall < 0) continue;
+    lit = lit || (surface.normal.dot(direction) < 0 && std::ranges::count(lit_walls, surface.wall) > 0);
+    by_mirror = by_mirror || (by_mirrors && surface.mirrors);
   }
-  const bool over_edge = (enters && leaves) || (forth && back);
+  const bool over_edge = walls.end_here() || media.end_here();
   if (crease.blunt) return over_edge;
-  return over_edge || lit || by_mirror || ((forth || back) && !leaves && !enters);
+  return over_edge || lit || by_mirror || media.some;
 }
 
 std::optional<CreasePlane> plane_behind(const Vec3& begin, const Vec3& end, const Vec3& place,
@@ -118,43 +124,48 @@ std::vector<std::array<Vec3, 3>> cut_by_planes(const std::array<Vec3, 3>& triang
   return triangles;
 }
 
-CreasePlanes::CreasePlanes(const LightPaths& paths, const LightSource& source) {
+CreasePlanes::CreasePlanes(const LightPaths& paths, const std::vector<Crease>& creases,
+                           const LightSource& source) {
   const PointSource* point = source.as_point();
   const BeamSource* beam = source.as_beam();
   if (point == nullptr && beam == nullptr) return;
-  const std::vector<Crease> creases = creases_of(paths);
   if (point != nullptr)
     for (const PointSource::Image& image : point->images()) {
       images_.push_back({image.position, Vec3::Zero(), {}});
-      add_planes(paths, creases, copies_behind(paths.mirrors(), image.mirrors), {}, images_.back());
+      add_planes(creases, copies_behind(paths.mirrors(), image.mirrors), {}, images_.back());
     }
   else
     for (std::size_t i = 0; i < beam->directions().size(); ++i) {
       const Vec3& direction = beam->directions()[i];
       const std::vector<MirrorCopy> copies = copies_along(paths, beam->mirrors()[i], direction);
       images_.push_back({Vec3::Zero(), direction, {}});
-      add_planes(paths, creases, copies, beam->light().walls, images_.back());
+      add_planes(creases, copies, beam->light().walls, images_.back());
       complete_ = complete_ && !copies.empty();
     }
 }
 
+CreasePlanes::CreasePlanes(const LightPaths& paths, const std::vector<Crease>& creases, const Vec3& eye,
+                           MirrorSet mirrors) {
+  images_.push_back({eye, Vec3::Zero(), {}});
+  add_planes(creases, copies_behind(paths.mirrors(), mirrors), {}, images_.back());
+}
+
 // Light by way of mirrors has come straight through the space behind them, where each crease stands again.
-void CreasePlanes::add_planes(const LightPaths& paths, const std::vector<Crease>& creases,
-                              const std::vector<MirrorCopy>& copies, std::span<const int> lit_walls,
-                              Image& image) {
-  const TetrahedralMesh& mesh = paths.problem().mesh();
-  std::vector<char> is_mirror(mesh.wall_names().size(), 0);
-  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
-    if (paths.mirrors().of(FaceIndex(f)) >= 0)
-      is_mirror[static_cast<std::size_t>(mesh.wall(FaceIndex(f)))] = 1;
+void CreasePlanes::add_planes(const std::vector<Crease>& creases, const std::vector<MirrorCopy>& copies,
+                              std::span<const int> lit_walls, Image& image) {
   const bool is_point = image.direction.isZero();
   for (const MirrorCopy& copy : copies)
     for (const Crease& crease : creases) {
       const Vec3 begin = copy.point(crease.begin), end = copy.point(crease.end);
       const Vec3 here = is_point ? (begin + end) / 2 - image.place : image.direction;
-      if (!is_abrupt(crease, copy.direction_in_room(here), lit_walls, is_mirror, copies.size() > 1)) continue;
+      if (!is_abrupt(crease, copy.direction_in_room(here), lit_walls, copies.size() > 1)) continue;
       if (const auto plane = plane_behind(begin, end, image.place, image.direction))
         image.planes.push_back(*plane);
+      if (image.planes.size() > most_in_all) {
+        image.planes.clear();
+        complete_ = false;
+        return;
+      }
     }
 }
 
@@ -187,19 +198,24 @@ bool CreasePlanes::find(std::size_t number, std::span<const Vec3> corners,
   return complete_;
 }
 
-void CreasePlanes::find(std::span<const Vec3> corners, std::vector<CreasePlane>& found) const {
+bool CreasePlanes::find(std::span<const Vec3> corners, std::vector<CreasePlane>& found) const {
   std::vector<CreasePlane> of_image;
+  bool all = true;
   found.clear();
   for (std::size_t i = 0; i < images_.size(); ++i) {
-    find(i, corners, of_image);
+    all = find(i, corners, of_image) && all;
     for (const CreasePlane& plane : of_image) found.push_back(moved(plane, images_[i].place));
   }
+  if (found.size() <= most_planes) return all;
+  found.clear();
+  return false;
 }
 
 bool CreasePlanes::pass_through(std::span<const Vec3> corners) const {
   std::vector<CreasePlane> found;
-  find(corners, found);
-  return !found.empty();
+  for (std::size_t i = 0; i < images_.size(); ++i)
+    if ((!find(i, corners, found) && complete_) || !found.empty()) return true;
+  return false;
 }
 
 }  // namespace etendue

@@ -34,17 +34,21 @@ std::vector<std::array<Vec3, 3>> cut_by_planes(const std::array<Vec3, 3>& triang
 /// Without planes for other lights. May be used by several threads at a time.
 class CreasePlanes {
  public:
-  CreasePlanes(const LightPaths& paths, const LightSource& source);
+  CreasePlanes(const LightPaths& paths, const std::vector<Crease>& creases, const LightSource& source);
+  /// Those before which an eye sees light, by way of mirrors as behind them: one image.
+  CreasePlanes(const LightPaths& paths, const std::vector<Crease>& creases, const Vec3& eye,
+               MirrorSet mirrors);
 
-  /// Whether all are known, as they are but between parallel mirrors that show each crease too often.
+  /// Whether all are known, as they are but where there are very many or parallel mirrors show them too
+  /// often.
   bool are_complete() const { return complete_; }
   /// Those that pass through a cell or a face with these corners in the light of an image, as the source
   /// numbers them, about the image's place if it has one. False where they may not be all: without any,
   /// because they are too many to be told apart, or because parallel mirrors show creases again and again.
   bool find(std::size_t image, std::span<const Vec3> corners, std::vector<CreasePlane>& found) const;
   /// Those of all images, about the origin of space.
-  void find(std::span<const Vec3> corners, std::vector<CreasePlane>& found) const;
-  /// Whether it finds any.
+  bool find(std::span<const Vec3> corners, std::vector<CreasePlane>& found) const;
+  /// Whether there are any, too many to be told apart included.
   bool pass_through(std::span<const Vec3> corners) const;
 
  private:
@@ -53,8 +57,8 @@ class CreasePlanes {
     Vec3 direction;  ///< of a beam, zero for a point
     std::vector<CreasePlane> planes;
   };
-  static void add_planes(const LightPaths& paths, const std::vector<Crease>& creases,
-                         const std::vector<MirrorCopy>& copies, std::span<const int> lit_walls, Image& image);
+  void add_planes(const std::vector<Crease>& creases, const std::vector<MirrorCopy>& copies,
+                  std::span<const int> lit_walls, Image& image);
 
   std::vector<Image> images_;
   bool complete_ = true;

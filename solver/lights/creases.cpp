@@ -16,9 +16,7 @@ constexpr double straight = 1e-6, hardly = 0.1;
 /// A face that light notices, at one of its edges.
 struct FaceAtEdge {
   std::array<std::int32_t, 2> ends;
-  Vec3 normal;  ///< as in Crease
-  Vec3 away;    ///< unit, in the face and across the edge
-  int wall;
+  Crease::Surface surface;
 };
 
 bool is_between_media(const LightPaths& paths, CellIndex a, CellIndex b) {
@@ -37,36 +35,45 @@ std::vector<FaceAtEdge> noticed_faces(const LightPaths& paths) {
     const FaceIndex face(f);
     const bool on_wall = f < mesh.boundary_face_count();
     if (!on_wall && !is_between_media(paths, mesh.owner(face), mesh.neighbour(face))) continue;
+    const bool mirrors = on_wall && paths.mirrors().of(face) >= 0;
+    std::pair<int, int> regions(-1, -1);
     Vec3 normal = mesh.area_normal(face).normalized();
-    if (!on_wall && mesh.region(mesh.owner(face)) > mesh.region(mesh.neighbour(face))) normal = -normal;
+    if (!on_wall) {
+      regions = std::minmax({mesh.region(mesh.owner(face)), mesh.region(mesh.neighbour(face))});
+      if (mesh.region(mesh.owner(face)) == regions.second) normal = -normal;
+    }
     const auto& v = mesh.vertices(face);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::int32_t first = v[i == 0 ? 1 : 0], last = v[i == 2 ? 1 : 2];
       const Vec3 from = mesh.point(VertexIndex(first));
       const Vec3 along = (mesh.point(VertexIndex(last)) - from).normalized();
       const Vec3 way = mesh.point(VertexIndex(v[i])) - from;
-      faces.push_back({{first, last},
-                       normal,
-                       (way - way.dot(along) * along).normalized(),
-                       on_wall ? mesh.wall(face) : -1});
+      const Vec3 away = (way - way.dot(along) * along).normalized();
+      faces.push_back({{first, last}, {normal, away, on_wall ? mesh.wall(face) : -1, regions, mirrors}});
     }
   }
   std::ranges::stable_sort(faces, {}, &FaceAtEdge::ends);
   return faces;
 }
 
+bool part_alike(const Crease::Surface& a, const Crease::Surface& b) {
+  return a.wall == b.wall && a.regions == b.regions;
+}
+
 /// Whether each of the faces at an edge has one that goes on from it.
 bool go_on(std::span<const FaceAtEdge> around, double bend) {
   return std::ranges::all_of(around, [&](const FaceAtEdge& face) {
+    const Crease::Surface& here = face.surface;
     return std::ranges::any_of(around, [&](const FaceAtEdge& other) {
-      return other.wall == face.wall && (other.away + face.away).norm() < bend &&
-             (other.normal - face.normal).norm() < bend;
+      const Crease::Surface& there = other.surface;
+      return part_alike(here, there) && (there.away + here.away).norm() < bend &&
+             (there.normal - here.normal).norm() < bend;
     });
   });
 }
 
 bool is_same(const Crease::Surface& a, const Crease::Surface& b) {
-  return a.wall == b.wall && (a.normal - b.normal).norm() < straight;
+  return part_alike(a, b) && (a.normal - b.normal).norm() < straight && (a.away - b.away).norm() < straight;
 }
 
 /// The crease of one edge of the mesh, with its ends.
@@ -87,11 +94,7 @@ std::vector<CreasedEdge> creased_edges(const LightPaths& paths) {
     CreasedEdge edge{
         ends,
         {mesh.point(VertexIndex(ends[0])), mesh.point(VertexIndex(ends[1])), {}, go_on(around, hardly)}};
-    for (const FaceAtEdge& face : around) {
-      const Crease::Surface surface{face.normal, face.wall};
-      const auto same = [&](const Crease::Surface& other) { return is_same(surface, other); };
-      if (std::ranges::none_of(edge.crease.surfaces, same)) edge.crease.surfaces.push_back(surface);
-    }
+    for (const FaceAtEdge& face : around) edge.crease.surfaces.push_back(face.surface);
     edges.push_back(std::move(edge));
   }
   return edges;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "mesh/base/vec3.h"
@@ -15,11 +16,14 @@ struct Crease {
   /// One side of a surface that meets there.
   struct Surface {
     Vec3 normal;  ///< unit: of a wall out of the domain; else into the region of the higher number
+    Vec3 away;    ///< unit: in the surface, across the crease
     int wall;     ///< -1 between media
+    std::pair<int, int> regions;  ///< that it parts
+    bool mirrors;
   };
   Vec3 begin, end;
-  std::vector<Surface> surfaces;  ///< different ones
-  bool blunt;                     ///< whether all go on beyond it with hardly a bend
+  std::vector<Surface> surfaces;
+  bool blunt;  ///< whether all go on beyond it with hardly a bend
 };
 
 /// Each line once, however many edges of the mesh make it up.

@@ -24,6 +24,8 @@ constexpr double least_of_size = 1e-4;
 
 /// More faces make too many pairs of a face in front and one behind.
 constexpr std::size_t most_faces = 12;
+/// Triangles up to which each is cut along creases.
+constexpr std::size_t most_parted = 500;
 /// How finely a body is looked at, and the radius in distances below which three points of a part do.
 constexpr double largest_side_of_body = 0.5, small_body = 0.25;
 
@@ -90,7 +92,10 @@ void ExtendedSource::add_view(const View& view, LightBeams& beams) const {
   const EmitterTree::Node& root = tree_.root();
   const bool far = root.radius < view.detail.opening / 2 * (root.centre - view.eye).norm() &&
                    root.thickness < view.detail.thickness / 2;
-  if (convex_.empty() || far)
+  if (view.detail.creases != nullptr && tree_.shape() == EmitterShape::triangles &&
+      tree_.parts().size() <= most_parted)
+    add_parted(view, beams);
+  else if (convex_.empty() || far)
     add_node(view, root, beams);
   else
     add_body(view, beams);
@@ -111,7 +116,7 @@ void ExtendedSource::add_node(const View& view, const EmitterTree::Node& node, L
   if (node.part < 0) {
     for (const int child : node.children) add_node(view, tree_.node(child), beams);
   } else if (flat) {
-    add_triangle(view, tree_.part(node.part), beams);
+    add_triangle(view, tree_.part(node.part), {}, beams);
   } else {
     add_tetrahedron(view, tree_.part(node.part), beams);
   }
@@ -130,11 +135,25 @@ void ExtendedSource::add_points(const View& view, const EmitterTree::Node& node,
   }
 }
 
-void ExtendedSource::add_triangle(const View& view, const EmitterPart& part, LightBeams& beams) const {
+void ExtendedSource::add_parted(const View& view, LightBeams& beams) const {
+  const CreasePlanes creases(paths_, *view.detail.creases, view.eye, view.mirrors);
+  std::vector<CreasePlane> planes;
+  for (const EmitterPart& part : tree_.parts()) {
+    const std::span<const Vec3> corners(part.corners.data(), 3);
+    const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    if (normal.dot(view.eye - corners[0]) <= 0) continue;
+    creases.find(0, corners, planes);
+    add_triangle(view, part, planes, beams);
+  }
+}
+
+void ExtendedSource::add_triangle(const View& view, const EmitterPart& part,
+                                  std::span<const CreasePlane> planes, LightBeams& beams) const {
   const Vec3 a = part.corners[0] - view.eye, b = part.corners[1] - view.eye, c = part.corners[2] - view.eye;
   const Vec3 normal = (b - a).cross(c - a);
   std::vector<SolidAnglePoint> points;
-  append_points({a, b, c}, view.detail.largest_side, view.detail.rule, points);
+  for (const SphericalTriangle& seen : cut_by_planes({a, b, c}, planes))
+    append_points(seen, view.detail.largest_side, view.detail.rule, points);
   for (const SolidAnglePoint& point : points) {
     const double distance = normal.dot(a) / normal.dot(point.direction);
     const std::span<double> fluence = view.open_way(paths_, point.direction, distance, 0, beams);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/lights/crease_planes.h"
 #include "solver/lights/emitter_tree.h"
 #include "solver/lights/flat_shape.h"
 #include "solver/lights/solid_shape.h"
@@ -42,7 +43,9 @@ class ExtendedSource : public WideSource {
   void add_parts(MirrorSet mirrors, const PointInCell& here, std::span<const double> extinction,
                  std::span<const std::size_t> bands, LightBeams& beams, EvenLight& light) const;
   void add_points(const View& view, const EmitterTree::Node& node, LightBeams& beams) const;
-  void add_triangle(const View& view, const EmitterPart& part, LightBeams& beams) const;
+  void add_triangle(const View& view, const EmitterPart& part, std::span<const CreasePlane> planes,
+                    LightBeams& beams) const;
+  void add_parted(const View& view, LightBeams& beams) const;
   void add_tetrahedron(const View& view, const EmitterPart& part, LightBeams& beams) const;
   void add_wedge(const View& view, const Wedge& wedge, const EmitterPart& part, LightBeams& beams) const;
   void add_body(const View& view, LightBeams& beams) const;

@@ -169,7 +169,8 @@ void add_irradiance(const LightPaths& paths, const LightSource& source, const Cr
   const LitFace face(paths.problem().mesh(), index);
   std::vector<CreasePlane> planes;
   const PointSource* point = source.as_point();
-  if (point != nullptr && source.is_near(face.centroid, face.size)) {
+  const bool parted = creases.find(face.corners, planes);
+  if (parted && point != nullptr && source.is_near(face.centroid, face.size)) {
     for (std::size_t i = 0; i < point->images().size(); ++i) {
       creases.find(i, face.corners, planes);
       add_image(paths, *point, point->images()[i], planes, face, moments);
@@ -179,7 +180,6 @@ void add_irradiance(const LightPaths& paths, const LightSource& source, const Cr
   PointsOfFace points(source, face, beams, moments);
   const double thickness = paths.largest_extinction(face.cell) * face.size;
   if (source.as_wide() != nullptr) return add_wide(source, face, thickness, points);
-  creases.find(face.corners, planes);
   for (const std::array<Vec3, 3>& part : cut_by_planes(face.corners, planes))
     points.add(seven_point_rule(), face.barycentric(part), triangle_area(part),
                {most_divisions, thickness > thin ? most_even_divisions : 0});

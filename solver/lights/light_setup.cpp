@@ -89,6 +89,7 @@ LightSetup::LightSetup(const Problem& problem)
   add_lights();
   add_regions();
   add_walls();
+  if (!sources_.empty()) creases_ = creases_of(paths_);
 }
 
 // A beam that only comes in by such a wall never meets it from within.
@@ -263,9 +264,11 @@ LightAtPoint LightSetup::at(const PointInCell& point, const std::optional<Vec3>&
   LightAtPoint light{std::vector<double>(bands, 0), std::vector<Vec3>(bands, Vec3::Zero()), {}};
   if (normal) light.irradiance.assign(bands, 0);
   LightBeams beams(bands);
+  LightDetail detail = fine_light;
+  detail.creases = &creases_;
   for (const auto& source : sources_) {
     beams.clear();
-    source->add_beams(point, Sight::attenuated, fine_light, beams);
+    source->add_beams(point, Sight::attenuated, detail, beams);
     for (std::size_t i = 0; i < beams.size(); ++i)
       for (std::size_t b = 0; b < bands; ++b) {
         light.fluence[b] += beams.fluence(i)[b];

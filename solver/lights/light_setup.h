@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/lights/creases.h"
 #include "solver/lights/uncollided_field.h"
 #include "solver/problem/problem.h"
 
@@ -36,7 +37,9 @@ class LightSetup {
   /// What became a light and why, a line each.
   const std::vector<std::string>& notes() const { return notes_; }
 
-  /// Uncollided light at a point of a cell, at the finer detail.
+  /// Of the problem, behind which its lights are seen in part.
+  const std::vector<Crease>& creases() const { return creases_; }
+  /// Uncollided light at a point of a cell, at the finer detail and cut along creases.
   LightAtPoint at(const PointInCell& point, const std::optional<Vec3>& normal) const;
 
  private:
@@ -50,6 +53,7 @@ class LightSetup {
 
   const Problem& problem_;
   LightPaths paths_;
+  std::vector<Crease> creases_;
   LightSources sources_;
   std::vector<char> region_is_light_;
   std::vector<char> wall_is_light_;

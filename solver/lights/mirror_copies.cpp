@@ -12,6 +12,8 @@ namespace {
 constexpr std::size_t most_copies = 4096;
 /// Part of a beam's direction that leads out from between all parallel mirrors, below which it never leaves.
 constexpr double least_way_out = 1e-3;
+/// Distance below which parallel mirrors are in one plane [length].
+constexpr double one_plane = 1e-9;
 
 MirrorCopy reflection(const MirrorPlanes& planes, int plane) {
   const Vec3& normal = planes.normal(plane);
@@ -37,6 +39,10 @@ double extent(const TetrahedralMesh& mesh, const Vec3& along) {
     most = std::max(most, along.dot(point));
   }
   return most - least;
+}
+
+double distance(const MirrorPlanes& planes, int a, int b) {
+  return after(reflection(planes, a), reflection(planes, b)).shift.norm() / 2;
 }
 
 /// What a pair of parallel mirrors shows: the room moved by twice their distance any number of times, and its
@@ -68,7 +74,8 @@ std::vector<MirrorCopy> copies_along(const LightPaths& paths, MirrorSet mirrors,
   Vec3 out = direction;
   for (int i = 0; i < planes.count(); ++i)
     for (int j = 0; j < i; ++j) {
-      if (!planes.are_parallel(i, j)) continue;
+      // The two sides of one sheet never see each other.
+      if (!planes.are_parallel(i, j) || distance(planes, i, j) < one_plane) continue;
       pairs.emplace_back(j, i);
       alone &= ~(MirrorSet{1} << i) & ~(MirrorSet{1} << j);
       out -= out.dot(planes.normal(i)) * planes.normal(i);
@@ -80,8 +87,8 @@ std::vector<MirrorCopy> copies_along(const LightPaths& paths, MirrorSet mirrors,
   const double way = static_cast<double>(copies.size()) * extent(mesh, out.normalized()) / out.norm();
   for (const auto& [first, second] : pairs) {
     const Vec3& normal = planes.normal(first);
-    const Vec3 step = after(reflection(planes, first), reflection(planes, second)).shift;
-    const double times = std::ceil(way * std::abs(direction.dot(normal)) / step.norm()) + 1;
+    const double times =
+        std::ceil(way * std::abs(direction.dot(normal)) / (2 * distance(planes, first, second))) + 1;
     // Three in parallel show more than pairs do.
     if (!(4 * times * static_cast<double>(copies.size()) < most_copies) || pairs.size() > 2) return {};
     multiply(copies, between(planes, first, second, static_cast<int>(times)));

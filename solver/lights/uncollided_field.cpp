@@ -131,14 +131,15 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
   field.irradiance.assign(static_cast<std::size_t>(mesh.boundary_face_count()) * 3 * paths.bands(), 0);
   if (!paths.matter().empty())
     field.absorbed.assign(static_cast<std::size_t>(mesh.cell_count()) * paths.bands(), 0);
+  const std::vector<Crease> creases = creases_of(paths);
   for (const auto& source : sources) {
     field.by_source.emplace_back(field.fluence.size(), 0);
     if (!paths.matter().empty()) field.collided_by_source.emplace_back(field.fluence.size(), 0);
     std::optional<ExtendedLight> extended;
     if (source->as_wide() != nullptr) extended.emplace(paths, *source->as_wide(), threads);
-    const CreasePlanes creases(paths, *source);
-    add_cells(paths, *source, creases, extended, threads, field);
-    add_walls(paths, *source, creases, extended, threads, field.irradiance);
+    const CreasePlanes planes(paths, creases, *source);
+    add_cells(paths, *source, planes, extended, threads, field);
+    add_walls(paths, *source, planes, extended, threads, field.irradiance);
     for (std::size_t i = 0; i < field.fluence.size(); ++i) field.fluence[i] += field.by_source.back()[i];
   }
   field.glossy = GlossyBeams(paths, sources, threads);

@@ -10,8 +10,10 @@
 namespace etendue {
 namespace {
 
-// Places at which a kernel that depends on them is looked at for its bound.
+/// Places at which a kernel that depends on them is looked at for its bound.
 constexpr std::size_t places_looked_at = 50;
+/// Draws after which light goes on as it came: where the kernel was looked at it is next to nothing.
+constexpr std::int64_t most_draws = 100000;
 
 std::vector<Vec3> places_of(const KernelFormula& kernel, bool of_product, const TetrahedralMesh& mesh,
                             int region) {
@@ -46,7 +48,7 @@ Vec3 KernelSampler::scattered(CellIndex cell, const Vec3& travel, DrawnNumbers& 
     ++draws;
     beyond += value > drawn.bound;
     if (random.number() * drawn.bound < value) after = drawn.after;
-  } while (!after && of_product_);
+  } while (!after && of_product_ && draws < most_draws);
   draws_.fetch_add(draws, std::memory_order_relaxed);
   beyond_.fetch_add(beyond, std::memory_order_relaxed);
   return after.value_or(travel);

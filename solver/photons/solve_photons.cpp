@@ -162,9 +162,9 @@ class PhotonRun {
     solution.irradiance = sums_.irradiance.means();
     solution.exitance.assign(solution.irradiance.size(), 0);
     complete_fields(problem_, solution);
-    // It does not follow from the irradiance alone.
-    if (reflects_by_angle_) solution.exitance = sums_.exitance.means();
     batches_.add_emission(solution);
+    // It does not follow from the irradiance alone; what formulas emit is in it.
+    if (reflects_by_angle_) solution.exitance = sums_.exitance.means();
     solution.absorbed = sums_.absorbed.means();
     solution.interrupted = stopped_;
     solution.history = std::move(history_);

@@ -86,10 +86,12 @@ UncollidedAtPoint LightIrradiance::at(const PointInCell& point, const Vec3& norm
     return beams.size();
   };
   for (const LightSource* source : others_) add(*source, Sight::attenuated, fine_light, 1);
+  LightDetail each = each_triangle;
+  each.creases = &lights_.creases();
   for (const FlatLight& flat : flat_) {
     // Nothing of it is seen: no rounding is to be left of (1).
-    if (add(*flat.source, Sight::attenuated, each_triangle, 1) == 0) continue;
-    add(*flat.source, Sight::clear, each_triangle, -1);
+    if (add(*flat.source, Sight::attenuated, each, 1) == 0) continue;
+    add(*flat.source, Sight::clear, each, -1);
     for (const MirrorSet mirrors : images_) add_clear(flat, mirrors, point.position, normal, light);
   }
   return light;

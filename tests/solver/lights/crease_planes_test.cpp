@@ -97,6 +97,18 @@ double length_of(const std::vector<Crease>& creases) {
   return length;
 }
 
+/// Path length times irradiance that the sun has in a unit cube without what stands in it: the fluence of
+/// parallel light is the volume it reaches.
+double lit_volume(const TetrahedralMesh& mesh) {
+  const Problem problem = lit(mesh, sun(mesh), 0);
+  const LightSetup lights(problem);
+  const UncollidedField field = uncollided_field(lights.paths(), lights.sources(), 2);
+  double volume = 0;
+  for (std::size_t i = 0; i < field.fluence.size(); ++i)
+    volume += field.fluence[i] * mesh.volumes()[i / 4] / 4;
+  return volume;
+}
+
 // However fine the mesh is.
 TEST(Creases, OfACubeAndABoxInItAreTheirEdges) {
   for (const double max_volume : {0.02, 1e-3}) {
@@ -113,6 +125,34 @@ TEST(Creases, OfACubeAndABoxInItAreTheirEdges) {
   }
 }
 
+// Four media that meet along one line: each surface between two of them ends there, if straight into the
+// next.
+TEST(Creases, AreWhereFourMediaMeet) {
+  Geometry geometry;
+  for (int i = 0; i < 4; ++i) {
+    BoxPrimitive box;
+    box.min = Vec3(0.5 * (i % 2), 0.5 * (i / 2), 0);
+    box.max = box.min + Vec3(0.5, 0.5, 1);
+    box.region = std::string(1, static_cast<char>('a' + i));
+    geometry.primitives.emplace_back(box);
+  }
+  const TetrahedralMesh mesh(tetrahedralize(arrange(geometry), {{0.02}, 1.4, {}}));
+  std::vector<Medium> media;
+  for (int i = 0; i < 4; ++i) media.push_back(uniform_medium(1, 1 + i, 0, 0));
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    walls.push_back(uniform_wall(1, 0, 0, 0));
+    walls.back().name = name;
+  }
+  const Problem problem(mesh, {}, media, walls, AngularSpace::sphere, {sun(mesh)});
+  const auto in_the_middle = [](const Crease& crease) {
+    return (crease.begin - Vec3(0.5, 0.5, crease.begin.z())).norm() < 1e-9 &&
+           std::abs((crease.end - crease.begin).norm() - 1) < 1e-9;
+  };
+  EXPECT_EQ(std::ranges::count_if(creases_of(LightPaths(problem)), in_the_middle), 1);
+  EXPECT_LT(missing_part(problem), 1e-6);
+}
+
 // Light does not notice the border of a region that differs in name only.
 TEST(Creases, AreNotBetweenMediaOfOneExtinction) {
   const TetrahedralMesh mesh = room(Inside::fog, 0.01);
@@ -123,7 +163,7 @@ TEST(CreasePlanes, CutATriangleIntoPartsThatFillIt) {
   const TetrahedralMesh mesh = room(Inside::crate, 0.02);
   const Problem problem = lit(mesh, lamp(), 1);
   const LightSetup lights(problem);
-  const CreasePlanes creases(lights.paths(), *lights.sources()[0]);
+  const CreasePlanes creases(lights.paths(), lights.creases(), *lights.sources()[0]);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(0, 1);
   const auto area = [](const std::array<Vec3, 3>& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2; };
@@ -155,6 +195,20 @@ TEST(CreasePlanes, LetTheSunBalanceToRoundingInEmptySpace) {
     EXPECT_LT(missing_part(lit(mesh, sun(mesh), 0)), 1e-13);
     EXPECT_LT(missing_part(lit(mesh, sun(mesh), 0, true)), 1e-13);
   }
+}
+
+// The umbra of the crate, a prism along the light from its silhouette down to the floor, and the crate are
+// dark.
+TEST(CreasePlanes, LeaveTheUmbraOutOfTheLitVolume) {
+  const TetrahedralMesh mesh = room(Inside::crate, 2e-3);
+  const Vec3 size(0.35, 0.3, 0.15);
+  // Below a point of the lower side, 0.4 above the floor, and of the two that turn from the light, whose
+  // points lie 0.4 to 0.55 above it: each column of light is as high as its end.
+  const double slope_x = 0.3 / 0.8, slope_y = 0.2 / 0.8;
+  const double below = size.x() * size.y() * 0.4;
+  const double mean_height = 0.4 + size.z() / 2;
+  const double beside = mean_height * size.z() * (size.y() * slope_x + size.x() * slope_y);
+  EXPECT_NEAR(lit_volume(mesh), 1 - size.prod() - below - beside, 1e-12);
 }
 
 TEST(CreasePlanes, LetTheSunBalanceInMatter) {

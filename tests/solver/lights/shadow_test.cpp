@@ -111,6 +111,11 @@ class Scene {
   LightAtPoint at(const Vec3& place) const {
     return lights_.at({locator_.find(place).front().cell, place}, Vec3::UnitZ());
   }
+  /// Cut along the edges of what stands in the way.
+  VisibleLight cut_at(const Vec3& place) const {
+    const LightAtPoint light = at(place);
+    return {light.fluence[0], light.irradiance[0]};
+  }
   /// With the light in parts whose sides fill at most so many radians.
   VisibleLight at(const Vec3& place, double largest_side) const {
     LightBeams beams(1);
@@ -251,7 +256,7 @@ TEST(Shadow, PenumbraTendsToTheVisiblePartOfTheLight) {
       for (const double extinction : {0.0, 1.5}) {
         const Scene scene(mesh, extinction, flat_light(rim));
         const HalfHiddenLight known(rim, corners_of(obstacle));
-        Differences coarse, fine, lit;
+        Differences coarse, fine, cut, lit;
         for (const Vec3& place : grid(8)) {
           const double part = known.visible_area(place) / known.area();
           if (part == 0) continue;
@@ -263,13 +268,15 @@ TEST(Shadow, PenumbraTendsToTheVisiblePartOfTheLight) {
           }
           coarse.add(scene.at(place, 0.25), here, whole);
           fine.add(scene.at(place, 0.0625), here, whole);
+          cut.add(scene.cut_at(place), here, whole);
         }
-        EXPECT_GT(fine.points, 60);
+        EXPECT_GT(cut.points, 60);
         EXPECT_GT(lit.points, 20);
         EXPECT_LT(lit.largest, 3e-7);
         EXPECT_LT(fine.largest, 0.015);
         EXPECT_LT(fine.root_mean_square(), 0.003);
         EXPECT_LT(fine.root_mean_square(), coarse.root_mean_square() / 3);
+        EXPECT_LT(cut.largest, 3e-7);
       }
   }
 }

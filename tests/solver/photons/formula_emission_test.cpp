@@ -150,5 +150,21 @@ TEST(FormulaEmission, RefusesNegativeValuesWithTheDirection) {
   }
 }
 
+// Beside a wall that reflects by the angle what leaves walls is counted, what formulas emit once.
+TEST(FormulaEmission, LeavesAWallOnce) {
+  const TetrahedralMesh mesh = cube_mesh(0.1);
+  std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
+  const std::size_t lit = wall_of(mesh, "xmin");
+  walls[lit] = emitter("1 + 0*x", 0);
+  walls[wall_of(mesh, "xmax")].refractive_index = 1.5;
+  const Problem problem(mesh, {}, {uniform_medium(1, 0.2, 0, 0)}, walls);
+  const PhotonSolution found = solved(problem, 2000);
+  double leaves = 0;
+  for (std::size_t i = 0; i < found.solution.exitance.size(); ++i)
+    if (const FaceIndex face(static_cast<std::int64_t>(i / 3)); mesh.wall(face) == static_cast<int>(lit))
+      leaves += found.solution.exitance[i] * mesh.area(face) / 3;
+  EXPECT_NEAR(leaves, pi, 1e-6);
+}
+
 }  // namespace
 }  // namespace etendue
