@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "mesh/tetrahedra/cell_locator.h"
+#include "mesh/tetrahedra/outer_walls.h"
 #include "solver/problem/lamp_shape.h"
 #include "solver/problem/mirror.h"
 
@@ -31,11 +32,13 @@ bool is_bare(const Wall& wall) {
          !wall.transmits();
 }
 
-/// The walls that a light names; without names those that neither shine nor reflect.
-std::vector<int> walls_of(const LightCase& light, const std::vector<Wall>& walls) {
+/// The walls that a light names; without names the outer ones that neither shine nor reflect.
+std::vector<int> walls_of(const LightCase& light, const std::vector<Wall>& walls,
+                          const std::vector<bool>& outer) {
   std::vector<int> numbers;
   for (std::size_t w = 0; w < walls.size(); ++w)
-    if (light.walls.empty() ? is_bare(walls[w]) : std::ranges::count(light.walls, walls[w].name) > 0)
+    if (light.walls.empty() ? outer[w] && is_bare(walls[w])
+                            : std::ranges::count(light.walls, walls[w].name) > 0)
       numbers.push_back(static_cast<int>(w));
   return numbers;
 }
@@ -124,10 +127,11 @@ void require_inside(const LightCase& light, std::span<const Vec3> points, const 
 void require_open(const LightCase& light, const std::vector<int>& numbers, const std::vector<Wall>& walls,
                   std::vector<Fault>& faults) {
   if (numbers.empty())
-    faults.push_back(fault_at(light.origin, "",
-                              fmt::format("no wall lets the light \"{}\" in (all of them shine or reflect); "
-                                          "name walls",
-                                          light.name)));
+    faults.push_back(
+        fault_at(light.origin, "",
+                 fmt::format("no wall lets the light \"{}\" in (all outer ones shine or reflect); "
+                             "name walls",
+                             light.name)));
   for (const int w : numbers)
     for (const double specular : walls[static_cast<std::size_t>(w)].specular)
       if (specular > 0)
@@ -206,8 +210,9 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
   if (input.lights.empty()) return lights;
   const CellLocator locator(mesh);
   const std::vector<Wall> as_written = walls;
+  const std::vector<bool> outer = outer_walls(mesh);
   for (const LightCase& light : input.lights) {
-    const std::vector<int> numbers = walls_of(light, as_written);
+    const std::vector<int> numbers = walls_of(light, as_written, outer);
     if (light.kind == "point" || light.kind == "spot") {
       require_inside(light, std::span(&light.position, 1), locator, faults);
       lights.push_back({light.name, point_light(light), light.origin, light.uncollided});

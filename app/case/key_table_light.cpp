@@ -172,8 +172,8 @@ std::vector<KeyDeclaration> light_keys() {
        "walls",
        texts,
        {.help =
-            "Walls that shine, or by which the sun or the sky comes in; these two without it by all walls "
-            "that neither shine nor reflect."}},
+            "Walls that shine, or by which the sun or the sky comes in; these two without it by all outer "
+            "walls that neither shine nor reflect."}},
       {"light",
        "uncollided",
        switch_,

@@ -11,6 +11,7 @@
 #include "app/write/output_folder.h"
 #include "app/write/summary.h"
 #include "app/write/unit_labels.h"
+#include "mesh/tetrahedra/outer_walls.h"
 #include "solver/picture/gather.h"
 #include "solver/picture/tone.h"
 
@@ -23,18 +24,20 @@ Case case_to_bake(const BakeRequest& request) {
                   "holds no case of an earlier run; name the directory of its results");
 }
 
-/// The numbers of the walls that are the sky: those named, else all that neither shine nor reflect.
+/// The numbers of the walls that are the sky: those named, else the outer ones that neither shine nor
+/// reflect.
 std::vector<int> sky_walls(const BakeRequest& request, const Problem& problem) {
   const auto zero = [](const std::vector<double>& values) {
     return std::ranges::all_of(values, [](double v) { return v == 0; });
   };
+  const std::vector<bool> outer = outer_walls(problem.mesh());
   std::vector<int> walls;
   std::vector<std::string> names;
   for (std::size_t w = 0; w < problem.walls().size(); ++w) {
     const Wall& wall = problem.walls()[w];
     names.push_back(wall.name);
-    const bool bare = zero(wall.radiance) && zero(wall.diffuse) && zero(wall.specular) && !wall.is_glossy() &&
-                      !wall.transmits();
+    const bool bare = outer[w] && zero(wall.radiance) && zero(wall.diffuse) && zero(wall.specular) &&
+                      !wall.is_glossy() && !wall.transmits();
     if (request.sky.empty() ? bare : std::ranges::count(request.sky, wall.name) > 0)
       walls.push_back(static_cast<int>(w));
   }
@@ -44,7 +47,7 @@ std::vector<int> sky_walls(const BakeRequest& request, const Problem& problem) {
           fmt::format("command line: bake: --sky = {}: no such wall; use {}", name, fmt::join(names, ", ")));
   if (walls.empty())
     throw InputError(
-        fmt::format("command line: bake: no wall is open to the sky (all of them shine or reflect); use "
+        fmt::format("command line: bake: no wall is open to the sky (all outer ones shine or reflect); use "
                     "--sky with one of {}",
                     fmt::join(names, ", ")));
   return walls;

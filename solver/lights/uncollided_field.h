@@ -25,10 +25,10 @@ struct UncollidedField {
 
 using LightSources = std::vector<std::unique_ptr<LightSource>>;
 
-/// Integrates the light of the sources. Cells near a point light are integrated in its polar frame, where
-/// the distance squared cancels and the way through a cell is done in closed form; other cells by points,
-/// divided in eight, twice at most, where some of them lie in the shadow; and light with an extent
-/// by what it meets on its way to the vertices (ExtendedLight). The same bits for any number of threads.
+/// Integrates the light of the sources: of a point in its polar frame, where the distance squared cancels, of
+/// a beam in columns along it, both in closed form on the way through a cell and cut along the edges of
+/// shadows (CreasePlanes), or by four points where it is even; of a light with an extent by what it meets on
+/// its way to the vertices (ExtendedLight). The same bits for any number of threads.
 UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads);
 
 }  // namespace etendue

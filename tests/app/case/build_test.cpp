@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -358,6 +359,38 @@ TEST(BuildProblem, RefusesASunByASurfaceAndByOtherWalls) {
   EXPECT_NE(build_faults(case_of(sun("direction = [0, 0, 1]\nwalls = [\"surface\"]\n")))
                 .find("which refracts, from behind; turn the light"),
             std::string::npos);
+}
+
+// A black box in the room is none of the ways in.
+TEST(BuildProblem, LetsTheSunInByOuterWallsOnly) {
+  const Case input = case_of(R"([mesh]
+max_volume = 0.2
+[[mesh.box]]
+region = "air"
+min = [0, 0, 0]
+max = [1, 1, 1]
+[[mesh.box]]
+hole = true
+name = "crate"
+min = [0.4, 0.4, 0.2]
+max = [0.6, 0.6, 0.5]
+[media.air]
+[walls.zmin]
+diffuse = 0.5
+[walls."*"]
+[[light]]
+name = "sun"
+kind = "sun"
+direction = [0, 0, -1]
+irradiance = 1
+)");
+  const TetrahedralMesh mesh = build_mesh(input);
+  const Problem problem = build_problem(input, mesh);
+  std::vector<std::string> names;
+  for (const int wall : std::get<BeamLight>(problem.lights().front().kind).walls)
+    names.push_back(mesh.wall_names()[static_cast<std::size_t>(wall)]);
+  std::ranges::sort(names);
+  EXPECT_EQ(names, (std::vector<std::string>{"xmax", "xmin", "ymax", "ymin", "zmax"}));
 }
 
 }  // namespace

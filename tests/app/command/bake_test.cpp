@@ -47,8 +47,9 @@ TEST(Bake, SaysWhatItCannotDo) {
   ASSERT_EQ(etendue_says({"run", folder.file()}).code, ExitCode::done);
   const Outcome closed = etendue_says({"bake", folder.results(), "--quantity", "occlusion"});
   EXPECT_EQ(closed.code, ExitCode::input_error);
-  EXPECT_TRUE(has(closed.err,
-                  "bake: no wall is open to the sky (all of them shine or reflect); use --sky with one of "))
+  EXPECT_TRUE(
+      has(closed.err,
+          "bake: no wall is open to the sky (all outer ones shine or reflect); use --sky with one of "))
       << closed.err;
   const Outcome unknown =
       etendue_says({"bake", folder.results(), "--quantity", "occlusion", "--sky", "roof"});

@@ -60,8 +60,11 @@ Light sun(const TetrahedralMesh& mesh) {
   return {"sun", BeamLight{Vec3(0.3, 0.2, -0.8).normalized(), {1}, walls}, {}};
 }
 
+enum class Mirrors { none, at_right_angles, parallel };
+
 /// Two mirrors that reflect unlike parts, or none.
-Problem lit(const TetrahedralMesh& mesh, const Light& light, double extinction, bool mirrors = false) {
+Problem lit(const TetrahedralMesh& mesh, const Light& light, double extinction,
+            Mirrors mirrors = Mirrors::none) {
   std::vector<Medium> media;
   for (const std::string& name : mesh.region_names())
     media.push_back(uniform_medium(1, name == "fog" ? 3 : extinction, 0, 0));
@@ -69,8 +72,9 @@ Problem lit(const TetrahedralMesh& mesh, const Light& light, double extinction, 
   for (const std::string& name : mesh.wall_names()) {
     walls.push_back(uniform_wall(1, 0, 0, 0));
     walls.back().name = name;
-    if (mirrors && name == "xmax") walls.back().specular = {0.8};
-    if (mirrors && name == "ymax") walls.back().specular = {0.7};
+    if (mirrors != Mirrors::none && name == "xmax") walls.back().specular = {0.8};
+    const char* const other = mirrors == Mirrors::parallel ? "xmin" : "ymax";
+    if (mirrors != Mirrors::none && name == other) walls.back().specular = {0.7};
   }
   return Problem(mesh, {}, media, walls, AngularSpace::sphere, {light});
 }
@@ -193,7 +197,7 @@ TEST(CreasePlanes, LetTheSunBalanceToRoundingInEmptySpace) {
   for (const Inside inside : {Inside::crate, Inside::ball_hole}) {
     const TetrahedralMesh mesh = room(inside, 2e-3);
     EXPECT_LT(missing_part(lit(mesh, sun(mesh), 0)), 1e-13);
-    EXPECT_LT(missing_part(lit(mesh, sun(mesh), 0, true)), 1e-13);
+    EXPECT_LT(missing_part(lit(mesh, sun(mesh), 0, Mirrors::at_right_angles)), 1e-13);
   }
 }
 
@@ -232,8 +236,18 @@ TEST(CreasePlanes, LetALampBalance) {
 TEST(CreasePlanes, StandBehindMirrorsToo) {
   for (const Inside inside : {Inside::crate, Inside::fog}) {
     const TetrahedralMesh mesh = room(inside, 2e-3);
-    EXPECT_LT(missing_part(lit(mesh, lamp(), 1, true)), 2e-7);
-    EXPECT_LT(missing_part(lit(mesh, sun(mesh), 1, true)), 1e-6);
+    EXPECT_LT(missing_part(lit(mesh, lamp(), 1, Mirrors::at_right_angles)), 2e-7);
+    EXPECT_LT(missing_part(lit(mesh, sun(mesh), 1, Mirrors::at_right_angles)), 1e-6);
+  }
+}
+
+// Between parallel mirrors the room stands again and again, as far as the light goes.
+TEST(CreasePlanes, StandAgainAndAgainBetweenParallelMirrors) {
+  for (const Inside inside : {Inside::nothing, Inside::crate}) {
+    const TetrahedralMesh mesh = room(inside, 4e-3);
+    const Light light{"sun", BeamLight{Vec3(0.9, 0.1, -0.4).normalized(), {1}, {wall_of(mesh, "zmax")}}, {}};
+    EXPECT_LT(missing_part(lit(mesh, light, 0, Mirrors::parallel)), 1e-13);
+    EXPECT_LT(missing_part(lit(mesh, light, 1, Mirrors::parallel)), 1e-6);
   }
 }
 
