@@ -9,8 +9,8 @@
 #include <numbers>
 #include <optional>
 
+#include "app/case/open_walls.h"
 #include "mesh/tetrahedra/cell_locator.h"
-#include "mesh/tetrahedra/outer_walls.h"
 #include "solver/problem/lamp_shape.h"
 #include "solver/problem/mirror.h"
 
@@ -24,22 +24,13 @@ constexpr int sides_of_a_disc = 64;
 /// Normals of one flat wall differ by rounding only.
 constexpr double same_normal = 1e-9;
 
-bool is_bare(const Wall& wall) {
-  const auto zero = [](const std::vector<double>& values) {
-    return std::ranges::all_of(values, [](double v) { return v == 0; });
-  };
-  return zero(wall.radiance) && zero(wall.diffuse) && zero(wall.specular) && !wall.is_glossy() &&
-         !wall.transmits();
-}
-
-/// The walls that a light names; without names the outer ones that neither shine nor reflect.
+/// The walls that a light names, else the open ones.
 std::vector<int> walls_of(const LightCase& light, const std::vector<Wall>& walls,
-                          const std::vector<bool>& outer) {
+                          const TetrahedralMesh& mesh) {
+  if (light.walls.empty()) return open_walls(mesh, walls);
   std::vector<int> numbers;
   for (std::size_t w = 0; w < walls.size(); ++w)
-    if (light.walls.empty() ? outer[w] && is_bare(walls[w])
-                            : std::ranges::count(light.walls, walls[w].name) > 0)
-      numbers.push_back(static_cast<int>(w));
+    if (std::ranges::count(light.walls, walls[w].name) > 0) numbers.push_back(static_cast<int>(w));
   return numbers;
 }
 
@@ -210,9 +201,9 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
   if (input.lights.empty()) return lights;
   const CellLocator locator(mesh);
   const std::vector<Wall> as_written = walls;
-  const std::vector<bool> outer = outer_walls(mesh);
   for (const LightCase& light : input.lights) {
-    const std::vector<int> numbers = walls_of(light, as_written, outer);
+    const bool by_walls = light.kind == "sun" || light.kind == "sky" || light.kind == "wall";
+    const std::vector<int> numbers = by_walls ? walls_of(light, as_written, mesh) : std::vector<int>{};
     if (light.kind == "point" || light.kind == "spot") {
       require_inside(light, std::span(&light.position, 1), locator, faults);
       lights.push_back({light.name, point_light(light), light.origin, light.uncollided});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/case/open_walls.h"
 #include "app/command/commands.h"
 #include "app/command/pictures.h"
 #include "app/command/saved_scene.h"
@@ -11,7 +12,6 @@
 #include "app/write/output_folder.h"
 #include "app/write/summary.h"
 #include "app/write/unit_labels.h"
-#include "mesh/tetrahedra/outer_walls.h"
 #include "solver/picture/gather.h"
 #include "solver/picture/tone.h"
 
@@ -27,19 +27,12 @@ Case case_to_bake(const BakeRequest& request) {
 /// The numbers of the walls that are the sky: those named, else the outer ones that neither shine nor
 /// reflect.
 std::vector<int> sky_walls(const BakeRequest& request, const Problem& problem) {
-  const auto zero = [](const std::vector<double>& values) {
-    return std::ranges::all_of(values, [](double v) { return v == 0; });
-  };
-  const std::vector<bool> outer = outer_walls(problem.mesh());
   std::vector<int> walls;
   std::vector<std::string> names;
+  if (request.sky.empty()) walls = open_walls(problem.mesh(), problem.walls());
   for (std::size_t w = 0; w < problem.walls().size(); ++w) {
-    const Wall& wall = problem.walls()[w];
-    names.push_back(wall.name);
-    const bool bare = outer[w] && zero(wall.radiance) && zero(wall.diffuse) && zero(wall.specular) &&
-                      !wall.is_glossy() && !wall.transmits();
-    if (request.sky.empty() ? bare : std::ranges::count(request.sky, wall.name) > 0)
-      walls.push_back(static_cast<int>(w));
+    names.push_back(problem.walls()[w].name);
+    if (std::ranges::count(request.sky, names.back()) > 0) walls.push_back(static_cast<int>(w));
   }
   for (const std::string& name : request.sky)
     if (std::ranges::count(names, name) == 0)
