@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/read_glossy.h"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <string>
@@ -12,6 +15,7 @@
 #include "solver/surfaces/microfacets.h"
 #include "solver/surfaces/phong.h"
 #include "solver/surfaces/reflectance_table.h"
+#include "solver/surfaces/ward.h"
 
 namespace etendue {
 namespace {
@@ -52,10 +56,11 @@ std::vector<ReflectancePoint> points_of(Section& section, const std::filesystem:
 /// Empty where something is faulty. Keys of other models are faults.
 Maker read_model(Section& section, const std::filesystem::path& case_folder) {
   const std::string model = section.text_if("model").value_or("");
-  const std::pair<const char*, const char*> owners[] = {
-      {"exponent", "phong"}, {"roughness", "ggx"}, {"fresnel", "ggx"}, {"file", "table"}};
-  for (const auto& [key, owner] : owners)
-    if (model != owner) section.unused(key, std::string("it belongs to model = \"") + owner + "\"");
+  const std::pair<const char*, std::vector<std::string>> owners[] = {
+      {"exponent", {"phong"}}, {"roughness", {"ggx", "ward"}}, {"fresnel", {"ggx"}}, {"file", {"table"}}};
+  for (const auto& [key, models] : owners)
+    if (std::ranges::find(models, model) == models.end())
+      section.unused(key, fmt::format("it belongs to model = \"{}\"", fmt::join(models, "\" or \"")));
   if (model == "phong") {
     const std::optional<double> exponent = needed(section, "exponent");
     if (!exponent) return {};
@@ -67,6 +72,11 @@ Maker read_model(Section& section, const std::filesystem::path& case_folder) {
         section.text("fresnel") == "schlick" ? FacetFresnel::schlick : FacetFresnel::constant;
     if (!roughness) return {};
     return [roughness, fresnel](double r) { return std::make_shared<Microfacets>(r, *roughness, fresnel); };
+  }
+  if (model == "ward") {
+    const std::optional<double> roughness = needed(section, "roughness");
+    if (!roughness) return {};
+    return [roughness](double r) { return std::make_shared<Ward>(r, *roughness); };
   }
   if (model != "table") return {};
   std::vector<ReflectancePoint> points = points_of(section, case_folder);

@@ -6,6 +6,7 @@
 #include "solver/surfaces/microfacets.h"
 #include "solver/surfaces/phong.h"
 #include "solver/surfaces/reflectance_table.h"
+#include "solver/surfaces/ward.h"
 #include "tests/app/case/case_text.h"
 
 namespace etendue {
@@ -47,6 +48,9 @@ TEST(GlossyReader, ReadsTheModels) {
   EXPECT_EQ(ggx.glossy[0]->value(0.7, 0.6, 0.1),
             Microfacets(0.04, 0.2, FacetFresnel::schlick).value(0.7, 0.6, 0.1));
   EXPECT_EQ(ggx.glossy[0], ggx.glossy[1]);
+  const WallCase ward =
+      floor_of(two_bands + glossy + "model = \"ward\"\nroughness = 0.2\nreflectance = [0.04, 0.3]\n");
+  EXPECT_EQ(ward.glossy[1]->value(0.7, 0.6, 0.1), Ward(0.3, 0.2).value(0.7, 0.6, 0.1));
 }
 
 TEST(GlossyReader, ABandWithoutReflectanceHasNoLobe) {
@@ -68,6 +72,14 @@ TEST(GlossyReader, TellsWhatIsWrong) {
   EXPECT_EQ(faults_of(cube + glossy + "model = \"ggx\"\nroughness = 0.2\nexponent = 3\n"),
             "slab.toml:10: walls.zmin.glossy.exponent = 3: unused (it belongs to model = \"phong\"); "
             "remove it");
+  EXPECT_EQ(faults_of(cube + glossy + "model = \"ward\"\n"),
+            "slab.toml:7: walls.zmin.glossy.roughness: missing; use a number from 0.001 to 1");
+  EXPECT_EQ(faults_of(cube + glossy + "model = \"ward\"\nroughness = 0.2\nfresnel = \"schlick\"\n"),
+            "slab.toml:10: walls.zmin.glossy.fresnel = \"schlick\": unused (it belongs to model = \"ggx\"); "
+            "remove it");
+  EXPECT_EQ(faults_of(cube + glossy + "model = \"phong\"\nexponent = 3\nroughness = 0.2\n"),
+            "slab.toml:10: walls.zmin.glossy.roughness = 0.2: unused (it belongs to model = \"ggx\" or "
+            "\"ward\"); remove it");
   EXPECT_TRUE(
       has(table_beside("0,0,0,0.1\n0,60,0,0.1\n60,0,0,0.3\n60,60,0,0.1\n").faults,
           "walls.zmin.glossy.file = \"wood.csv\": not reciprocal: 0.3 at in = 60, out = 0, azimuth = 0 "

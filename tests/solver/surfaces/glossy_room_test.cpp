@@ -15,6 +15,7 @@
 #include "solver/split/solve_split.h"
 #include "solver/surfaces/microfacets.h"
 #include "solver/surfaces/phong.h"
+#include "solver/surfaces/ward.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
 namespace etendue {
@@ -70,6 +71,7 @@ void expect_agreement(const Problem& problem) {
 TEST(GlossyRoom, OrdinatesAndPhotonsAgree) {
   expect_agreement(glossy_room(std::make_shared<Phong>(0.8, 20), 1));
   expect_agreement(glossy_room(std::make_shared<Microfacets>(0.8, 0.3, FacetFresnel::constant), 1));
+  expect_agreement(glossy_room(std::make_shared<Ward>(0.9, 0.25), 1));
 }
 
 // The first reflection of a lamp's light enters the sweep by its exact directions.

@@ -12,6 +12,7 @@
 #include "solver/surfaces/panel_rule.h"
 #include "solver/surfaces/phong.h"
 #include "solver/surfaces/reflectance_table.h"
+#include "solver/surfaces/ward.h"
 
 namespace etendue {
 namespace {
@@ -30,9 +31,12 @@ std::vector<std::shared_ptr<const Reflectance>> models() {
     for (const double out : {0., 30., 60., 90.})
       for (const double azimuth : {0., 90., 180.})
         points.push_back({in, out, azimuth, 0.1 + 0.001 * (in + out) * (in > 0 && out > 0) * azimuth / 180});
-  return {std::make_shared<Phong>(0.9, 0), std::make_shared<Phong>(0.8, 20),
+  return {std::make_shared<Phong>(0.9, 0),
+          std::make_shared<Phong>(0.8, 20),
           std::make_shared<Microfacets>(0.7, 0.3, FacetFresnel::constant),
           std::make_shared<Microfacets>(0.04, 0.6, FacetFresnel::schlick),
+          std::make_shared<Ward>(1, 0.15),
+          std::make_shared<Ward>(0.8, 0.6),
           std::make_shared<ReflectanceTable>(points, 1)};
 }
 
@@ -122,6 +126,50 @@ TEST(Microfacets, FresnelGrowsWithTheAngle) {
   const Microfacets smooth(0.04, 0.01, FacetFresnel::schlick);
   for (const double angle : {0., 0.6, 1.2})
     EXPECT_NEAR(smooth.albedo(std::cos(angle)), 0.04 + 0.96 * std::pow(1 - std::cos(angle), 5), 1e-3);
+}
+
+/// The mean weight of the directions that photons take, by a grid of both numbers.
+double sampled_albedo(const Reflectance& model, double cos_in) {
+  constexpr int side = 1000;
+  double sum = 0;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) sum += model.sample(cos_in, (i + 0.5) / side, (j + 0.5) / side).weight;
+  return sum / (side * side);
+}
+
+// Half of the half-way directions about a normal reflect light that grazes to below the surface, the others
+// twice their share: at any roughness all of r is left. At no other angle is it more.
+TEST(Ward, ReflectsItsShareOfLightThatGrazesAndLessOfOther) {
+  for (const double roughness : {0.001, 0.05, 0.3, 1.}) {
+    const Ward model(0.7, roughness);
+    EXPECT_NEAR(sampled_albedo(model, 1e-8), 0.7, 1e-3) << roughness;
+    EXPECT_EQ(model.albedo().largest(), 0.7) << roughness;
+    EXPECT_EQ(model.albedo().angle_of_largest(), 90) << roughness;
+  }
+}
+
+// Of light along the normal: with t = tan^2 d of the half-way direction, cos_o = (1 - t)/(1 + t) and the
+// weight is r (1 - t), up to t = 1, so that the albedo is r (1 - a^2 (1 - exp(-1/a^2))).
+TEST(Ward, AlbedoAlongTheNormalHasAClosedForm) {
+  for (const double roughness : {0.001, 0.2, 0.6, 1.}) {
+    const double a = roughness * roughness;
+    EXPECT_NEAR(Ward(0.8, roughness).albedo(1), 0.8 * (1 - a * (1 - std::exp(-1 / a))), 1e-5) << roughness;
+  }
+}
+
+// Ward (1992), eq. 4a: r/(4 pi a^2 sqrt(cos_i cos_o)) exp(-tan^2 d/a^2). In the mirrored direction the
+// bounded one has 1/cos_i instead of its root, and about the normal of a smooth surface both are the same.
+TEST(Ward, IsTheLobeOf1992AboutTheNormalOfASmoothSurface) {
+  const double roughness = 0.05, peak = 0.8 / (4 * pi * roughness * roughness);
+  const Ward model(0.8, roughness);
+  for (const double angle : {0., 0.5, 1.2})
+    EXPECT_NEAR(model.between(-direction(angle, 0), direction(angle, pi), up) * std::pow(std::cos(angle), 2),
+                peak, 1e-9 * peak);
+  for (const double angle : {0.02, 0.05, 0.1}) {
+    const double tangent = std::tan(angle / 2);
+    const double ward = peak / std::sqrt(std::cos(angle)) * std::exp(-std::pow(tangent / roughness, 2));
+    EXPECT_NEAR(model.between(-up, direction(angle, 1), up), ward, 0.01 * ward) << angle;
+  }
 }
 
 TEST(AlbedoTable, MeanOfAnAlbedoLikeTheCosine) {
