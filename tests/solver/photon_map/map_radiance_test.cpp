@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "map_samples.h"
 #include "mesh/geometry/arrangement.h"
 #include "mesh/geometry/sheet_shape.h"
 #include "mesh/tetrahedra/tetrahedralize.h"
@@ -23,32 +24,6 @@ constexpr double u = 2;  // radiance of the furnace, everywhere and in all direc
 Problem furnace(const TetrahedralMesh& mesh, double specular = 0) {
   return uniform_problem(mesh, uniform_medium(1, 0.8, 2.0, 0.8 * u, PhaseHenyeyGreenstein{0.4}),
                          uniform_wall(1, (0.6 - specular) * u, 0.4, specular));
-}
-
-MapRadiance map_of(const Problem& problem, double photons, std::size_t neighbours) {
-  const PhotonMapOptions options{photons, 1e7, neighbours, 1, 2};
-  return MapRadiance(problem, keep_hits(problem, CellLocator(problem.mesh()), options), neighbours);
-}
-
-/// Differences of estimates from what they should be, in their standard errors.
-struct Deviation {
-  double mean = 0, rms = 0;
-  double error = 0;  ///< mean of the standard errors, relative
-};
-
-template <class Estimated>
-Deviation deviation(int count, double exact, const Estimated& estimated) {
-  Deviation result;
-  for (int i = 0; i < count; ++i) {
-    const Estimate found = estimated(i);
-    // The error of what is exact, since an estimate that is low has a low error too.
-    const double relative = found.error / found.value, difference = (found.value / exact - 1) / relative;
-    result.mean += difference / count;
-    result.rms += difference * difference / count;
-    result.error += relative / count;
-  }
-  result.rms = std::sqrt(result.rms);
-  return result;
 }
 
 Vec3 random_direction(std::mt19937& random) {
