@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "solver/picture/recovered_state.h"
+#include "solver/picture/bent_state.h"
 
 namespace etendue {
 
@@ -13,8 +13,8 @@ ErrorScenes::ErrorScenes(const std::vector<CameraCase>& cameras, const LightSetu
   if (std::ranges::none_of(cameras, [](const CameraCase& camera) { return camera.camera.errors; })) return;
   if (options.order == SpaceOrder::linear && state.radiance.empty()) {
     const CollidedSource source(lights, directions, options, state);
-    joined_ = recovered_state(lights.problem(), state, source.rows());
-    cells_.emplace(lights, directions, options, joined_, options.threads);
+    bent_ = bent_state(lights.problem(), state, source.rows(), options.threads);
+    cells_.emplace(lights, directions, options, bent_, options.threads);
   }
   if (direction_error.empty()) return;
   brighter_ = state;

@@ -21,15 +21,15 @@ class ErrorScenes {
   ErrorScenes(const ErrorScenes&) = delete;
   ErrorScenes& operator=(const ErrorScenes&) = delete;
 
-  /// With the fluence and moments joined between the cells (recovered_state). Null where no camera asks, with
-  /// constant elements, and beside scattering by a matrix, whose radiance is not joined.
+  /// With quadratics for the fluence and moments of each cell (bent_state). Null where no camera asks, with
+  /// constant elements, and beside scattering by a matrix, whose radiance is not bent.
   const RayRadiance* of_cells() const { return cells_ ? &*cells_ : nullptr; }
   /// With the standard error of rotated sets added to the fluence. Null where no camera asks or it is not
   /// known.
   const RayRadiance* of_directions() const { return directions_ ? &*directions_ : nullptr; }
 
  private:
-  SavedState joined_;
+  SavedState bent_;
   SavedState brighter_;
   std::optional<RayRadiance> cells_;
   std::optional<RayRadiance> directions_;

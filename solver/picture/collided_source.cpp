@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "solver/picture/bent_state.h"
+
 namespace etendue {
 namespace {
 
@@ -11,6 +13,12 @@ int highest_degree(const std::vector<ScatteringTreatment>& plan) {
   int degree = 0;
   for (const ScatteringTreatment& treatment : plan) degree = std::max(degree, treatment.degree);
   return degree;
+}
+
+/// Values that a cell has in each band.
+std::size_t nodes_of(const SolveOptions& options, const SavedState& state, std::size_t cells_and_bands) {
+  if (options.order != SpaceOrder::linear) return 1;
+  return state.fluence.size() == bent_nodes * cells_and_bands ? bent_nodes : 4;
 }
 
 }  // namespace
@@ -22,7 +30,7 @@ CollidedSource::CollidedSource(const LightSetup& lights, const DirectionSet& dir
       directions_(directions),
       state_(state),
       bands_(lights.paths().bands()),
-      nodes_(options.order == SpaceOrder::linear ? 4 : 1),
+      nodes_(nodes_of(options, state, static_cast<std::size_t>(problem_.mesh().cell_count()) * bands_)),
       plan_(plan_scattering(problem_, directions)),
       harmonics_(directions, highest_degree(plan_)),
       phases_(problem_),
@@ -120,15 +128,15 @@ double CollidedSource::dense(std::size_t row, std::size_t node, std::size_t band
       0.0);
 }
 
-void CollidedSource::at_vertices(CellIndex cell, const View& view, std::span<double> values) const {
+void CollidedSource::values(CellIndex cell, const View& view, std::span<double> values) const {
   const int region = problem_.mesh().region(cell);
   const bool emits = !lights_.has_region(region);
   const auto row = static_cast<std::size_t>(row_[cell.at()]);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t node = nodes_ == 4 ? i : 0;
+  for (std::size_t i = 0; i < value_count(); ++i) {
+    const std::size_t node = nodes_ == 1 ? 0 : i;
     for (std::size_t b = 0; b < bands_; ++b) {
       const auto band = static_cast<int>(b);
-      double value = emits ? problem_.emission(cell, band) : 0;
+      double value = emits && i < 4 ? problem_.emission(cell, band) : 0;
       const double scattering = problem_.scattering(cell, band);
       if (const int matter = matter_.of(region, b); matter >= 0) {
         const DirectionalMatter::View& seen = view.matter[static_cast<std::size_t>(matter)];

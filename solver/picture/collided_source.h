@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,8 +29,9 @@ namespace etendue {
 /// w, and a constant radiance scatters into a constant one. No ordinate's radiance itself is looked at.
 class CollidedSource {
  public:
-  /// `options` are those of the solution (elements, meters). The arguments must outlive it. Throws
-  /// InputError where the state is not of this kind.
+  /// `options` are those of the solution (elements, meters); of linear elements the state may be a
+  /// bent_state() as well. The arguments must outlive it. Throws InputError where the state is not of this
+  /// kind.
   CollidedSource(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
                  const SavedState& state);
 
@@ -51,8 +53,11 @@ class CollidedSource {
     if (matter < 0) return extinction_[cell.at() * bands_ + band];
     return matter_.density(cell, band) * view.matter[static_cast<std::size_t>(matter)].extinction;
   }
-  /// Writes the values at the vertices, [4][band] [power/(length^3 sr)].
-  void at_vertices(CellIndex cell, const View& view, std::span<double> values) const;
+  /// 4, or bent_nodes where the state bends.
+  std::size_t value_count() const { return std::max<std::size_t>(4, nodes_); }
+  /// Writes the values at the vertices, and those of bends behind them, [value_count()][band]
+  /// [power/(length^3 sr)].
+  void values(CellIndex cell, const View& view, std::span<double> values) const;
 
  private:
   void find_rows(const LightSetup& lights, const SolveOptions& options);

@@ -7,6 +7,7 @@
 
 #include "solver/angle/gauss_legendre.h"
 #include "solver/lights/attenuation.h"
+#include "solver/picture/bent_state.h"
 #include "solver/picture/lit_triangle.h"
 #include "solver/picture/ray_stretch.h"
 #include "solver/problem/mirror.h"
@@ -33,10 +34,13 @@ std::array<double, 4> barycentric(const TetrahedralMesh& mesh, CellIndex cell, c
   return {1 - x - y - z, x, y, z};
 }
 
+/// With the bends of a bent_state() where there are any.
 double interpolated(std::span<const double> values, const std::array<double, 4>& at, std::size_t band,
                     std::size_t bands) {
   double sum = 0;
   for (std::size_t i = 0; i < 4; ++i) sum += at[i] * values[i * bands + band];
+  for (std::size_t e = 0; (4 + e) * bands < values.size(); ++e)
+    sum += 4 * at[cell_edges[e].first] * at[cell_edges[e].second] * values[(4 + e) * bands + band];
   return sum;
 }
 
@@ -66,7 +70,7 @@ RayRadiance::RayRadiance(const LightSetup& lights, const DirectionSet& direction
 RayRadiance::Workspace::Workspace(const RayRadiance& radiance)
     : beams(radiance.bands_),
       memory(radiance.once_),
-      values(4 * radiance.bands_),
+      values(radiance.collided_.value_count() * radiance.bands_),
       depth(radiance.bands_),
       depth_rest(radiance.bands_),
       factor(radiance.bands_),
@@ -168,21 +172,28 @@ void RayRadiance::add_cells(const Stretch& stretch, Workspace& work, std::span<d
 }
 
 // With S(s) = S_a + (S_b - S_a) s/l over the length l of the part, and E_0, E_1 of attenuated_way:
-//   integral of S e^(-sigma s) ds = S_a E_0 + (S_b - S_a) E_1/l.
+//   integral of S e^(-sigma s) ds = S_a E_0 + (S_b - S_a) E_1/l,
+// and what a bent state has in the middle beyond that, times attenuated_bend.
 void RayRadiance::add_part(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
                            std::span<double> radiance) const {
-  collided_.at_vertices(part.cell, *work.view, work.values);
+  collided_.values(part.cell, *work.view, work.values);
   if (stretch.view.shafts == 0) once_.add_at_vertices(part.cell, stretch.travel(), work.memory, work.values);
   const auto here = barycentric(problem_.mesh(), part.cell, stretch.at(part.from));
   const auto there = barycentric(problem_.mesh(), part.cell, stretch.at(part.from + part.length));
+  const bool bends = collided_.value_count() > 4;
+  std::array<double, 4> middle;
+  for (std::size_t i = 0; i < 4; ++i) middle[i] = (here[i] + there[i]) / 2;
   const bool is_light = stretch.view.lights_shown && lights_.has_region(problem_.mesh().region(part.cell));
   for (std::size_t b = 0; b < bands_; ++b) {
     const double near = interpolated(work.values, here, b, bands_);
     const double far = interpolated(work.values, there, b, bands_);
     const double extinction = collided_.extinction(part.cell, b, *work.view);
     const AttenuatedWay way = attenuated_way(extinction, part.length);
-    radiance[b] += work.factor[b] * std::exp(-work.depth_rest[b]) *
-                   (near * way.constant + (far - near) * way.linear / part.length);
+    double arrives = near * way.constant + (far - near) * way.linear / part.length;
+    if (bends)
+      arrives += (interpolated(work.values, middle, b, bands_) - (near + far) / 2) *
+                 attenuated_bend(extinction, part.length);
+    radiance[b] += work.factor[b] * std::exp(-work.depth_rest[b]) * arrives;
     const double whole = lights_.paths().extinction(part.cell, b, stretch.light);
     if (is_light)
       radiance[b] += work.factor[b] * std::exp(-work.depth[b]) *

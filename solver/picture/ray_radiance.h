@@ -56,7 +56,7 @@ class RayRadiance {
     LightBeams beams;
     OnceScattered::Memory memory;
     std::vector<Part> parts;
-    std::vector<double> values;      ///< [4][band]
+    std::vector<double> values;      ///< as CollidedSource has them
     std::vector<double> depth;       ///< [band] optical, whole
     std::vector<double> depth_rest;  ///< [band] that the rest sees
     std::vector<double> factor;      ///< [band] of mirrors
