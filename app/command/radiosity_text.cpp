@@ -48,8 +48,9 @@ std::string radiosity_text(const RunResult& result) {
       "  {} patches of {:.3g} to {:.3g}; {}\n", report.patches, report.smallest_area, report.largest_area,
       report.convex ? "nothing can stand between them" : "what stands between them is found by rays");
   if (report.links > 0)
-    text += fmt::format("  {} links between groups of patches, {:.3g} for each patch\n", report.links,
-                        static_cast<double>(report.links) / static_cast<double>(report.patches));
+    text += fmt::format("  {} links between groups of patches, {:.3g} for each patch, after {} rounds\n",
+                        report.links, static_cast<double>(report.links) / static_cast<double>(report.patches),
+                        report.link_rounds.size());
   text += fmt::format(
       "  seconds: {:.3g} for form factors, {:.3g} for the solution, {:.3g} for the field in cells\n",
       report.factor_seconds, report.solve_seconds, report.field_seconds);

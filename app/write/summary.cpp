@@ -51,6 +51,7 @@ Json as_json(const RadiosityReport& report) {
           {"convex", report.convex},
           {"matrix_kept", report.kept},
           {"links", report.links},
+          {"links_by_round", report.link_rounds},
           {"row_sum_error", checks.row_sum},
           {"row_sum_error_mean", checks.row_sum_mean},
           {"row_sum_error_closed", checks.closed_row_sum},

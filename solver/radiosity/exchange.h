@@ -43,6 +43,8 @@ class Exchange {
   Exchange(const std::vector<FlatPatch>& patches, int rays, int threads);
 
   double scale(std::size_t j) const { return scale_[j]; }
+  /// Undoes close(), for factors that have changed.
+  void reopen() { scale_.assign(scale_.size(), 1); }
 
  private:
   // Before it is scaled.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "solver/radiosity/exchange_area.h"
 #include "solver/radiosity/node_exchange.h"
@@ -14,13 +16,15 @@ namespace {
 constexpr std::size_t pairs_at_once = 1 << 15;
 // Measured, in a cube and in a room with a crate.
 constexpr double links_of_a_patch = 1.5;
+// Of what a link holds in single precision.
+constexpr double rounding = 1e-6;
 
 }  // namespace
 
 ExchangeLinks::ExchangeLinks(const std::vector<FlatPatch>& patches, const LinkRule& rule, int rays,
                              int threads, const FactorProgress& progress)
-    : Exchange(patches, rays, threads), tree_(patches) {
-  find_links(rule, progress);
+    : Exchange(patches, rays, threads), tree_(patches), tolerance_(rule.tolerance) {
+  find_links({{0, 0}}, powers(rule.brightness), progress);
   sort_links();
 }
 
@@ -35,78 +39,121 @@ std::size_t ExchangeLinks::bytes_of(std::size_t links) {
   return links * (sizeof(Link) + 2 * sizeof(std::uint32_t));
 }
 
-// Pairs are judged in the same order for any number of threads.
-void ExchangeLinks::find_links(const LinkRule& rule, const FactorProgress& progress) {
-  const std::vector<PatchNode>& nodes = tree_.nodes();
-  std::vector<double> power(nodes.size(), 0);
-  for (std::size_t n = 0; n < nodes.size(); ++n)
-    for (const std::int32_t p : tree_.patches_of(nodes[n]))
+// [node] What its patches send.
+std::vector<double> ExchangeLinks::powers(const std::vector<double>& brightness) const {
+  std::vector<double> power(tree_.nodes().size(), 0);
+  for (std::size_t n = 0; n < power.size(); ++n)
+    for (const std::int32_t p : tree_.patches_of(tree_.nodes()[n]))
       power[n] += patches()[static_cast<std::size_t>(p)].area() *
-                  std::max(1.0, rule.brightness[static_cast<std::size_t>(p)]);
+                  std::max(1.0, brightness[static_cast<std::size_t>(p)]);
+  return power;
+}
+
+double ExchangeLinks::strongest(const Link& pair, const std::vector<double>& power) const {
+  return std::max(power[static_cast<std::size_t>(pair.a)], power[static_cast<std::size_t>(pair.b)]);
+}
+
+std::size_t ExchangeLinks::refine(const std::vector<double>& brightness, const FactorProgress& progress) {
+  const std::vector<double> power = powers(brightness);
+  const auto stays = [&](const Link& link) {
+    return strongest(link, power) <= (1 + rounding) * link.most_sent;
+  };
+  std::vector<Link> open;
+  std::size_t count = 0;
+  for (std::vector<Link>* list : {&links_, &idle_}) {
+    const auto weak = std::ranges::stable_partition(*list, stays);
+    for (const Link& link : weak) split(link, open);
+    count += weak.size();
+    list->erase(weak.begin(), weak.end());
+  }
+  if (count == 0) return 0;
+  find_links(std::move(open), power, progress);
+  sort_links();
+  reopen();
+  return count;
+}
+
+// Pairs are judged in the same order for any number of threads.
+void ExchangeLinks::find_links(std::vector<Link> open, const std::vector<double>& power,
+                               const FactorProgress& progress) {
+  const std::vector<PatchNode>& nodes = tree_.nodes();
   const auto extent = [&](const Link& pair) {
     return (pair.a == pair.b ? 1 : 2) * nodes[static_cast<std::size_t>(pair.a)].area *
            nodes[static_cast<std::size_t>(pair.b)].area;
   };
-  std::vector<Link> open = {{0, 0}}, batch;
+  double all = 0, done = 0;
+  for (const Link& pair : open) all += extent(pair);
+  std::vector<Link> batch;
   std::vector<Verdict> verdicts;
-  const double all = extent(open[0]);
-  double done = 0;
   while (!open.empty()) {
     const std::size_t count = std::min(open.size(), pairs_at_once);
     batch.assign(open.end() - static_cast<std::ptrdiff_t>(count), open.end());
     open.resize(open.size() - count);
     verdicts.assign(count, Verdict::nothing);
 #pragma omp parallel for schedule(dynamic, 64) num_threads(threads())
-    for (std::size_t i = 0; i < count; ++i) verdicts[i] = judge(batch[i], power, rule.tolerance);
+    for (std::size_t i = 0; i < count; ++i) verdicts[i] = judge(batch[i], power);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::int32_t a = batch[i].a, b = batch[i].b;
-      const PatchNode &first = nodes[static_cast<std::size_t>(a)],
-                      &second = nodes[static_cast<std::size_t>(b)];
-      if (verdicts[i] != Verdict::split) {
-        done += extent(batch[i]);
-        if (verdicts[i] == Verdict::link) links_.push_back(batch[i]);
-      } else if (a == b) {
-        open.push_back({first.children, first.children});
-        open.push_back({first.children, first.children + 1});
-        open.push_back({first.children + 1, first.children + 1});
-      } else if (second.is_patch() || (!first.is_patch() && first.radius > second.radius)) {
-        open.push_back({first.children, b});
-        open.push_back({first.children + 1, b});
-      } else {
-        open.push_back({a, second.children});
-        open.push_back({a, second.children + 1});
+      if (verdicts[i] == Verdict::split) {
+        split(batch[i], open);
+        continue;
       }
+      done += extent(batch[i]);
+      if (verdicts[i] == Verdict::link) links_.push_back(batch[i]);
+      if (verdicts[i] == Verdict::idle) idle_.push_back(batch[i]);
     }
     if (progress) progress(done / all);
   }
 }
 
-ExchangeLinks::Verdict ExchangeLinks::judge(Link& link, const std::vector<double>& power,
-                                            double tolerance) const {
+void ExchangeLinks::split(const Link& pair, std::vector<Link>& open) const {
+  const PatchNode &first = tree_.nodes()[static_cast<std::size_t>(pair.a)],
+                  &second = tree_.nodes()[static_cast<std::size_t>(pair.b)];
+  if (first.is_patch() && second.is_patch()) {
+    open.push_back({pair.a, pair.b});
+  } else if (pair.a == pair.b) {
+    open.push_back({first.children, first.children});
+    open.push_back({first.children, first.children + 1});
+    open.push_back({first.children + 1, first.children + 1});
+  } else if (second.is_patch() || (!first.is_patch() && first.radius > second.radius)) {
+    open.push_back({first.children, pair.b});
+    open.push_back({first.children + 1, pair.b});
+  } else {
+    open.push_back({pair.a, second.children});
+    open.push_back({pair.a, second.children + 1});
+  }
+}
+
+ExchangeLinks::Verdict ExchangeLinks::judge(Link& link, const std::vector<double>& power) const {
   const auto a = static_cast<std::size_t>(link.a), b = static_cast<std::size_t>(link.b);
   const PatchNode &first = tree_.nodes()[a], &second = tree_.nodes()[b];
   const bool last = first.is_patch() && second.is_patch();
   if (a == b) return last ? Verdict::nothing : Verdict::split;
   if (are_behind(first, second)) return Verdict::nothing;
   NodeKernel kernel = node_kernel(first, second);
-  const double sent = std::max(power[a], power[b]);
+  const double sent = strongest(link, power);
   const double deviation = last ? kernel.variation : kernel.residual;
-  const bool fits = are_apart(first, second) && deviation * sent <= tolerance;
+  const bool fits = are_apart(first, second) && deviation * sent <= tolerance_;
   if (!fits && !last) return Verdict::split;
   if (!fits)
     kernel.mean = exchange_area(patches()[static_cast<std::size_t>(tree_.patches_of(first)[0])],
                                 patches()[static_cast<std::size_t>(tree_.patches_of(second)[0])]) /
                   (first.area * second.area);
-  if (kernel.mean <= 0) return Verdict::nothing;
-  const double share = visibility().share(tree_, a, b);
+  const double share = kernel.mean > 0 ? visibility().share(tree_, a, b) : 0;
   // What one of its parts may see more, or less, than the whole.
-  if (!last && kernel.mean * std::min(share, 1 - share) * sent > tolerance) return Verdict::split;
+  const double shaded = kernel.mean * std::min(share, 1 - share);
+  if (!last && shaded * sent > tolerance_) return Verdict::split;
+  // Between patches the rays tell what they can, and where the kernel is not good enough it is the exchange
+  // area.
+  const double wrong = last ? (fits ? deviation : 0) : std::max(deviation, shaded);
+  link.most_sent =
+      wrong > 0 ? static_cast<float>(tolerance_ / wrong) : std::numeric_limits<float>::infinity();
+  if (share <= 0) return wrong > 0 ? Verdict::idle : Verdict::nothing;
   link.mean = static_cast<float>(share * kernel.mean);
   for (Eigen::Index x = 0; x < 3; ++x) {
     link.slope_a[static_cast<std::size_t>(x)] = static_cast<float>(share * kernel.slope_a[x]);
     link.slope_b[static_cast<std::size_t>(x)] = static_cast<float>(share * kernel.slope_b[x]);
   }
-  return share > 0 ? Verdict::link : Verdict::nothing;
+  return Verdict::link;
 }
 
 void ExchangeLinks::sort_links() {

@@ -32,6 +32,10 @@ class ExchangeLinks : public Exchange {
   ExchangeLinks(const std::vector<FlatPatch>& patches, const LinkRule& rule, int rays, int threads,
                 const FactorProgress& progress = {});
 
+  /// Splits the links that do not stay by the rule if patches send this [patch], until all that is left do;
+  /// returns how many were split. If any were, rows are no longer closed.
+  std::size_t refine(const std::vector<double>& brightness, const FactorProgress& progress = {});
+
   std::size_t link_count() const { return links_.size(); }
   /// About so many links has an exchange, where every patch sees most others.
   static std::size_t likely_count(std::size_t patches, double tolerance);
@@ -44,17 +48,23 @@ class ExchangeLinks : public Exchange {
     std::int32_t a, b;
     float mean = 0;  ///< [1/length^2]
     std::array<float, 3> slope_a{}, slope_b{};
+    float most_sent = 0;  ///< power of its stronger node up to which it stays
   };
-  enum class Verdict : std::uint8_t { nothing, link, split };
+  enum class Verdict : std::uint8_t { nothing, idle, link, split };
 
-  void find_links(const LinkRule& rule, const FactorProgress& progress);
-  Verdict judge(Link& link, const std::vector<double>& power, double tolerance) const;
+  std::vector<double> powers(const std::vector<double>& brightness) const;
+  double strongest(const Link& pair, const std::vector<double>& power) const;
+  void find_links(std::vector<Link> open, const std::vector<double>& power, const FactorProgress& progress);
+  Verdict judge(Link& link, const std::vector<double>& power) const;
+  void split(const Link& pair, std::vector<Link>& open) const;
   void sort_links();
   std::vector<double> found_row(std::size_t j) const override;
   std::vector<double> found_times(std::span<const double> x, std::size_t bands) const override;
 
   PatchTree tree_;
+  double tolerance_;
   std::vector<Link> links_;
+  std::vector<Link> idle_;               ///< pairs that exchange nothing as far as the tolerance looks
   std::vector<std::size_t> begin_;       ///< [node and one more] of its places in of_nodes_
   std::vector<std::uint32_t> of_nodes_;  ///< links, node by node
 };

@@ -15,7 +15,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 // Error of row sums after closing: far below that of the factors.
 constexpr double closed = 1e-12;
-// Of the change that patches are cut for, what may be on its way where it is looked at.
+// What may be on its way where a solution is looked at for refinement: of links, and of the change that
+// patches are cut for.
 constexpr double rough = 0.01;
 
 using Clock = std::chrono::steady_clock;
@@ -70,22 +71,53 @@ RadiosityRoom::RadiosityRoom(const Problem& problem, const RadiosityOptions& opt
   report_.factor_seconds = seconds_since(start);
 }
 
-std::unique_ptr<Exchange> RadiosityRoom::exchange(const FactorProgress& progress) {
-  if (options_.method == RadiosityMethod::hierarchical) {
-    const LinkRule rule{options_.link_tolerance, brightness()};
-    auto links =
-        std::make_unique<ExchangeLinks>(patches_.patches, rule, options_.rays, options_.threads, progress);
-    report_.links = links->link_count();
-    return links;
-  }
+void RadiosityRoom::make_matrix(const FactorProgress& progress) {
   auto matrix = std::make_unique<ExchangeMatrix>(patches_.patches, options_.rays, options_.threads,
                                                  options_.largest_kept, progress);
   report_.kept = matrix->is_kept();
-  return matrix;
+  exchange_ = std::move(matrix);
+  report_.checks = check_and_close(*exchange_, closed);
+}
+
+// Links are found for what patches are likely to send, solved with, and split where they send more, until all
+// stay for what they send.
+void RadiosityRoom::make_links(const FactorProgress& progress) {
+  const LinkRule rule{options_.link_tolerance, likely_brightness()};
+  auto found =
+      std::make_unique<ExchangeLinks>(patches_.patches, rule, options_.rays, options_.threads, progress);
+  ExchangeLinks& links = *found;
+  exchange_ = std::move(found);
+  report_.link_rounds.clear();
+  do {
+    report_.checks = check_and_close(links, closed);
+    report_.link_rounds.push_back(links.link_count());
+  } while (links.refine(solved_brightness(), [&](double) { progress(1); }) > 0);
+  report_.links = links.link_count();
+}
+
+std::vector<double> RadiosityRoom::solved_brightness() const {
+  const RadiosityEquation now = equation();
+  const std::vector<double> irradiance =
+      solve_by_gathering(now, {rough, options_.limits.most_passes}).irradiance;
+  const std::vector<double> sent_on = now.sent_on(irradiance);
+  std::vector<double> brightness(patches_.patches.size(), 0);
+  for (std::size_t b = 0; b < bands_; ++b) {
+    double area = 0, power = 0;
+    for (std::size_t p = 0; p < brightness.size(); ++p) {
+      area += patches_.patches[p].area();
+      power += patches_.patches[p].area() * irradiance[p * bands_ + b];
+    }
+    if (power <= 0) continue;
+    for (std::size_t p = 0; p < brightness.size(); ++p) {
+      const std::size_t i = p * bands_ + b;
+      brightness[p] = std::max(brightness[p], (now.emission[i] + sent_on[i]) * area / power);
+    }
+  }
+  return brightness;
 }
 
 // As if what is reflected came evenly to all walls: then H = sum of A E over sum of A (1 - rho).
-std::vector<double> RadiosityRoom::brightness() const {
+std::vector<double> RadiosityRoom::likely_brightness() const {
   std::vector<double> brightness(patches_.patches.size(), 0);
   for (std::size_t b = 0; b < bands_; ++b) {
     double emitted = 0, absorbing = 0;
@@ -111,10 +143,13 @@ void RadiosityRoom::make_factors(const RadiosityWatcher& watcher) {
   };
   tell(0);
   exchange_.reset();
-  exchange_ = exchange([&](double done) {
+  const auto so_far = [&](double done) {
     if (done > 0) tell(done);  // 0 is told once
-  });
-  report_.checks = check_and_close(*exchange_, closed);
+  };
+  if (options_.method == RadiosityMethod::hierarchical)
+    make_links(so_far);
+  else
+    make_matrix(so_far);
   report_.rounds.push_back(stage.patches);
 }
 

@@ -49,6 +49,7 @@ struct RadiosityReport {
   bool convex = false;                         ///< nothing can stand between patches
   bool kept = true;                            ///< the matrix, and not made anew in each pass
   std::size_t links = 0;                       ///< of a hierarchical solution, which has no matrix
+  std::vector<std::size_t> link_rounds;        ///< links of each round of their refinement
   FactorChecks checks;
   std::vector<double> wall_factors;  ///< [wall][wall] see factors_of_walls()
   std::vector<Bounce> bounces;
@@ -82,10 +83,13 @@ class RadiosityRoom {
   SavedState state(const std::vector<bool>& followed, std::span<const double> half_range) const;
 
  private:
-  /// [patch] what it sends out, of the mean irradiance, in the band where that is most: roughly.
-  std::vector<double> brightness() const;
+  /// [patch] what it sends out, of the mean irradiance, in the band where that is most: as if what is
+  /// reflected came evenly to all walls, and of a rough solution.
+  std::vector<double> likely_brightness() const;
+  std::vector<double> solved_brightness() const;
   void make_factors(const RadiosityWatcher& watcher);
-  std::unique_ptr<Exchange> exchange(const FactorProgress& progress);
+  void make_links(const FactorProgress& progress);
+  void make_matrix(const FactorProgress& progress);
   RadiosityEquation equation() const;
   RadiosityState solve(const RadiosityEquation& equation, const RadiosityObserver& observer) const;
   void fill_cells(Solution& fields) const;

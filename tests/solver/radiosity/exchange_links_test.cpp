@@ -54,6 +54,28 @@ TEST(ExchangeLinks, HaveTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(one.times(even, 1), three.times(even, 1));
 }
 
+// Links that were found for little light are split for more as if they had been found for that: the same
+// ones, after which all stay.
+TEST(ExchangeLinks, AreSplitWhereMoreIsSentUntilAllStay) {
+  for (const TetrahedralMesh& mesh : {cube_mesh(0.05), room_with_crate(0.1)}) {
+    const std::vector<FlatPatch> patches = wall_patches(mesh, 0.25).patches;
+    std::vector<double> bright(patches.size(), 1);
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      if (patches[p].centroid().norm() < 0.5) bright[p] = 30;
+    ExchangeLinks links(patches, rule_for(patches, 2e-3), 4, 2);
+    EXPECT_EQ(links.refine(std::vector<double>(patches.size(), 1)), 0u);
+    const std::size_t before = links.link_count();
+    links.close(1e-12);
+    EXPECT_GT(links.refine(bright), 0u);
+    EXPECT_EQ(links.refine(bright), 0u);
+    EXPECT_GT(links.link_count(), before);
+    const ExchangeLinks anew(patches, {2e-3, bright}, 4, 2);
+    EXPECT_EQ(links.link_count(), anew.link_count());
+    const std::vector<double> found = links.times(bright, 1), wanted = anew.times(bright, 1);
+    for (std::size_t p = 0; p < patches.size(); ++p) EXPECT_NEAR(found[p], wanted[p], 1e-12 * wanted[p]);
+  }
+}
+
 TEST(ExchangeLinks, TellHowFarTheyAre) {
   const std::vector<FlatPatch> patches = wall_patches(cube_mesh(0.05), 0.3).patches;
   double last = 0;

@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include "mesh/geometry/arrangement.h"
+#include "mesh/geometry/sheet_shape.h"
+#include "mesh/tetrahedra/tetrahedralize.h"
 #include "radiosity_samples.h"
 
 namespace etendue {
@@ -42,6 +45,55 @@ TEST(LinksConvergence, SolutionsTendToThatOfTheMatrix) {
       EXPECT_LT(error, last);
       last = error;
     }
+  }
+}
+
+/// A cube with a small bright patch in its floor below a sheet that lets half of the light through: the light
+/// between them is many times the mean.
+TetrahedralMesh room_below_a_sheet() {
+  Geometry geometry;
+  BoxPrimitive room;
+  room.region = "air";
+  geometry.primitives.emplace_back(room);
+  geometry.patches.push_back({"lamp", {0.4, 0.4, 0}, {0.5, 0.5, 0}, {}});
+  geometry.sheets.push_back({rectangle_corners({0.2, 0.2, 0.1}, {0.8, 0.8, 0.1}), "top", "under", {}});
+  return TetrahedralMesh(tetrahedralize(arrange(geometry), {{0.05}, 1.4, {}}));
+}
+
+Problem lit_from_below(const TetrahedralMesh& mesh) {
+  const Problem plain = empty_room(mesh, 0.5, "lamp");
+  std::vector<Wall> walls(plain.walls().begin(), plain.walls().end());
+  for (Wall& wall : walls)
+    if (wall.name == "top" || wall.name == "under") {
+      wall.diffuse = {0.4};
+      wall.transmittance = {0.5};
+    }
+  return Problem(mesh, Bands{}, {plain.media().begin(), plain.media().end()}, walls);
+}
+
+// What patches send is not known before: links are split until all stay for what is found. Below the sheet
+// and, by way of it, above.
+TEST(LinksConvergence, LinksAreSplitUntilTheBoundHoldsBesideASheet) {
+  const TetrahedralMesh mesh = room_below_a_sheet();
+  const Problem problem = lit_from_below(mesh);
+  RadiosityOptions options;
+  options.patch_size = 0.2;
+  options.threads = 2;
+  RadiosityRoom all(problem, options);
+  all.solve();
+  options.method = RadiosityMethod::hierarchical;
+  for (const double tolerance : {3e-3, 3e-4}) {
+    options.link_tolerance = tolerance;
+    RadiosityRoom linked(problem, options);
+    linked.solve();
+    const std::vector<std::size_t>& rounds = linked.report().link_rounds;
+    EXPECT_GT(rounds.size(), 1u);
+    EXPECT_LT(rounds.size(), 10u);
+    EXPECT_GT(rounds.back(), rounds.front());
+    EXPECT_EQ(rounds.back(), linked.report().links);
+    // Of what there is, which is far more than the mean in few places.
+    const std::vector<double> dark(linked.irradiance().size(), 0);
+    EXPECT_LT(difference(all, linked.irradiance()), 20 * tolerance * difference(all, dark));
   }
 }
 

@@ -154,6 +154,36 @@ TEST(Transmittance, PatchesOfAnySizePassThePower) {
   }
 }
 
+// Patches that are cut where the light changes, on one side of the sheet more than on the other, pass the
+// power too, along links as well, and bring to the walls what even fine patches do.
+TEST(Transmittance, PatchesThatAreCutWhereTheLightChangesPassThePower) {
+  const Problem problem =
+      room(with_table(), nothing,
+           {{"zmin", {1, 0.3}}, {"top", {0, 0.25, 0.5}}, {"under", {0, 0.4, 0.5}}, {"zmax", {0, 0.5}}});
+  RadiosityOptions options;
+  options.threads = 2;
+  options.limits = {1e-10, 2000};
+  options.patch_size = 0.2;
+  RadiosityRoom even(problem, options);
+  const Solution fine = even.solve();
+  options.patch_size = 0.4;
+  options.refinement = {.change = 0.4, .smallest = 0.15};
+  for (const RadiosityMethod method : {RadiosityMethod::gathering, RadiosityMethod::hierarchical}) {
+    options.method = method;
+    RadiosityRoom cut(problem, options);
+    EXPECT_GT(cut.report().rounds.size(), 1u);
+    const Solution solution = cut.solve();
+    expect_balance(problem, solution);
+    const WallPower top = power_on(problem, solution, "top"), under = power_on(problem, solution, "under");
+    EXPECT_NEAR(top.outgoing, 0.25 * top.incoming + 0.5 * under.incoming, 1e-9);
+    EXPECT_NEAR(under.outgoing, 0.4 * under.incoming + 0.5 * top.incoming, 1e-9);
+    for (const std::string& wall : with_table().wall_names()) {
+      const double wanted = power_on(problem, fine, wall).incoming;
+      EXPECT_NEAR(power_on(problem, solution, wall).incoming, wanted, 0.02 * wanted) << wall;
+    }
+  }
+}
+
 TEST(Transmittance, MethodsAgree) {
   const std::map<std::string, Surface> walls{
       {"zmin", {1, 0.3}}, {"top", {0, 0.25, 0.5}}, {"under", {0, 0.4, 0.5}}, {"zmax", {0, 0.5}}};
