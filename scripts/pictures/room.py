@@ -27,7 +27,9 @@ def draw_room(results, options):
     eye = numpy.array(options.eye or default_eye(walls.GetBounds(), options))
     target = numpy.array(options.look_at or middle(walls.GetBounds()))
     surface, wall_of_point = facing_triangles(walls, eye)
-    radiance = smooth(surface, wall_of_point, as_rgb(array(surface.GetPointData(), "exitance")) / math.pi)
+    radiance = as_rgb(array(surface.GetPointData(), "exitance")) / math.pi
+    if not options.as_solved:
+        radiance = smooth(surface, wall_of_point, radiance)
     bright = options.bright or bright_point(radiance)
 
     renderer = vtkRenderer()
