@@ -73,8 +73,10 @@ std::vector<KeyDeclaration> picture_keys() {
        integer,
        {.default_value = "128",
         .range = {.lowest = 1, .highest = 4096},
-        .help = "From each point of a wall to each light with an extent, at most. Beyond 16 they go where "
-                "those 16 are not all alike, and penumbras have no steps; 16 make quick pictures."}},
+        .help =
+            "From each point of a wall to each light with an extent, at most, where haze does not take the "
+            "same of all. Above 16 flat lamps are cut along the edges that hide them, with as many rays as "
+            "that needs, and penumbras have no steps; 16 make quick pictures."}},
       {"camera",
        "errors",
        boolean,

@@ -7,6 +7,7 @@
 
 #include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/lights/attenuation.h"
+#include "solver/lights/even_pieces.h"
 #include "solver/lights/even_way.h"
 #include "solver/lights/solid_angle.h"
 
@@ -68,10 +69,12 @@ ExtendedSource::ExtendedSource(std::string name, std::vector<double> power, Emit
       images_(paths.mirrors().images_of_point()),
       all_bands_(paths.bands()) {
   std::iota(all_bands_.begin(), all_bands_.end(), 0);
-  if (tree_.shape() == EmitterShape::triangles)
+  if (tree_.shape() == EmitterShape::triangles) {
     shapes_ = flat_shapes(tree_.parts());
-  else
+    flat_parts_ = few_triangles(tree_.parts());
+  } else {
     bodies_ = solid_shapes(tree_.parts());
+  }
   const auto as_first = [this](const EmitterPart& part) {
     return part.extinction == tree_.part(0).extinction;
   };
@@ -92,8 +95,7 @@ void ExtendedSource::add_view(const View& view, LightBeams& beams) const {
   const EmitterTree::Node& root = tree_.root();
   const bool far = root.radius < view.detail.opening / 2 * (root.centre - view.eye).norm() &&
                    root.thickness < view.detail.thickness / 2;
-  if (view.detail.creases != nullptr && tree_.shape() == EmitterShape::triangles &&
-      tree_.parts().size() <= most_parted)
+  if (view.detail.creases != nullptr && !flat_parts_.empty() && flat_parts_.size() <= most_parted)
     add_parted(view, beams);
   else if (convex_.empty() || far)
     add_node(view, root, beams);
@@ -138,7 +140,7 @@ void ExtendedSource::add_points(const View& view, const EmitterTree::Node& node,
 void ExtendedSource::add_parted(const View& view, LightBeams& beams) const {
   const CreasePlanes creases(paths_, *view.detail.creases, view.eye, view.mirrors);
   std::vector<CreasePlane> planes;
-  for (const EmitterPart& part : tree_.parts()) {
+  for (const EmitterPart& part : flat_parts_) {
     const std::span<const Vec3> corners(part.corners.data(), 3);
     const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     if (normal.dot(view.eye - corners[0]) <= 0) continue;

@@ -24,6 +24,7 @@ class ExtendedSource : public WideSource {
 
   void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
   bool is_near(const Vec3& place, double size) const override;
+  std::span<const EmitterPart> flat_parts() const override { return flat_parts_; }
   bool is_in_parts() const override { return bodies_.empty() && tree_.shape() == EmitterShape::tetrahedra; }
   std::bitset<32> rim_sides_at(const Vec3& place, double distance) const override;
   /// In closed form where the light is made of a few even flat shapes or bodies.
@@ -54,6 +55,7 @@ class ExtendedSource : public WideSource {
   const LightPaths& paths_;
   std::vector<MirrorSet> images_;
   std::vector<std::size_t> all_bands_;
+  std::vector<EmitterPart> flat_parts_;
   /// With their radiance or emission [band]; both empty: use the tree.
   std::vector<std::pair<FlatShape, std::vector<double>>> shapes_;
   std::vector<std::pair<SolidShape, std::vector<double>>> bodies_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/lights/even_pieces.h"
 #include "solver/lights/outline.h"
 #include "solver/lights/side_light.h"
 #include "solver/lights/simplex_rules.h"
@@ -11,8 +12,6 @@
 namespace etendue {
 namespace {
 
-/// Unit normals that agree to this, and offsets to this part of the size, are those of one plane.
-constexpr double one_plane = 1e-6;
 /// More sides than these cost more than groups of triangles do.
 constexpr std::size_t most_shapes = 6, most_sides = 24;
 /// Parts with sides of at most so many times their distance are seen as points of a rule.
@@ -58,13 +57,6 @@ struct Rule {
       left.flux -= arrives / distance * way;
     }
   }
-};
-
-struct Group {
-  Vec3 normal;
-  double offset;
-  std::vector<double> radiance;
-  std::vector<Triangle> triangles;
 };
 
 }  // namespace
@@ -152,26 +144,12 @@ FlatShape::View FlatShape::by_parts(const Vec3& eye, double height, double extin
 }
 
 std::vector<std::pair<FlatShape, std::vector<double>>> flat_shapes(std::span<const EmitterPart> triangles) {
-  std::vector<Group> groups;
-  for (const EmitterPart& part : triangles) {
-    const Triangle triangle = {part.corners[0], part.corners[1], part.corners[2]};
-    const Vec3 normal = area_vector(triangle).normalized();
-    const double size = (triangle[1] - triangle[0]).norm();
-    const auto same = [&](const Group& group) {
-      return group.radiance == part.brightness && (group.normal - normal).norm() < one_plane &&
-             std::abs(normal.dot(triangle[0]) - group.offset) < one_plane * size;
-    };
-    auto group = std::find_if(groups.begin(), groups.end(), same);
-    if (group == groups.end()) {
-      if (groups.size() == most_shapes) return {};
-      group = groups.insert(group, {normal, normal.dot(triangle[0]), part.brightness, {}});
-    }
-    group->triangles.push_back(triangle);
-  }
+  const auto pieces = even_pieces(triangles, most_shapes);
+  if (!pieces) return {};
   std::vector<std::pair<FlatShape, std::vector<double>>> shapes;
   std::size_t sides = 0;
-  for (const Group& group : groups) {
-    shapes.emplace_back(FlatShape(group.triangles), group.radiance);
+  for (const EvenPiece& piece : *pieces) {
+    shapes.emplace_back(FlatShape(piece.triangles), piece.radiance);
     sides += shapes.back().first.side_count();
     if (sides > most_sides) return {};
   }

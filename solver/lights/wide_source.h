@@ -3,7 +3,9 @@
 
 #include <bitset>
 #include <optional>
+#include <span>
 
+#include "solver/lights/emitter_tree.h"
 #include "solver/lights/even_light.h"
 #include "solver/lights/light_source.h"
 
@@ -23,6 +25,8 @@ class WideSource : public LightSource {
   /// Whether light through even matter is added up from many parts of it, emitting each in its own way: slow,
   /// and without steps.
   virtual bool is_in_parts() const { return false; }
+  /// The triangles that all of it is made of, each even, if it is: few_triangles().
+  virtual std::span<const EmitterPart> flat_parts() const { return {}; }
   /// The sides of its rim that a place lies on but for a distance.
   virtual std::bitset<32> rim_sides_at(const Vec3&, double) const { return {}; }
   /// Whether it fills so much of the sphere that the visible part of it is linear in cells.

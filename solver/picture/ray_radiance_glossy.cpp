@@ -68,11 +68,13 @@ void RayRadiance::add_glossy_lights(FaceIndex face, const Vec3& point, const Str
                                     Workspace& work, std::span<double> sum) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   const Vec3 inwards = -problem_.mesh().area_normal(face).normalized();
+  LightBeams clear(bands_);
   const bool rays_see_lamps = drawn_from(wall)->width() < narrow;
   for (const auto& source : lights_.sources()) {
     const WideSource* wide = source->as_wide();
     if (rays_see_lamps && wide != nullptr && !wide->is_soft()) continue;
-    walls_.find_beams(*source, {problem_.mesh().owner(face), point}, stretch.view.shadow_rays, work.beams);
+    walls_.find_beams(*source, {problem_.mesh().owner(face), point}, stretch.view.shadow_rays, work.beams,
+                      clear);
     for (std::size_t k = 0; k < work.beams.size(); ++k) {
       const double cosine = -inwards.dot(work.beams.direction(k));
       for (std::size_t b = 0; b < bands_ && cosine > 0; ++b)

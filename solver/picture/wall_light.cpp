@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numbers>
 
 #include "mesh/tetrahedra/sheet_faces.h"
+#include "solver/lights/wide_source.h"
 
 namespace etendue {
 namespace {
@@ -18,6 +20,11 @@ constexpr int few_rays = 16;
 
 /// From one detail to the next coarser one, and an opening within which all of a light is one.
 constexpr double coarser = 1.3, whole = 20;
+
+bool is_of_walls(const Crease& crease) {
+  return std::ranges::any_of(crease.surfaces,
+                             [](const Crease::Surface& surface) { return surface.wall >= 0; });
+}
 
 }  // namespace
 
@@ -37,7 +44,9 @@ WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, c
     : lights_(lights),
       problem_(lights.problem()),
       bands_(lights.paths().bands()),
+      irradiance_(lights),
       behind_(faces_behind(problem_.mesh())) {
+  std::ranges::copy_if(lights.creases(), std::back_inserter(edges_), is_of_walls);
   const TetrahedralMesh& mesh = problem_.mesh();
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     joined_.half_range.push_back(directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
@@ -89,37 +98,50 @@ void WallLight::add_sent_on(FaceIndex face, const Vec3& point, std::span<const d
 
 void WallLight::add_light(const PointInCell& point, const Vec3& normal, int shadow_rays, LightBeams& beams,
                           std::span<double> irradiance) const {
+  LightBeams clear(bands_);
+  UncollidedAtPoint light;
   for (const auto& source : lights_.sources()) {
-    find_beams(*source, point, shadow_rays, beams);
-    for (std::size_t i = 0; i < beams.size(); ++i) {
-      const double cosine = std::max(0.0, normal.dot(beams.direction(i)));
-      for (std::size_t b = 0; b < bands_; ++b) irradiance[b] += cosine * beams.fluence(i)[b];
-    }
+    light.irradiance.assign(bands_, 0);
+    light.fluence.assign(bands_, 0);
+    find_beams(*source, point, shadow_rays, beams, clear);
+    irradiance_.add(*source, point.position, -normal, beams, clear, light);
+    // Of a lamp that few rays see too little of, more may be missing than there was.
+    for (std::size_t b = 0; b < bands_; ++b) irradiance[b] += std::max(0.0, light.irradiance[b]);
   }
 }
 
 void WallLight::find_beams(const LightSource& source, const PointInCell& point, int shadow_rays,
-                           LightBeams& beams) const {
+                           LightBeams& beams, LightBeams& clear) const {
   const auto look = [&](LightDetail detail) {
     beams.clear();
     source.add_beams(point, Sight::attenuated, detail, beams);
   };
-  if (source.as_wide() == nullptr) return look(wall_light_detail);
-  LightBeams clear(bands_);
-  look(detail_within(source, point, wall_light_detail, std::min(shadow_rays, few_rays), clear));
-  if (shadow_rays > few_rays && is_penumbra(clear, beams))
-    look(detail_within(source, point, penumbra_detail, shadow_rays, clear));
+  clear.clear();
+  const WideSource* wide = source.as_wide();
+  if (wide == nullptr) return look(wall_light_detail);
+  LightDetail first = wall_light_detail, second = penumbra_detail;
+  if (shadow_rays > few_rays && !wide->flat_parts().empty()) {
+    first = cut_detail;
+    first.creases = second.creases = &edges_;
+    source.add_beams(point, Sight::clear, first, clear);
+  } else {
+    first = detail_within(source, point, first, std::min(shadow_rays, few_rays), clear);
+  }
+  look(first);
+  if (shadow_rays <= few_rays || !are_unlike(clear, beams, first.creases != nullptr)) return;
+  look(detail_within(source, point, second, shadow_rays, clear));
 }
 
 // Without obstacles and media the same beams come in the same order, and no rays are needed to know them.
 // Behind mirrors it is not known which of them there are.
-bool WallLight::is_penumbra(const LightBeams& clear, const LightBeams& seen) const {
+bool WallLight::are_unlike(const LightBeams& clear, const LightBeams& seen, bool cut) const {
   if (!lights_.paths().mirrors().empty()) return false;
-  if (seen.size() < clear.size()) return true;
+  if (seen.size() < clear.size() && !cut) return true;
   for (std::size_t b = 0; b < bands_; ++b) {
     double least = 1, most = 0;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      const double part = clear.fluence(i)[b] > 0 ? seen.fluence(i)[b] / clear.fluence(i)[b] : 1;
+    for (std::size_t i = 0, all = 0; i < seen.size(); ++i, ++all) {
+      while (all + 1 < clear.size() && clear.direction(all) != seen.direction(i)) ++all;
+      const double part = clear.fluence(all)[b] > 0 ? seen.fluence(i)[b] / clear.fluence(all)[b] : 1;
       least = std::min(least, part);
       most = std::max(most, part);
     }

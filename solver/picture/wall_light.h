@@ -5,17 +5,19 @@
 #include <vector>
 
 #include "solver/angle/direction_set.h"
+#include "solver/lights/light_irradiance.h"
 #include "solver/lights/light_setup.h"
 #include "solver/ordinates/saved_state.h"
 #include "solver/picture/wall_corners.h"
 
 namespace etendue {
 
-/// How light of the lights is found where a ray of a picture meets a wall: mostly 16 rays to a lamp in a
-/// plane; more where some of them are in the shadow, or where the haze that they pass is not alike, so that
-/// no edges of single shadows are seen.
+/// How light of the lights is found where a ray of a picture meets a wall: mostly 16 rays to a lamp; more
+/// where some of them are in the shadow, or where the haze that they pass is not alike, so that no edges of
+/// single shadows are seen. Lamps in a plane are cut along the edges of walls that stand before them instead.
 inline constexpr LightDetail wall_light_detail{0.4, 0.02, 0.6, 0.9, TriangleRule::three_points};
 inline constexpr LightDetail penumbra_detail{0.12, 0.01, 0.15, 0.3, TriangleRule::three_points};
+inline constexpr LightDetail cut_detail{0, 0, 0.6, 0.9, TriangleRule::seven_points};
 
 /// The first of ever coarser details, from one on, by which a source sends no more than so many beams to a
 /// point where nothing stands in the way; the coarsest where it has more parts than that. `beams` is room to
@@ -56,14 +58,15 @@ class WallLight {
                    const WallIrradiance& brought, int shadow_rays, LightBeams& beams,
                    std::span<double> radiance) const;
 
-  /// The beams of one light at a point of a cell. From a light with an extent come 16 at most, or
-  /// `shadow_rays` where those are fewer; where these are more, so many at most come where the first are not
-  /// all alike.
-  void find_beams(const LightSource& source, const PointInCell& point, int shadow_rays,
-                  LightBeams& beams) const;
+  /// The beams of one light at a point of a cell, and of one with an extent those that would come in empty
+  /// space. From a light with an extent come 16 at most, or `shadow_rays` where those are fewer. Where these
+  /// are more, so many at most come where the first are not all alike; and a flat light is cut along what
+  /// hides it, however many come then.
+  void find_beams(const LightSource& source, const PointInCell& point, int shadow_rays, LightBeams& beams,
+                  LightBeams& clear) const;
 
   /// Adds the irradiance [band] of the lights at a point of a cell, on the side that light with w.n > 0
-  /// meets.
+  /// meets; what flat lights bring in empty space is known (LightIrradiance).
   void add_light(const PointInCell& point, const Vec3& normal, int shadow_rays, LightBeams& beams,
                  std::span<double> irradiance) const;
 
@@ -75,11 +78,14 @@ class WallLight {
   void add_sent_on(FaceIndex face, const Vec3& point, std::span<const double> share,
                    const WallIrradiance& brought, std::span<const double> irradiance,
                    std::span<double> radiance) const;
-  bool is_penumbra(const LightBeams& clear, const LightBeams& seen) const;
+  /// Whether the beams of an uncut light are not all seen, or those that are seen alike.
+  bool are_unlike(const LightBeams& clear, const LightBeams& seen, bool cut) const;
 
   const LightSetup& lights_;
   const Problem& problem_;
   std::size_t bands_;
+  LightIrradiance irradiance_;
+  std::vector<Crease> edges_;         ///< of walls
   std::vector<std::int32_t> behind_;  ///< [boundary face] other side of a sheet, -1: none
   WallIrradiance joined_;
 };

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "solver/lights/light_irradiance.h"
 #include "solver/picture/ray_radiance.h"
 #include "solver/sensors/cone_cubature.h"
-#include "solver/sensors/light_irradiance.h"
 #include "solver/sensors/measurement.h"
 #include "solver/sensors/sensor.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "solver/lights/light_irradiance.h"
 #include "solver/parallel/parallel_for.h"
-#include "solver/sensors/light_irradiance.h"
 
 namespace etendue {
 namespace {

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "mesh/tetrahedra/cell_locator.h"
-#include "solver/sensors/light_irradiance.h"
+#include "solver/lights/light_irradiance.h"
 #include "tests/solver/ordinates/sample_problems.h"
 #include "tests/solver/sensors/block_mesh.h"
 

@@ -10,7 +10,7 @@
 #include "mesh/geometry/arrangement.h"
 #include "mesh/tetrahedra/cell_locator.h"
 #include "mesh/tetrahedra/tetrahedralize.h"
-#include "solver/sensors/light_irradiance.h"
+#include "solver/lights/light_irradiance.h"
 #include "tests/solver/lights/visible_part.h"
 #include "tests/solver/ordinates/sample_problems.h"
 

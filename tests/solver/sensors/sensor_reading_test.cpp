@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/sensors/polygon_irradiance.h"
+#include "solver/lights/polygon_irradiance.h"
 #include "solver/split/solve_split.h"
 #include "tests/solver/ordinates/sample_problems.h"
 #include "tests/solver/sensors/block_mesh.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/sensors/polygon_irradiance.h"
+#include "solver/lights/polygon_irradiance.h"
 
 #include <gtest/gtest.h>
 

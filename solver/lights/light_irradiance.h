@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <array>
+#include <span>
 #include <vector>
 
+#include "solver/lights/emitter_tree.h"
 #include "solver/lights/light_setup.h"
 
 namespace etendue {
@@ -33,21 +34,19 @@ class LightIrradiance {
   /// `normal` is a unit vector.
   UncollidedAtPoint at(const PointInCell& point, const Vec3& normal) const;
 
+  /// Adds (1) for one light, or the sum over its beams of a light of another kind. `seen` are its beams
+  /// through what stands in the way, `clear` those of empty space at the same detail, of which only flat
+  /// lights need any.
+  void add(const LightSource& source, const Vec3& position, const Vec3& normal, const LightBeams& seen,
+           const LightBeams& clear, UncollidedAtPoint& light) const;
+
  private:
-  struct FlatLight {
-    const LightSource* source;
-    std::vector<double> radiance;                ///< [band]
-    std::vector<std::array<Vec3, 3>> triangles;  ///< counterclockwise seen from the side that shines
-  };
-  void find_flat_lights();
   /// What would arrive of one of its images in empty space.
-  void add_clear(const FlatLight& flat, MirrorSet mirrors, const Vec3& position, const Vec3& normal,
-                 UncollidedAtPoint& light) const;
+  void add_clear(std::span<const EmitterPart> flat, MirrorSet mirrors, const Vec3& position,
+                 const Vec3& normal, UncollidedAtPoint& light) const;
 
   const LightSetup& lights_;
-  std::vector<FlatLight> flat_;
   std::vector<MirrorSet> images_;  ///< behind which flat lights are seen
-  std::vector<const LightSource*> others_;
 };
 
 }  // namespace etendue

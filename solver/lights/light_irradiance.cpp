@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/lights/light_irradiance.h"
+
+#include <algorithm>
+#include <array>
+
+#include "solver/lights/polygon_irradiance.h"
+#include "solver/lights/wide_source.h"
+
+namespace etendue {
+namespace {
+
+/// Every triangle by itself: points that stand for a group of them may lie beside it, behind an obstacle.
+constexpr LightDetail each_triangle{0, 0, fine_light.thickness, fine_light.largest_side, fine_light.rule};
+
+/// Adds the light of beams, on the side that a normal points to and from all sides, times a factor.
+void add_beams(const LightBeams& beams, const Vec3& normal, double factor, UncollidedAtPoint& light) {
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    const double cosine = std::max(0.0, -normal.dot(beams.direction(i)));
+    for (std::size_t b = 0; b < beams.bands(); ++b) {
+      light.irradiance[b] += factor * cosine * beams.fluence(i)[b];
+      light.fluence[b] += factor * beams.fluence(i)[b];
+    }
+  }
+}
+
+std::span<const EmitterPart> flat_parts(const LightSource& source) {
+  const WideSource* wide = source.as_wide();
+  return wide != nullptr ? wide->flat_parts() : std::span<const EmitterPart>();
+}
+
+}  // namespace
+
+// Mirrors may stand where images are not to be counted, as long as no light asks for them.
+LightIrradiance::LightIrradiance(const LightSetup& lights) : lights_(lights) {
+  if (std::ranges::any_of(lights.sources(), [](const auto& source) { return !flat_parts(*source).empty(); }))
+    images_ = lights.paths().mirrors().images_of_point();
+}
+
+UncollidedAtPoint LightIrradiance::at(const PointInCell& point, const Vec3& normal) const {
+  const std::size_t bands = lights_.paths().bands();
+  UncollidedAtPoint light{std::vector<double>(bands, 0), std::vector<double>(bands, 0)};
+  LightBeams seen(bands), clear(bands);
+  LightDetail each = each_triangle;
+  each.creases = &lights_.creases();
+  for (const auto& source : lights_.sources()) {
+    const bool flat = !flat_parts(*source).empty();
+    const LightDetail detail = flat ? each : fine_light;
+    seen.clear();
+    clear.clear();
+    source->add_beams(point, Sight::attenuated, detail, seen);
+    if (flat && seen.size() > 0) source->add_beams(point, Sight::clear, detail, clear);
+    add(*source, point.position, normal, seen, clear, light);
+  }
+  return light;
+}
+
+void LightIrradiance::add(const LightSource& source, const Vec3& position, const Vec3& normal,
+                          const LightBeams& seen, const LightBeams& clear, UncollidedAtPoint& light) const {
+  add_beams(seen, normal, 1, light);
+  const std::span<const EmitterPart> flat = flat_parts(source);
+  // Where nothing of it is seen, no rounding is to be left of (1).
+  if (flat.empty() || seen.size() == 0) return;
+  add_beams(clear, normal, -1, light);
+  for (const MirrorSet mirrors : images_) add_clear(flat, mirrors, position, normal, light);
+}
+
+// Through mirrors the meter is moved behind them instead of the light.
+void LightIrradiance::add_clear(std::span<const EmitterPart> flat, MirrorSet mirrors, const Vec3& position,
+                                const Vec3& normal, UncollidedAtPoint& light) const {
+  const MirrorPlanes& planes = lights_.paths().mirrors();
+  const Vec3 eye = planes.image(mirrors, position), up = planes.image_direction(mirrors, normal);
+  for (const EmitterPart& part : flat) {
+    const std::array<Vec3, 3> seen = {part.corners[0] - eye, part.corners[1] - eye, part.corners[2] - eye};
+    const Vec3 front = (seen[1] - seen[0]).cross(seen[2] - seen[0]);
+    if (front.dot(seen[0]) >= 0) continue;  // it shines the other way
+    const double across = polygon_irradiance(seen, up), all = triangle_solid_angle(seen);
+    for (std::size_t b = 0; b < part.brightness.size(); ++b) {
+      const double arrives = part.brightness[b] * planes.reflectance(mirrors, b);
+      light.irradiance[b] += arrives * across;
+      light.fluence[b] += arrives * all;
+    }
+  }
+}
+
+}  // namespace etendue
