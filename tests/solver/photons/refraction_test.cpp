@@ -12,6 +12,7 @@
 #include "solver/photons/solve_photons.h"
 #include "solver/problem/mirror.h"
 #include "tests/solver/ordinates/sample_problems.h"
+#include "tests/solver/photons/photon_samples.h"
 
 namespace etendue {
 namespace {
@@ -33,14 +34,6 @@ Problem between_mirrors(const TetrahedralMesh& mesh, const Medium& medium, const
   std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 1));
   walls[floor_of(mesh)] = floor;
   return Problem(mesh, {}, {medium}, walls, AngularSpace::sphere, std::move(lights));
-}
-
-PhotonSolution solved(const Problem& problem, double photons, const BatchReader& reader = {}) {
-  const CellLocator locator(problem.mesh());
-  PhotonOptions options;
-  options.photons = photons;
-  options.threads = 2;
-  return solve_photons(problem, locator, options, {}, reader);
 }
 
 // In equilibrium the radiance is n^2 times that of empty space (Planck 1914, section 38), inside and on the
