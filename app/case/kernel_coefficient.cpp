@@ -63,7 +63,8 @@ Coefficient mean_of_any(const KernelFormula& kernel, const std::vector<Vec3>& pl
   double sum = 0;
   for (const Vec3& place : places) {
     there.place = place;
-    sum += mean_scattering(there);
+    // Few directions at each of many places.
+    sum += mean_scattering(there, 3);
   }
   return sum / static_cast<double>(places.size());
 }

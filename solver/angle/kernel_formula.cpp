@@ -125,17 +125,18 @@ OutgoingMoments outgoing_moments(const KernelFormula& kernel, const Vec3& before
   return may_miss || finer.uncertainty < rings.uncertainty ? finer : rings;
 }
 
-double mean_scattering(const KernelFormula& kernel) {
+double mean_scattering(const KernelFormula& kernel, int polar) {
   // The scattering coefficient is smooth in the direction: 8 x 16 of them suffice for its mean. Kinks cost it
   // digits, but it is for people to read: the matrix is scaled to the moments of its own ordinates.
-  const GaussRule rule = unit_rule(8);
+  const GaussRule rule = unit_rule(polar);
+  const int azimuths = 2 * polar;
   double sum = 0;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i)
-    for (int j = 0; j < 16; ++j) {
+    for (int j = 0; j < azimuths; ++j) {
       const double cosine = 2 * rule.nodes[i] - 1, sine = std::sqrt(1 - cosine * cosine);
-      const double azimuth = 2 * pi * (j + 0.5) / 16;
+      const double azimuth = 2 * pi * (j + 0.5) / azimuths;
       const Vec3 before(sine * std::cos(azimuth), sine * std::sin(azimuth), cosine);
-      sum += rule.weights[i] / 16 * by_rings(kernel, before).scattered;
+      sum += rule.weights[i] / azimuths * by_rings(kernel, before).scattered;
     }
   return sum;
 }

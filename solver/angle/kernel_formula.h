@@ -18,8 +18,9 @@ struct OutgoingMoments {
 /// and Greenstein up to g = 0.9 among them. Kinks, steps and peaks elsewhere are left to the adaptive rule.
 OutgoingMoments outgoing_moments(const KernelFormula& kernel, const Vec3& before);
 
-/// The scattering coefficient in the mean over directions [1/length].
-double mean_scattering(const KernelFormula& kernel);
+/// The scattering coefficient in the mean over directions [1/length]: over `polar` inclinations, each with
+/// twice as many azimuths.
+double mean_scattering(const KernelFormula& kernel, int polar = 8);
 
 /// A copy at another place, which another thread may evaluate.
 KernelFormula kernel_at(const KernelFormula& kernel, const Vec3& place);
