@@ -29,6 +29,12 @@ def half_space_row(result):
                math.hypot(scale * error["outflow"], last_digit(reference["published"])))
 
 
+def pencil_row(result, index):
+    reference, = (row for row in read_reference("pencil_cube.csv") if float(row["index"]) == index)
+    return Row(f"absorbed share of a pencil beam, index {index:g}", result.summary["balance"][0]["absorbed"], float(reference["absorbed"]),
+               math.hypot(result.summary["photons"]["balance_error"][0]["absorbed"], float(reference["sd"])))
+
+
 def cube_references():
     """(band, quantity, point, value, standard deviation)"""
     for row in read_reference("cube_hot_medium_wall_flux.csv"):
@@ -80,6 +86,8 @@ def compare(runs):
             found += slab_rows(result, g, tau)
         elif name.startswith("kobayashi"):
             found += kobayashi_rows(result, name.split()[-1])
+        elif name.startswith("pencil"):
+            found.append(pencil_row(result, float(name.split()[-1])))
         elif name == "half-space":
             found.append(half_space_row(result))
         else:
