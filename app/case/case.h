@@ -183,6 +183,7 @@ struct Units {
   std::string length = "m";
   std::string power = "W";
   std::string illuminance = "lx";  ///< of what is written
+  std::string luminous_exitance = "lm/m^2";
   std::string luminance = "cd/m^2";
   std::string luminous_flux = "lm";
   std::string luminous_intensity = "cd";

@@ -24,6 +24,7 @@ Units read_units(Section units) {
   return {.length = units.text("length"),
           .power = units.text("power"),
           .illuminance = units.text("illuminance"),
+          .luminous_exitance = units.text("luminous_exitance"),
           .luminance = units.text("luminance"),
           .luminous_flux = units.text("luminous_flux"),
           .luminous_intensity = units.text("luminous_intensity"),

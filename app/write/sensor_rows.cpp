@@ -16,7 +16,7 @@ namespace {
 using Quantity = RadiometricQuantity;
 
 /// Which unit a quantity has.
-enum class Kind { per_area, per_area_and_angle, power, per_angle, path, angle, number };
+enum class Kind { per_area, leaving_area, per_area_and_angle, power, per_angle, path, angle, number };
 
 struct QuantityWords {
   std::string radiometric;
@@ -26,7 +26,7 @@ struct QuantityWords {
 
 const std::map<Quantity, QuantityWords> words = {
     {Quantity::irradiance, {"irradiance", "illuminance", Kind::per_area}},
-    {Quantity::exitance, {"exitance", "luminous_exitance", Kind::per_area}},
+    {Quantity::exitance, {"exitance", "luminous_exitance", Kind::leaving_area}},
     {Quantity::fluence, {"fluence", "scalar_illuminance", Kind::per_area}},
     {Quantity::radiance, {"radiance", "luminance", Kind::per_area_and_angle}},
     {Quantity::radiance_mean, {"radiance_mean", "luminance_mean", Kind::per_area_and_angle}},
@@ -50,6 +50,7 @@ const std::map<Quantity, QuantityWords> words = {
 std::string unit_of(Kind kind, const UnitLabels& units, const std::string& angle) {
   switch (kind) {
     case Kind::per_area:
+    case Kind::leaving_area:
       return units.flux;
     case Kind::per_area_and_angle:
       return units.radiance;
@@ -170,8 +171,9 @@ class RowMaker {
     std::string unit = units_.luminous_flux;
     if (kind == Kind::per_angle) unit = units_.luminous_intensity;
     if (kind == Kind::per_area) unit = units_.illuminance;
+    if (kind == Kind::leaving_area) unit = units_.luminous_exitance;
     if (kind == Kind::per_area_and_angle) unit = units_.luminance;
-    const bool per_area = kind == Kind::per_area || kind == Kind::per_area_and_angle;
+    const bool per_area = kind != Kind::power && kind != Kind::per_angle;
     return {unit, scale_->power / (per_area ? area : 1) / find_photometric_unit(unit)->in_si};
   }
 

@@ -9,6 +9,7 @@ namespace etendue {
 
 enum class PhotometricDimension {
   illuminance,
+  luminous_exitance,
   luminance,
   luminous_flux,
   luminous_intensity,
@@ -20,7 +21,7 @@ struct PhotometricUnit {
   std::string name;    ///< "footcandle"
   std::string symbol;  ///< "fc"
   PhotometricDimension dimension;
-  double in_si;  ///< what one of it is in lx, cd/m^2, lm, cd or lm s
+  double in_si;  ///< what one of it is in lx, lm/m^2, cd/m^2, lm, cd or lm s
 };
 
 /// All that are known.

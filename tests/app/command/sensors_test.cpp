@@ -74,6 +74,23 @@ TEST(Sensors, WriteWhatTheyMeasure) {
   EXPECT_NEAR(rows["desk photopic illuminance footcandle"].at(2) * 10.763910416709722 / lux, 1, 1e-12);
 }
 
+// A sky of radiance L sends in pi L: lumens per area that leave a surface, which are no lux.
+TEST(Sensors, LuminousExitanceIsInLumensPerArea) {
+  const CaseFolder folder(
+      sky_case("[[sensor]]\nname = \"sky\"\nkind = \"exitance\"\nposition = [0.4, 0.5, 1]\nnormal = [0, 0, "
+               "-1]\n"));
+  const Photometry seen({{"blue-green", "yellow"}, {450, 550, 600}});
+  const double lumens = pi * (seen.efficacy()[0] + 2 * seen.efficacy()[1]);
+  for (const auto& [unit, in_si] : {std::pair<std::string, double>{"lm/m^2", 1}, {"lm/cm^2", 1e4}}) {
+    const Outcome run =
+        etendue_says({"run", folder.file(), "--set", "units.luminous_exitance=\"" + unit + "\""});
+    ASSERT_EQ(run.code, ExitCode::done) << run.err;
+    auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
+    ASSERT_TRUE(rows.contains("sky photopic luminous_exitance " + unit));
+    EXPECT_NEAR(rows["sky photopic luminous_exitance " + unit].at(2) * in_si / lumens, 1, 1e-6);
+  }
+}
+
 TEST(Sensors, GridsAndIntensitiesHaveTheirFiles) {
   const CaseFolder folder(sky_case(
       "[[sensor]]\nname = \"floor\"\nkind = \"grid\"\nposition = [0, 0, 0]\nalong = [1, 0, 0]\nacross = [0, "

@@ -125,6 +125,9 @@ TEST(PhotometricUnits, AreThoseOfThePublishedTable) {
   EXPECT_EQ(in_si("blondel"), in_si("asb"));
   EXPECT_EQ(in_si("nit"), 1);
   EXPECT_EQ(in_si("lux"), 1);
+  EXPECT_EQ(in_si("lm/m^2"), 1);
+  EXPECT_EQ(in_si("radphot"), in_si("phot"));
+  EXPECT_EQ(in_si("lm/ft^2"), in_si("footcandle"));
   EXPECT_EQ(in_si("lumen"), 1);
   EXPECT_EQ(in_si("candela"), 1);
   EXPECT_EQ(in_si("talbot"), 1);
