@@ -14,10 +14,11 @@ std::vector<KeyDeclaration> sensor_keys() {
        "kind",
        text,
        {.default_value = "\"irradiance\"",
-        .choices = {"irradiance", "exitance", "fluence", "radiance", "cone", "grid", "flux", "intensity",
-                    "region"},
+        .choices = {"irradiance", "exitance", "radiosity", "fluence", "radiance", "cone", "grid", "flux",
+                    "intensity", "region"},
         .help =
-            "irradiance on one side of a plane; exitance: what a wall sends at a point of it; fluence "
+            "irradiance on one side of a plane; exitance, also called radiosity: all that leaves a wall at a "
+            "point; fluence "
             "from all sides; radiance from one direction; of a "
             "cone the mean radiance and what it brings to the plane across it; grid: irradiance at the "
             "middles of parts of a parallelogram; flux: power through a polygon, a wall or the surface of a "
@@ -32,7 +33,8 @@ std::vector<KeyDeclaration> sensor_keys() {
        "normal",
        point,
        {.default_note = "of a grid: along × across",
-        .help = "Of irradiance: to the side where light is measured; of exitance: into the domain; of any "
+        .help = "Of irradiance: to the side where light is measured; of exitance and radiosity: into the "
+                "domain; of any "
                 "length."}},
       {"sensor",
        "direction",

@@ -10,6 +10,7 @@ namespace {
 
 const std::map<std::string, SensorKind> kinds = {{"irradiance", SensorKind::irradiance},
                                                  {"exitance", SensorKind::exitance},
+                                                 {"radiosity", SensorKind::radiosity},
                                                  {"fluence", SensorKind::fluence},
                                                  {"radiance", SensorKind::radiance},
                                                  {"cone", SensorKind::cone},
@@ -22,6 +23,7 @@ const std::map<std::string, SensorKind> kinds = {{"irradiance", SensorKind::irra
 const std::map<SensorKind, std::vector<std::string>> keys_of = {
     {SensorKind::irradiance, {"position", "normal"}},
     {SensorKind::exitance, {"position", "normal"}},
+    {SensorKind::radiosity, {"position", "normal"}},
     {SensorKind::fluence, {"position"}},
     {SensorKind::radiance, {"position", "direction"}},
     {SensorKind::cone, {"position", "direction", "angle"}},
@@ -161,7 +163,7 @@ SensorCase read_sensor(Section& section) {
   refuse_other_keys(section, kind, sensor.kind);
   if (takes(sensor.kind, "position")) read_position(section, sensor);
   if (takes(sensor.kind, "parts")) read_parts(section, sensor);
-  if (sensor.kind == SensorKind::exitance)
+  if (sensor.kind == SensorKind::exitance || sensor.kind == SensorKind::radiosity)
     sensor.direction = unit_vector(section, "normal", "a vector into the domain");
   if (sensor.kind == SensorKind::irradiance)
     sensor.direction = unit_vector(section, "normal", "a vector to the side where light is measured");

@@ -27,6 +27,7 @@ struct QuantityWords {
 const std::map<Quantity, QuantityWords> words = {
     {Quantity::irradiance, {"irradiance", "illuminance", Kind::per_area}},
     {Quantity::exitance, {"exitance", "luminous_exitance", Kind::leaving_area}},
+    {Quantity::radiosity, {"radiosity", "luminous_exitance", Kind::leaving_area}},
     {Quantity::fluence, {"fluence", "scalar_illuminance", Kind::per_area}},
     {Quantity::radiance, {"radiance", "luminance", Kind::per_area_and_angle}},
     {Quantity::radiance_mean, {"radiance_mean", "luminance_mean", Kind::per_area_and_angle}},

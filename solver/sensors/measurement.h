@@ -7,8 +7,11 @@ namespace etendue {
 
 /// What sensors report, in the words and units of radiometry.
 enum class RadiometricQuantity {
-  irradiance,       ///< through the sensor's plane [power/length^2]; of a cone what comes from within it
-  exitance,         ///< what a wall sends: emission and what it reflects, its radiosity [power/length^2]
+  irradiance,  ///< through the sensor's plane [power/length^2]; of a cone what comes from within it
+  /// Of all that leaves a wall, be it emitted, reflected or let through (CIE S 017:2020, 17-21-080)
+  /// [power/length^2]
+  exitance,
+  radiosity,        ///< another name of it
   fluence,          ///< from all sides [power/length^2]
   radiance,         ///< from one direction [power/(length^2 sr)]
   radiance_mean,    ///< over the cone [power/(length^2 sr)]

@@ -11,7 +11,8 @@ namespace etendue {
 /// What an instrument measures.
 enum class SensorKind {
   irradiance,  ///< at a point, on the side that the normal points to
-  exitance,    ///< at a point of a wall, what it sends into the domain
+  exitance,    ///< at a point of a wall, all that leaves it into the domain
+  radiosity,   ///< the same by the name that it has in radiative transfer between surfaces
   fluence,     ///< at a point, from all sides
   radiance,    ///< at a point, from the direction in which it looks
   cone,        ///< at a point, from all directions within an angle of the one in which it looks

@@ -238,7 +238,7 @@ std::vector<SensorReader::AtPoint> SensorReader::both_sides(const FluxPoint& poi
 }
 
 // The wall as it is seen at no distance, mirrors and all; what it reflects diffusely is the same in all
-// directions, and of the lights as exact as their irradiance.
+// directions, and of the lights as exact as their irradiance. To be reflected diffusely is to collide.
 SensorReader::AtPoint SensorReader::exitance(const PointInCell& place, const Vec3& inwards, int rays,
                                              RayRadiance::Workspace& work) const {
   const std::array<Vec3, 1> normal = {-inwards};
@@ -304,8 +304,9 @@ SensorReading SensorReader::read(const Sensor& sensor, const Locate& locate, int
   };
   if (sensor.kind == SensorKind::radiance)
     add(Quantity::radiance, radiance(place, sensor.direction, work));
-  else if (sensor.kind == SensorKind::exitance)
-    add(Quantity::exitance, exitance(place, sensor.direction, sensor.rays, work));
+  else if (sensor.kind == SensorKind::exitance || sensor.kind == SensorKind::radiosity)
+    add(sensor.kind == SensorKind::exitance ? Quantity::exitance : Quantity::radiosity,
+        exitance(place, sensor.direction, sensor.rays, work));
   else if (sensor.kind == SensorKind::fluence)
     add(Quantity::fluence, fluence(place, sensor, work));
   else

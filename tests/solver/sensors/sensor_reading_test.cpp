@@ -163,6 +163,41 @@ TEST(SensorReader, KeepsWhatWallsGetAndSendApart) {
   EXPECT_NEAR(laboratory.value(sensor, 1) / laboratory.value(sensor, 0), 0.5, 2e-3);
 }
 
+// At a lit floor under a shining ceiling: what is incident on it looks up, what is exitant looks at it. What
+// a diffuse floor sends is rho E/pi in all directions, a mirror what comes from above; its exitance is its
+// radiosity, and lamplight that it reflects diffusely has collided.
+TEST(SensorReader, TellsIncidentFromExitantRadiance) {
+  const TetrahedralMesh mesh = box();
+  std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const std::string& name = mesh.wall_names()[w];
+    if (name == "ceiling") walls[w] = uniform_wall(1, 5, 0, 0);
+    if (name == "floor") walls[w] = uniform_wall(1, 2, 0.4, 0);
+    walls[w].name = name;
+    walls[w].uncollided = Uncollided::yes;
+  }
+  const Problem room(mesh, {}, {uniform_medium(1, 0, 0, 0)}, walls);
+  const Laboratory laboratory(room, directions_ldfe_sq(1));
+  Sensor sensor;
+  sensor.position = {0.3, 0.6, 0};
+  sensor.kind = SensorKind::irradiance;
+  const double reflected = 0.4 * laboratory.value(sensor);
+  sensor.kind = SensorKind::radiosity;
+  const Measurement radiosity = laboratory.read(sensor).measurements.at(0);
+  EXPECT_EQ(radiosity.quantity, Quantity::radiosity);
+  EXPECT_NEAR(radiosity.uncollided[0] / (2 * pi), 1, 1e-6);
+  EXPECT_NEAR(radiosity.collided[0] / reflected, 1, 1e-6);
+  sensor.kind = SensorKind::exitance;
+  EXPECT_EQ(laboratory.read(sensor).measurements.at(0).collided, radiosity.collided);
+  sensor.kind = SensorKind::radiance;
+  for (const Vec3& leaning : {Vec3(0, 0, 1), Vec3(0.1, -0.2, 1)}) {
+    sensor.direction = leaning.normalized();
+    EXPECT_NEAR(laboratory.value(sensor) / 5, 1, 1e-12) << "incident";
+    sensor.direction = -leaning.normalized();
+    EXPECT_NEAR(laboratory.value(sensor) / (2 + reflected / pi), 1, 1e-3) << "exitant";
+  }
+}
+
 // A lamp seen through absorbing gas: both parts of every reading are known.
 TEST(SensorReader, KeepsTheLightOfLightsApart) {
   const TetrahedralMesh mesh = box();
