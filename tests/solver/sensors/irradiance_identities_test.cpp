@@ -1,68 +1,29 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <map>
 #include <numbers>
-#include <sstream>
 
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/lights/light_irradiance.h"
 #include "tests/solver/ordinates/sample_problems.h"
 #include "tests/solver/sensors/block_mesh.h"
+#include "tests/solver/sensors/reference_rows.h"
 
 namespace etendue {
 namespace {
 
 using std::numbers::pi;
+using test::reference_rows;
+using test::ReferenceRow;
 
 /// What a meter may be off by, absolute: irradiances of the references are of the order of 1.
 constexpr double allowed = 1e-6;
 
-/// A line of a reference: its name, the numbers in its parameters, and its columns.
-struct Row {
-  std::string name;
-  std::vector<double> parameters;
-  std::vector<double> values;
-};
-
-std::vector<double> numbers_in(const std::string& text) {
-  std::vector<double> numbers;
-  for (std::size_t i = 0; i < text.size();) {
-    const bool begins = std::isdigit(static_cast<unsigned char>(text[i])) != 0;
-    if (!begins) {
-      ++i;
-      continue;
-    }
-    std::size_t used = 0;
-    numbers.push_back(std::stod(text.substr(i), &used));
-    i += used;
-  }
-  return numbers;
-}
-
-std::vector<Row> rows_of(const std::string& file) {
-  std::ifstream stream(std::string(ETENDUE_SOURCE_DIR) + "/validation/reference/" + file);
-  std::vector<Row> rows;
-  for (std::string line; std::getline(stream, line);) {
-    const std::size_t open = line.find('"'), close = line.rfind('"');
-    if (line.starts_with('#') || open == std::string::npos) continue;
-    std::string values = line.substr(close + 1);
-    std::replace(values.begin(), values.end(), ',', ' ');
-    Row row{line.substr(0, open - 1), numbers_in(line.substr(open, close - open)), {}};
-    std::istringstream numbers(values);
-    for (double value = 0; numbers >> value;) row.values.push_back(value);
-    rows.push_back(row);
-  }
-  return rows;
-}
-
 /// A regular polygon about an axis along z with the area of a disc, shining down with radiance 1.
 SurfaceLight disc(const Vec3& centre, double radius) {
-  constexpr int sides = 256;
+  constexpr int sides = 64;  // as many as that of a case file has
   const double step = 2 * pi / sides, corner = radius * std::sqrt(step / std::sin(step));
   SurfaceLight light{{}, {1}};
   const auto rim = [&](int i) {
@@ -135,7 +96,7 @@ SurfaceLight outline(double radius, double distance) {
   return disc({0, 0, distance * (1 - share * share)}, radius * std::sqrt(1 - share * share));
 }
 
-double irradiance_of(const Row& row) {
+double irradiance_of(const ReferenceRow& row) {
   const std::vector<double>& p = row.parameters;
   const Vec3 up = Vec3::UnitZ(), origin = Vec3::Zero();
   const auto tilted = [](double degrees) {
@@ -165,7 +126,7 @@ double irradiance_of(const Row& row) {
 // The sky of Moon and Spencer is no light: SensorReader.SeesASkyByFormula has it.
 TEST(LightIrradiance, IsThatOfTheClosedForms) {
   int rows = 0;
-  for (const Row& row : rows_of("irradiance.csv")) {
+  for (const ReferenceRow& row : reference_rows("irradiance.csv")) {
     if (row.name == "cos_sky_moon_spencer") continue;
     EXPECT_NEAR(irradiance_of(row), row.values.at(0), allowed)
         << row.name << " " << testing::PrintToString(row.parameters);
@@ -217,7 +178,7 @@ Scene between_planes(double angle) {
 }
 
 /// Parts of the sky that are seen, of its irradiance and of the hemisphere.
-std::array<double, 2> visibility_of(const Row& row) {
+std::array<double, 2> visibility_of(const ReferenceRow& row) {
   const std::vector<double>& p = row.parameters;
   const auto parts = [](const Scene& scene, const Vec3& at) -> std::array<double, 2> {
     const UncollidedAtPoint light = scene.at(at, Vec3::UnitZ());
@@ -239,7 +200,7 @@ std::array<double, 2> visibility_of(const Row& row) {
 
 TEST(LightIrradiance, IsThatOfTheVisibleSky) {
   int rows = 0;
-  for (const Row& row : rows_of("ambient_occlusion.csv")) {
+  for (const ReferenceRow& row : reference_rows("ambient_occlusion.csv")) {
     const auto found = visibility_of(row);
     EXPECT_NEAR(found[0], row.values.at(0), allowed)
         << row.name << " " << testing::PrintToString(row.parameters);
