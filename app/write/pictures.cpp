@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "app/write/color.h"
 #include "app/write/image_files.h"
 #include "app/write/output_folder.h"
 #include "app/write/summary.h"
+#include "app/write/toned_png.h"
 
 namespace etendue {
 namespace {
@@ -44,16 +44,6 @@ std::string exr_of(const Case& input, const NamedPicture& named, const BandColor
                                rule.rule()));
 }
 
-std::string png_of(const CameraCase& camera, const Picture& picture, const std::vector<LinearColor>& colors) {
-  const double exposure = camera.exposure.value_or(automatic_exposure(colors));
-  std::vector<std::uint8_t> rgb;
-  for (LinearColor color : colors) {
-    for (double& value : color) value *= exposure;
-    for (const double value : toned(color, camera.tone)) rgb.push_back(display_value(value, Exposure{1}));
-  }
-  return png_bytes(picture.pixels, rgb);
-}
-
 }  // namespace
 
 std::vector<std::string> add_pictures(const std::filesystem::path& directory, const Case& input,
@@ -65,7 +55,7 @@ std::vector<std::string> add_pictures(const std::filesystem::path& directory, co
     const Picture& picture = named.picture;
     const std::vector<LinearColor> colors = colors_of(picture, rule);
     folder.add_text(camera.name + ".exr", exr_of(input, named, rule, colors));
-    folder.add_text(camera.name + ".png", png_of(camera, picture, colors));
+    folder.add_text(camera.name + ".png", toned_png(picture.pixels, colors, camera.exposure, camera.tone));
   }
   const std::vector<std::string> names = folder.names();
   const std::string summary = summary_with_files(directory, names);

@@ -4,14 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "app/write/csv_field.h"
 #include "app/write/image_files.h"
 #include "app/write/intensity_files.h"
 #include "app/write/sensor_rows.h"
+#include "app/write/toned_png.h"
 #include "app/write/unit_labels.h"
 #include "solver/sensors/photometry.h"
 
@@ -55,6 +58,33 @@ std::string grid_exr(const RunResult& result, const SensorRow& row) {
   }
   return exr_bytes(row.place.sensor.count, channels,
                    fmt::format("irradiance [{}]", UnitLabels(result.input.units).flux));
+}
+
+/// A square of so many pixels for each part of a grid: the longer side has about this many.
+constexpr int pixels_of_a_grid = 512;
+
+/// The grid as colors, as a camera would have them of a white paper there; what is outside of the mesh is
+/// black.
+std::string grid_png(const RunResult& result, const SensorRow& row) {
+  const GridReading& grid = row.reading.grid;
+  const std::array<int, 2> parts = row.place.sensor.count;
+  const std::size_t bands = result.problem.bands().names.size();
+  const BandColor rule(result.problem.bands());
+  const int block = std::max(1, pixels_of_a_grid / std::max(parts[0], parts[1]));
+  std::vector<LinearColor> colors;
+  for (int y = 0; y < parts[1] * block; ++y)
+    for (int x = 0; x < parts[0] * block; ++x) {
+      const auto first = static_cast<std::size_t>(y / block * parts[0] + x / block) * bands;
+      if (std::isnan(grid.collided[first])) {
+        colors.push_back({0, 0, 0});
+        continue;
+      }
+      std::vector<double> irradiance;
+      for (std::size_t i = first; i < first + bands; ++i)
+        irradiance.push_back(grid.uncollided[i] + grid.collided[i]);
+      colors.push_back(rule.of(irradiance));
+    }
+  return toned_png({parts[0] * block, parts[1] * block}, colors, std::nullopt, Tone::linear);
 }
 
 }  // namespace
@@ -110,6 +140,7 @@ void add_sensor_files(const RunResult& result, OutputFolder& folder) {
     if (row.place.sensor.kind == SensorKind::grid) {
       folder.add_text(name + ".grid.csv", grid_csv(result, row));
       folder.add_text(name + ".grid.exr", grid_exr(result, row));
+      folder.add_text(name + ".grid.png", grid_png(result, row));
     }
     if (row.place.sensor.kind != SensorKind::intensity) continue;
     folder.add_text(name + ".intensity.csv", intensity_csv(result, row));

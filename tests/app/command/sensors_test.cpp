@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -11,6 +12,7 @@
 #include <tuple>
 
 #include "app/case/ies_file.h"
+#include "app/write/toned_png.h"
 #include "solver/sensors/photometry.h"
 #include "tests/app/command/sensor_table.h"
 #include "tests/app/command/small_case.h"
@@ -119,6 +121,35 @@ TEST(Sensors, GridsAndIntensitiesHaveTheirFiles) {
   EXPECT_NEAR(rows["air blue-green photon_density 1/m^3"].at(2) /
                   (rows["air blue-green energy_density J/m^3"].at(2) / (6.62607015e-34 * 299792458 / 500e-9)),
               1, 1e-9);
+}
+
+// The numbers of NAME.grid.csv as a camera would have them: each part a square of 512/3 pixels, black outside
+// of the mesh.
+TEST(Sensors, GridsArePictures) {
+  const CaseFolder folder(sky_case(
+      "[[sensor]]\nname = \"floor\"\nkind = \"grid\"\nposition = [0.25, 0, 0]\nalong = [1.5, 0, 0]\nacross = "
+      "[0, 1, 0]\nparts = [3, 2]\n"));
+  const Outcome run = etendue_says({"run", folder.file()});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  std::vector<std::array<double, 2>> parts(6, {0, 0});
+  std::istringstream lines(text_of(folder.path() / "results" / "floor.grid.csv"));
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::vector<std::string> fields;
+    std::istringstream items(line);
+    for (std::string field; std::getline(items, field, ',');) fields.push_back(field);
+    parts[std::stoul(fields[1]) * 3 + std::stoul(fields[0])][fields[5] == "yellow" ? 1 : 0] =
+        std::stod(fields[8]);
+  }
+  EXPECT_GT(parts[1][0], 0);
+  EXPECT_EQ(parts[2][0], 0) << "outside";
+  const BandColor rule({{"blue-green", "yellow"}, {450, 550, 600}});
+  std::vector<LinearColor> colors;
+  for (std::size_t y = 0; y < 340; ++y)
+    for (std::size_t x = 0; x < 510; ++x) colors.push_back(rule.of(parts[y / 170 * 3 + x / 170]));
+  EXPECT_EQ(text_of(folder.path() / "results" / "floor.grid.png"),
+            toned_png({510, 340}, colors, std::nullopt, Tone::linear));
 }
 
 /// A furnace of radiance 1 and 2 in a box of volume 1, with sensors.

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/write/toned_png.h"
+
+#include <cstdint>
+#include <vector>
+
+#include "app/write/color.h"
+#include "app/write/image_files.h"
+
+namespace etendue {
+
+std::string toned_png(std::array<int, 2> pixels, std::span<const LinearColor> colors,
+                      std::optional<double> exposure, Tone tone) {
+  const double factor = exposure ? *exposure : automatic_exposure(colors);
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(3 * colors.size());
+  for (LinearColor color : colors) {
+    for (double& value : color) value *= factor;
+    for (const double value : toned(color, tone)) rgb.push_back(display_value(value, Exposure{1}));
+  }
+  return png_bytes(pixels, rgb);
+}
+
+}  // namespace etendue
