@@ -2,10 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 
 #include "app/case/open_walls.h"
 #include "app/command/commands.h"
-#include "app/command/pictures.h"
+#include "app/command/interruption.h"
+#include "app/command/picture_progress.h"
+#include "app/command/progress.h"
 #include "app/command/saved_scene.h"
 #include "app/command/verbose_log.h"
 #include "app/write/baked_surface.h"
@@ -47,13 +51,13 @@ std::vector<int> sky_walls(const BakeRequest& request, const Problem& problem) {
 }
 
 /// What directions brought to the walls, as the solution has it, or looked for by rays.
-WallIrradiance brought(const BakeRequest& request, const SavedScene& scene) {
+WallIrradiance brought(const BakeRequest& request, const SavedScene& scene, const PictureObserver& observer) {
   const SolveOptions& options = scene.options;
   if (request.gather == 0)
     return WallLight(scene.lights, scene.directions, scene.state, options.order == SpaceOrder::linear ? 3 : 1)
         .joined();
   const RayRadiance radiance(scene.lights, scene.directions, options, scene.state, options.threads);
-  return gather(radiance, request.gather, fine_shadow_rays, options.threads);
+  return gather(radiance, request.gather, fine_shadow_rays, options.threads, observer);
 }
 
 /// Numbers at places, and how they are shown.
@@ -63,14 +67,17 @@ struct Baked {
   std::vector<LinearColor> colors;  ///< [place], not exposed yet
 };
 
-/// Bakes at any places of the walls.
+/// Bakes at any places of the walls, with progress. After an interruption what it gives is empty.
 class Baker {
  public:
-  Baker(const BakeRequest& request, const SavedScene& scene) : request_(request), scene_(scene) {
+  Baker(const BakeRequest& request, const SavedScene& scene, const Interruption& interruption,
+        std::ostream& out)
+      : request_(request), scene_(scene), interruption_(interruption), out_(out) {
     if (request.quantity == BakedQuantity::occlusion)
       sky_ = sky_walls(request, scene.problem);
     else
-      brought_ = brought(request, scene);
+      observed("looking for the light of walls",
+               [&](const PictureObserver& observer) { brought_ = brought(request, scene, observer); });
   }
 
   std::string name() const {
@@ -81,8 +88,14 @@ class Baker {
     return request_.quantity == BakedQuantity::occlusion ? "" : UnitLabels(scene_.input.units).flux;
   }
 
-  Baked at(const std::vector<BakePlace>& places) const {
-    return request_.quantity == BakedQuantity::occlusion ? occlusion(places) : light(places);
+  /// `where` the places are, "4961 vertices".
+  Baked at(const std::vector<BakePlace>& places, const std::string& where) const {
+    Baked baked;
+    observed(fmt::format("baking {} at {}", name(), where), [&](const PictureObserver& observer) {
+      baked = request_.quantity == BakedQuantity::occlusion ? occlusion(places, observer)
+                                                            : light(places, observer);
+    });
+    return baked;
   }
 
   /// What colours are multiplied by, from those at the vertices.
@@ -96,16 +109,31 @@ class Baker {
   }
 
  private:
+  /// Does something that takes its time and shows how it goes on.
+  template <class Do>
+  void observed(const std::string& what, const Do& do_it) const {
+    const auto begun = std::chrono::steady_clock::now();
+    PictureProgress display(resolved_style(request_.progress, out_), what, out_);
+    do_it([&](double share) {
+      display.show(share, std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
+      return !interruption_.noted();
+    });
+    display.finish();
+  }
+
   /// Visibility as grey.
-  Baked occlusion(const std::vector<BakePlace>& places) const {
-    Baked baked{
-        {"sky_visibility"}, bake_sky_visibility(places, scene_.mesh, sky_, scene_.options.threads), {}};
+  Baked occlusion(const std::vector<BakePlace>& places, const PictureObserver& observer) const {
+    Baked baked{{"sky_visibility"},
+                bake_sky_visibility(places, scene_.mesh, sky_, scene_.options.threads, observer),
+                {}};
     for (const double value : baked.values) baked.colors.push_back({value, value, value});
     return baked;
   }
 
-  Baked light(const std::vector<BakePlace>& places) const {
-    Baked baked{{}, bake_irradiance(places, scene_.lights, brought_, scene_.options.threads), {}};
+  Baked light(const std::vector<BakePlace>& places, const PictureObserver& observer) const {
+    if (interruption_.noted()) return {};
+    Baked baked{{}, bake_irradiance(places, scene_.lights, brought_, scene_.options.threads, observer), {}};
+    if (baked.values.empty()) return {};
     if (request_.quantity == BakedQuantity::radiosity)
       baked.values = bake_radiosity(places, scene_.problem, baked.values);
     const std::vector<std::string>& bands = scene_.problem.bands().names;
@@ -119,6 +147,8 @@ class Baker {
 
   const BakeRequest& request_;
   const SavedScene& scene_;
+  const Interruption& interruption_;
+  std::ostream& out_;
   std::vector<int> sky_;
   WallIrradiance brought_;
 };
@@ -128,29 +158,43 @@ void expose(double exposure, std::vector<LinearColor>& colors) {
     for (double& value : color) value *= exposure;
 }
 
-void add_texture(const BakeRequest& request, const SavedScene& scene, const Baker& baker,
-                 const WallSurface& surface, double exposure, OutputFolder& folder) {
-  if (request.texture == 0) return;
-  const WallAtlas atlas = wall_atlas(surface, scene.mesh, request.texture);
-  Baked baked = baker.at(atlas.places);
-  expose(exposure, baked.colors);
-  const BakedTexture texture{surface,
-                             atlas,
-                             std::move(baked.names),
-                             std::move(baked.values),
-                             std::move(baked.colors),
-                             baker.comment(exposure)};
-  folder.add_text(baker.name() + ".texture.glb", textured_glb_bytes(texture));
-  folder.add_text(baker.name() + ".texture.png", texture_png(texture));
-  folder.add_text(baker.name() + ".texture.exr", texture_exr(texture));
+/// A texture that was asked for, on its way to files.
+struct Texture {
+  WallAtlas atlas;
+  Baked baked;
+};
+
+std::optional<Texture> texture_of(const BakeRequest& request, const SavedScene& scene, const Baker& baker,
+                                  const WallSurface& surface, double exposure) {
+  if (request.texture == 0) return std::nullopt;
+  Texture texture{wall_atlas(surface, scene.mesh, request.texture), {}};
+  texture.baked = baker.at(texture.atlas.places, fmt::format("{} pixels", texture.atlas.places.size()));
+  expose(exposure, texture.baked.colors);
+  return texture;
+}
+
+void add_texture(Texture texture, const std::string& name, const std::string& comment,
+                 const WallSurface& surface, OutputFolder& folder) {
+  const BakedTexture baked{surface,
+                           texture.atlas,
+                           std::move(texture.baked.names),
+                           std::move(texture.baked.values),
+                           std::move(texture.baked.colors),
+                           comment};
+  folder.add_text(name + ".texture.glb", textured_glb_bytes(baked));
+  folder.add_text(name + ".texture.png", texture_png(baked));
+  folder.add_text(name + ".texture.exr", texture_exr(baked));
 }
 
 }  // namespace
 
 ExitCode bake_results(const BakeRequest& request, std::ostream& out, std::ostream& err) {
+  Interruption interruption;
   const std::filesystem::path directory = request.output.value_or(request.results);
   check_output_directory(directory);
-  const SavedScene scene(case_to_bake(request), request.results, "bake", request.threads,
+  Case input = case_to_bake(request);
+  out << "reading " << request.results.string() << std::endl;
+  const SavedScene scene(std::move(input), request.results, "bake", request.threads,
                          verbose_log(request, err));
   if (scene.problem.space() == AngularSpace::plane)
     throw InputError("command line: bake: not in flatland (not in this version)");
@@ -161,9 +205,17 @@ ExitCode bake_results(const BakeRequest& request, std::ostream& out, std::ostrea
                       "it receives (it is glossy or lets light through); bake the irradiance",
                       wall.name));
   const WallSurface surface = wall_surface(scene.mesh);
-  const Baker baker(request, scene);
-  Baked at_vertices = baker.at(vertex_places(surface, scene.mesh));
+  interruption.note_the_first();
+  const Baker baker(request, scene, interruption, out);
+  Baked at_vertices =
+      baker.at(vertex_places(surface, scene.mesh), fmt::format("{} vertices", surface.vertices.size()));
   const double exposure = baker.exposure(at_vertices.colors);
+  std::optional<Texture> texture = texture_of(request, scene, baker, surface, exposure);
+  if (interruption.noted()) {
+    err << "interrupted: nothing was written\n";
+    return ExitCode::interrupted;
+  }
+  interruption.note_all();
   expose(exposure, at_vertices.colors);
   const BakedSurface baked{surface, std::move(at_vertices.names), std::move(at_vertices.values),
                            std::move(at_vertices.colors), baker.comment(exposure)};
@@ -172,7 +224,7 @@ ExitCode bake_results(const BakeRequest& request, std::ostream& out, std::ostrea
   folder.add_text(name + ".ply", ply_bytes(baked));
   folder.add_text(name + ".glb", glb_bytes(baked));
   write_baked(baked, baker.unit(), folder.add(name + ".vtp"), directory / (name + ".vtp"));
-  add_texture(request, scene, baker, surface, exposure, folder);
+  if (texture) add_texture(*std::move(texture), name, baked.comment, surface, folder);
   const std::vector<std::string> names = folder.names();
   const std::string summary = summary_with_files(directory, names);
   if (!summary.empty()) folder.add_text("summary.json", summary);

@@ -133,9 +133,7 @@ class Parser {
         ->type_name("N");
     command.add_flag("--verbose", bake_.verbose, "Show the mesher's log on standard error");
     command.add_option("--output", output_, "Directory of the files, in place of RESULTS")->type_name("DIR");
-    command.add_option("--threads", threads_, "Number of threads; 0: all cores")
-        ->check(whole_number)
-        ->type_name("N");
+    add_threads_and_progress(command);
   }
 
   void add_study() {
@@ -284,6 +282,7 @@ class Parser {
   BakeRequest finished_bake() {
     if (output_) bake_.output = *output_;
     if (threads_) bake_.threads = *threads_;
+    if (progress_) bake_.progress = progress_styles.at(*progress_);
     if (baked_ == "radiosity") bake_.quantity = BakedQuantity::radiosity;
     if (baked_ == "occlusion") bake_.quantity = BakedQuantity::occlusion;
     if (!bake_.sky.empty() && bake_.quantity != BakedQuantity::occlusion)

@@ -47,6 +47,7 @@ struct BakeRequest : CaseRequest {
   int texture = 0;  ///< pixels across and down of a texture that is baked too; 0: none
   std::optional<std::filesystem::path> output;
   std::optional<int> threads;
+  ProgressStyle progress = ProgressStyle::automatic;
 };
 
 /// What a study refines from level to level; both: on a grid of meshes and direction sets.

@@ -14,11 +14,14 @@ constexpr double seconds_between_drawings = 0.2;
 
 void PictureProgress::show(double share, double seconds) {
   if (style_ == ProgressStyle::none) return;
+  if (!first_) first_ = {share, seconds};
+  const auto [first_share, first_seconds] = *first_;
+  if (share <= first_share) return;
   const bool draws = style_ == ProgressStyle::bar;
   if (seconds < shown_at_ + (draws ? seconds_between_drawings : seconds_between_lines)) return;
   shown_at_ = seconds;
-  const std::string text = fmt::format("  picture {}: {:.0f} %, about {:.0f} s left", name_, 100 * share,
-                                       seconds * (1 - share) / share);
+  const double left = (seconds - first_seconds) * (1 - share) / (share - first_share);
+  const std::string text = fmt::format("  {}: {:.0f} %, about {:.0f} s left", name_, 100 * share, left);
   if (draws)
     out_ << "\r" << text << "\x1b[K" << std::flush;
   else

@@ -103,7 +103,7 @@ bool write_pictures(const PictureOrder& order, const TakePicture& take, const Ad
   std::vector<NamedPicture> pictures;
   for (const CameraCase& camera : order.cameras) {
     const Clock::time_point begun = Clock::now();
-    PictureProgress display(order.progress, camera.name, out);
+    PictureProgress display(order.progress, "picture " + camera.name, out);
     Picture picture = take(camera.camera, [&](double share) {
       display.show(share, seconds_since(begun));
       return !order.interrupted();
@@ -131,7 +131,13 @@ bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, c
   return write_pictures(
       {input, cameras, directory, progress, out, interrupted},
       [&](const Camera& camera, const PictureObserver& observer) {
-        return take_picture(scene, camera, threads, observer);
+        const Clock::time_point begun = Clock::now();
+        PictureProgress display(progress, "looking for the light of walls", out);
+        return take_picture(scene, camera, threads, observer, [&](double share) {
+          display.show(share, seconds_since(begun));
+          if (share == 1) display.finish();
+          return !interrupted();
+        });
       },
       [&](NamedPicture& picture) { return add_errors(error_scenes, threads, interrupted, picture); });
 }

@@ -79,10 +79,12 @@ ExitCode render_results(const RenderRequest& request, std::ostream& out, std::os
   const std::filesystem::path directory = request.output.value_or(request.results);
   check_output_directory(directory);
   if (input.photons) return render_by_photons(request, std::move(input), cameras, interruption, out, err);
+  out << "reading " << request.results.string() << std::endl;
   const SavedScene saved(std::move(input), request.results, "render", request.threads,
                          verbose_log(request, err));
   check_views(cameras, {}, saved.problem);
   interruption.note_the_first();
+  out << fmt::format("preparing light along rays in {} cells", saved.mesh.cell_count()) << std::endl;
   const RayRadiance scene(saved.lights, saved.directions, saved.options, saved.state, saved.options.threads);
   const ErrorScenes errors(cameras, saved.lights, saved.directions, saved.options, saved.state,
                            saved.result.direction_error);

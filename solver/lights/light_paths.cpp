@@ -40,10 +40,15 @@ RayEnd LightPaths::walk(const PointInCell& from, const Vec3& direction, double l
     const RayMatter::View light = matter_.view(-direction);
     double reached = 0;
     return rays_.walk(from.cell, from.position, direction, length, [&](CellIndex cell, double part) {
-      // What is linear has its mean in the middle.
-      const Vec3 middle = from.position + (reached + part / 2) * direction;
-      for (std::size_t b = 0; b < bands_; ++b)
-        depth[b] += matter_.at(cell, b, light, middle).extinction() * part;
+      if (!matter_.varies(cell) && !matter_.depends_on_direction(problem_.mesh().region(cell))) {
+        const double* extinction = &extinction_[cell.at() * bands_];
+        for (std::size_t b = 0; b < bands_; ++b) depth[b] += extinction[b] * part;
+      } else {
+        // What is linear has its mean in the middle.
+        const Vec3 middle = from.position + (reached + part / 2) * direction;
+        for (std::size_t b = 0; b < bands_; ++b)
+          depth[b] += matter_.at(cell, b, light, middle).extinction() * part;
+      }
       reached += part;
     });
   }

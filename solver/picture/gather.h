@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "solver/picture/ray_radiance.h"
 
 namespace etendue {
@@ -13,7 +15,9 @@ namespace etendue {
 /// so that it is free of the directions' rays to the next order. `rays` is a square number; they stand for
 /// equal parts of the cosine-weighted half range; each sends `shadow_rays` to the lights where it ends, as in
 /// RayView. Nothing for 0 rays. The same bits for any number of
-/// threads.
-WallIrradiance gather(const RayRadiance& scene, int rays, int shadow_rays, int threads);
+/// threads. The observer is called now and then with the share that is done; false stops it, and nothing
+/// comes back.
+WallIrradiance gather(const RayRadiance& scene, int rays, int shadow_rays, int threads,
+                      const std::function<bool(double)>& observer = {});
 
 }  // namespace etendue

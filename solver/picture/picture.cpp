@@ -52,8 +52,9 @@ Picture take_picture(std::size_t bands, const std::function<RayLook()>& make_loo
 }
 
 Picture take_picture(const RayRadiance& scene, const Camera& camera, int threads,
-                     const PictureObserver& observer) {
-  const WallIrradiance gathered = gather(scene, camera.gather, camera.shadow_rays, threads);
+                     const PictureObserver& observer, const PictureObserver& gathering) {
+  const WallIrradiance gathered = gather(scene, camera.gather, camera.shadow_rays, threads, gathering);
+  if (camera.gather > 0 && gathered.values.empty()) return {camera.pixels, scene.bands(), {}, false};
   const RayView view{.shafts = camera.shafts,
                      .brought = camera.gather > 0 ? &gathered : nullptr,
                      .glossy = camera.glossy,

@@ -37,8 +37,9 @@ Picture take_picture(std::size_t bands, const std::function<RayLook()>& make_loo
                      int threads, const PictureObserver& observer);
 
 /// Takes a picture: the mean of the radiance over a grid of rays in each pixel. What no ray meets is dark.
-/// The same bits for any number of threads.
+/// The same bits for any number of threads. `gathering` is called while the light of walls is looked for,
+/// before the first pixel, where the camera asks for that.
 Picture take_picture(const RayRadiance& radiance, const Camera& camera, int threads,
-                     const PictureObserver& observer = {});
+                     const PictureObserver& observer = {}, const PictureObserver& gathering = {});
 
 }  // namespace etendue

@@ -2,6 +2,7 @@
 #include "solver/sensors/wall_bake.h"
 
 #include <algorithm>
+#include <mutex>
 #include <numbers>
 
 #include "solver/lights/light_irradiance.h"
@@ -15,20 +16,30 @@ using std::numbers::pi;
 /// Part of the way from a vertex to the middle of its face.
 constexpr double off_the_vertex = 0.02;
 
-/// [place][band]
-std::vector<double> light_at(const std::vector<BakePlace>& places, const LightSetup& lights, int threads) {
+/// So many places are looked at before the observer is asked.
+constexpr std::size_t places_at_once = 16;
+
+/// [place][band]; empty where it was stopped.
+std::vector<double> light_at(const std::vector<BakePlace>& places, const LightSetup& lights, int threads,
+                             const PictureObserver& observer) {
   const TetrahedralMesh& mesh = lights.problem().mesh();
   const std::size_t bands = lights.paths().bands();
   std::vector<double> values(places.size() * bands);
   const LightIrradiance direct(lights);
-  parallel_for(places.size(), threads, 16, [&](std::size_t i) {
+  std::mutex observing;
+  std::size_t done = 0;
+  const bool whole = parallel_for(places.size(), threads, places_at_once, [&](std::size_t i) {
     const BakePlace& place = places[i];
     const UncollidedAtPoint light =
         direct.at({mesh.owner(place.face), place.position}, -mesh.area_normal(place.face).normalized());
     std::copy(light.irradiance.begin(), light.irradiance.end(),
               values.begin() + static_cast<std::ptrdiff_t>(i * bands));
-    return true;
+    const std::lock_guard<std::mutex> lock(observing);
+    ++done;
+    return !observer || done % places_at_once != 0 ||
+           observer(static_cast<double>(done) / static_cast<double>(places.size()));
   });
+  if (!whole) values.clear();
   return values;
 }
 
@@ -66,10 +77,12 @@ std::vector<BakePlace> vertex_places(const WallSurface& surface, const Tetrahedr
 }
 
 std::vector<double> bake_irradiance(const std::vector<BakePlace>& places, const LightSetup& lights,
-                                    const WallIrradiance& brought, int threads) {
+                                    const WallIrradiance& brought, int threads,
+                                    const PictureObserver& observer) {
   const std::size_t bands = lights.paths().bands();
   std::vector<double> values(places.size() * bands, 0);
-  if (!lights.empty()) values = light_at(places, lights, threads);
+  if (!lights.empty()) values = light_at(places, lights, threads, observer);
+  if (values.empty()) return values;
   for (std::size_t p = 0; p < places.size(); ++p)
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t b = 0; b < bands; ++b)
@@ -91,7 +104,8 @@ std::vector<double> bake_radiosity(const std::vector<BakePlace>& places, const P
 }
 
 std::vector<double> bake_sky_visibility(const std::vector<BakePlace>& places, const TetrahedralMesh& mesh,
-                                        const std::vector<int>& sky, int threads) {
+                                        const std::vector<int>& sky, int threads,
+                                        const PictureObserver& observer) {
   std::vector<Medium> media;
   for (const std::string& name : mesh.region_names())
     media.push_back(
@@ -103,7 +117,7 @@ std::vector<double> bake_sky_visibility(const std::vector<BakePlace>& places, co
   }
   const Problem outdoors(mesh, {}, media, walls);
   const LightSetup lights(outdoors);
-  std::vector<double> values = light_at(places, lights, threads);
+  std::vector<double> values = light_at(places, lights, threads, observer);
   for (double& value : values) value /= pi;
   return values;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/picture/picture.h"
 #include "solver/picture/wall_light.h"
 
 namespace etendue {
@@ -35,17 +36,20 @@ struct BakePlace {
 /// room it would not be known on which side.
 std::vector<BakePlace> vertex_places(const WallSurface& surface, const TetrahedralMesh& mesh);
 
-/// Irradiance [place][band]: of the lights exact there (LightIrradiance), else as `brought` has it.
+/// Irradiance [place][band]: of the lights exact there (LightIrradiance), else as `brought` has it. Empty
+/// where the observer stopped it.
 std::vector<double> bake_irradiance(const std::vector<BakePlace>& places, const LightSetup& lights,
-                                    const WallIrradiance& brought, int threads);
+                                    const WallIrradiance& brought, int threads,
+                                    const PictureObserver& observer = {});
 
 /// What the wall sends back and emits, per area, [place][band] [power/length^2]: (diffuse) E + pi L.
 std::vector<double> bake_radiosity(const std::vector<BakePlace>& places, const Problem& problem,
                                    const std::vector<double>& irradiance);
 
 /// Visibility of a uniform sky [place], weighted by the cosine: 1 less the ambient occlusion. The walls in
-/// `sky` shine, all others are black, and nothing is between them.
+/// `sky` shine, all others are black, and nothing is between them. Empty where the observer stopped it.
 std::vector<double> bake_sky_visibility(const std::vector<BakePlace>& places, const TetrahedralMesh& mesh,
-                                        const std::vector<int>& sky, int threads);
+                                        const std::vector<int>& sky, int threads,
+                                        const PictureObserver& observer = {});
 
 }  // namespace etendue

@@ -23,6 +23,7 @@ TEST(Bake, WritesWhatTheWallsReceiveSendAndSee) {
     if (quantity == "occlusion") arguments.insert(arguments.end(), {"--sky", "zmax"});
     const Outcome bake = etendue_says(arguments);
     ASSERT_EQ(bake.code, ExitCode::done) << bake.err;
+    EXPECT_TRUE(bake.out.starts_with("reading " + folder.results() + "\n")) << bake.out;
     EXPECT_TRUE(has(bake.out, "baked " + quantity + " at ")) << bake.out;
     const std::string ply = text_of(results / (quantity + ".ply"));
     const std::string number = quantity == "occlusion" ? "sky_visibility" : quantity + "_green";

@@ -43,6 +43,11 @@ TEST(Gather, FindsTheSkyFromTheCornersOfAWell) {
   }
   EXPECT_EQ(corners, 6);
   EXPECT_TRUE(gather(scene, 0, 16, 1).values.empty());
+  double seen = 0;
+  EXPECT_EQ(gather(scene, 64, 16, 1, [&](double share) { return seen = share, true; }).values.size(),
+            gathered.values.size());
+  EXPECT_EQ(seen, 1);
+  EXPECT_TRUE(gather(scene, 64, 16, 1, [](double) { return false; }).values.empty()) << "it was stopped";
 }
 
 }  // namespace

@@ -113,6 +113,23 @@ TEST(WallBake, AddsLightsExactlyToWhatDirectionsBrought) {
   const WallIrradiance brought{
       std::vector<double>(static_cast<std::size_t>(mesh.boundary_face_count()) * 3, 0.3), {}};
   const std::vector<double> irradiance = bake_irradiance(vertex_places(surface, mesh), lights, brought, 1);
+  // Every vertex 20 times, to be asked now and then: shares rise until it is stopped, and nothing is left.
+  std::vector<BakePlace> places;
+  for (int i = 0; i < 20; ++i)
+    for (const BakePlace& place : vertex_places(surface, mesh)) places.push_back(place);
+  std::vector<double> shares;
+  const auto until = [&](double last) {
+    shares = {0};
+    return bake_irradiance(places, lights, brought, 1, [&](double share) {
+      EXPECT_GT(share, shares.back());
+      shares.push_back(share);
+      return share < last;
+    });
+  };
+  EXPECT_EQ(until(2).size(), places.size());
+  EXPECT_GT(shares.back(), 0.9);
+  EXPECT_TRUE(until(0.5).empty());
+  EXPECT_LT(shares.back(), 0.6);
   const std::vector<double> radiosity = bake_radiosity(vertex_places(surface, mesh), lit, irradiance);
   for (std::size_t v = 0; v < irradiance.size(); ++v) {
     const bool mouth = surface.vertices[v].normal.z() < -0.5;
