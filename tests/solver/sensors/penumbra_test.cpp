@@ -85,5 +85,47 @@ TEST(LightIrradiance, InAShadowIsThatOfTheVisiblePart) {
   EXPECT_LT(largest, 3e-7);
 }
 
+// Edges of a ball of many facets are too many to be told apart before a triangle as large as the lamp, which
+// is cut face by face then: with a box in the way as bright as a sum over very fine beams.
+TEST(LightIrradiance, IsCutAlongABoxBeforeMatterOfManyFacets) {
+  Geometry geometry;
+  BoxPrimitive room, box;
+  room.region = "room";
+  box.min = {0.4, 0.4, 0.2};
+  box.max = {0.6, 0.6, 0.3};
+  box.hole = true;
+  box.name = "box";
+  SpherePrimitive ball;
+  ball.region = "ball";
+  ball.center = {0.5, 0.5, 0.6};
+  ball.radius = 0.25;
+  ball.facets = 320;
+  geometry.primitives = {room, box, ball};
+  const TetrahedralMesh mesh(tetrahedralize(arrange(geometry), {{4e-3}, 1.4, {}}));
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    walls.push_back(uniform_wall(1, name == "zmax" ? 1 : 0, 0, 0));
+    walls.back().name = name;
+    walls.back().uncollided = Uncollided::yes;
+  }
+  std::vector<Medium> media;
+  for (const std::string& name : mesh.region_names())
+    media.push_back(uniform_medium(1, name == "ball" ? 1 : 0, 0, 0));
+  const Problem problem(mesh, {}, media, walls);
+  const LightSetup lights(problem);
+  const LightIrradiance meter(lights);
+  LightBeams beams(1);
+  for (const double x : {0.5, 0.3, 0.22}) {
+    const Vec3 place(x, 0.45, 0.01);
+    const PointInCell point{CellLocator(mesh).find(place).front().cell, place};
+    beams.clear();
+    lights.sources().front()->add_beams(point, Sight::attenuated, {0, 0, 1, 0.01, TriangleRule::seven_points},
+                                        beams);
+    double sum = 0;
+    for (std::size_t i = 0; i < beams.size(); ++i) sum -= beams.direction(i).z() * beams.fluence(i)[0];
+    EXPECT_NEAR(meter.at(point, Vec3::UnitZ()).irradiance[0] / sum, 1, 3e-4) << x;
+  }
+}
+
 }  // namespace
 }  // namespace etendue
