@@ -80,8 +80,8 @@ std::vector<KeyDeclaration> sensor_keys() {
        "polygon",
        points,
        {.unit = "length",
-        .help = "Corners of a flux in order, flat and convex. Forward is to where they are seen "
-                "counterclockwise."}},
+        .help = "Corners of a flux in order, in one plane; sides meet at common corners alone. Forward is to "
+                "where they are seen counterclockwise."}},
       {"sensor",
        "rays",
        integer,

@@ -5,6 +5,8 @@
 #include <map>
 #include <numbers>
 
+#include "solver/lights/outline.h"
+
 namespace etendue {
 namespace {
 
@@ -107,20 +109,36 @@ void read_optional_cone(Section& section, Sensor& sensor) {
   sensor.direction = unit_vector(section, "direction", "where the light comes from");
 }
 
+/// Whether two sides of a flat polygon cross, or a corner lies on another side.
+bool meets_itself(const std::vector<Vec3>& polygon, const Vec3& normal, double tolerance) {
+  const std::size_t count = polygon.size();
+  const auto corner = [&](std::size_t i) -> const Vec3& { return polygon[i % count]; };
+  const auto parted = [&](std::size_t side, std::size_t other) {
+    const Vec3 along = corner(side + 1) - corner(side);
+    return normal.dot(along.cross(corner(other) - corner(side))) *
+               normal.dot(along.cross(corner(other + 1) - corner(side))) <
+           0;
+  };
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 2; j < i + count; ++j) {
+      if (distance_to_side(corner(j), corner(i), corner(i + 1)) <= tolerance) return true;
+      if (j + 1 < i + count && parted(i, j) && parted(j, i)) return true;
+    }
+  return false;
+}
+
 void check_polygon(Section& section, const std::vector<Vec3>& polygon) {
   if (polygon.size() < 3) return section.fault("polygon", "has fewer than three corners; use three or more");
   const Vec3 normal = polygon_normal(polygon);
   double size = 0;
   for (const Vec3& corner : polygon) size = std::max(size, (corner - polygon[0]).norm());
   if (!(normal.norm() > 0.5)) return section.fault("polygon", "has no area; use corners that span one");
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()],
-               &c = polygon[(i + 2) % polygon.size()];
-    if (std::abs(normal.dot(b - polygon[0])) > flat * size)
+  for (const Vec3& corner : polygon)
+    if (std::abs(normal.dot(corner - polygon[0])) > flat * size)
       return section.fault("polygon", "is not flat; use corners in one plane");
-    if (normal.dot((b - a).cross(c - b)) < -flat * size * size)
-      return section.fault("polygon", "is not convex; use several sensors");
-  }
+  if (meets_itself(polygon, normal, flat * size))
+    section.fault("polygon",
+                  "has sides that meet elsewhere than at their common corner; use several sensors");
 }
 
 /// What a flux goes through: a polygon, a wall, or the surface of a region.

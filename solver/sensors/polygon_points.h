@@ -13,8 +13,9 @@ struct PolygonPoint {
   double area;
 };
 
-/// Those of a flat convex polygon: each triangle about its first corner in n^2 equal ones, with the three
-/// points of degree 2 in each.
+/// Those of a flat polygon whose sides meet at its corners alone: it is cut into triangles, a convex one
+/// about its first corner, others by their ears (Meisters 1975), and each of them in n^2 equal ones with the
+/// three points of degree 2 in each.
 std::vector<PolygonPoint> polygon_points(const std::vector<Vec3>& polygon, int n);
 
 }  // namespace etendue

@@ -17,7 +17,7 @@ enum class SensorKind {
   radiance,    ///< at a point, from the direction in which it looks
   cone,        ///< at a point, from all directions within an angle of the one in which it looks
   grid,        ///< irradiance at the middles of equal parts of a parallelogram
-  flux,        ///< power through a flat convex polygon or a whole wall, to both sides
+  flux,        ///< power through a flat polygon or a whole wall, to both sides
   intensity,   ///< what leaves the domain by a wall, over directions
   region       ///< the account of a region, of all light or of that from within a cone
 };

@@ -99,9 +99,14 @@ TEST(ReadSensor, RefusesPolygonsThatHaveNoInside) {
       "slab.toml:10: sensor[0].polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.1]]: is not flat; use "
       "corners in one plane");
   EXPECT_EQ(
-      faults_of(flux + "[[0, 0, 0], [1, 0, 0], [0.2, 0.2, 0], [0, 1, 0]]\n"),
-      "slab.toml:10: sensor[0].polygon = [[0, 0, 0], [1, 0, 0], [0.2, 0.2, 0], [0, 1, 0]]: is not convex; "
-      "use several sensors");
+      faults_of(flux + "[[0, 0, 0], [1, 0, 0], [0, 2, 0], [2, 2, 0]]\n"),
+      "slab.toml:10: sensor[0].polygon = [[0, 0, 0], [1, 0, 0], [0, 2, 0], [2, 2, 0]]: has sides that meet "
+      "elsewhere than at their common corner; use several sensors");
+  EXPECT_EQ(
+      faults_of(flux + "[[0, 0, 0], [2, 0, 0], [2, 1, 0], [1, 0, 0], [0, 1, 0]]\n"),
+      "slab.toml:10: sensor[0].polygon = [[0, 0, 0], [2, 0, 0], [2, 1, 0], [1, 0, 0], [0, 1, 0]]: has sides "
+      "that meet elsewhere than at their common corner; use several sensors");
+  EXPECT_EQ(faults_of(flux + "[[0, 0, 0], [1, 0, 0], [0.2, 0.2, 0], [0, 1, 0]]\n"), "");
   EXPECT_EQ(
       faults_of(flux + "[[0, 0, 0], [1, 0, 0], [2, 0, 0]]\n"),
       "slab.toml:10: sensor[0].polygon = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]: has no area; use corners that "
