@@ -40,6 +40,18 @@ class Hash {
 constexpr std::array<std::string_view, 7> free_tables = {"",       "mesh",   "solve", "probe",
                                                          "output", "camera", "sensor"};
 
+/// Keys of other tables that it does not depend on: a solution with negative values is a good start for one
+/// without, and photometric units are those of what sensors say of it.
+constexpr std::array<std::string_view, 7> free_keys = {
+    "positivity",    "illuminance",        "luminous_exitance", "luminance",
+    "luminous_flux", "luminous_intensity", "luminous_energy"};
+
+bool is_free(std::string_view line) {
+  return std::ranges::any_of(free_keys, [&](std::string_view key) {
+    return line.starts_with(key) && line.substr(key.size()).starts_with(" = ");
+  });
+}
+
 /// The first word of a line that opens a table: [media.smoke], [[probe]].
 std::string table_of(const std::string& header) {
   const auto first = header.find_first_not_of('[');
@@ -56,8 +68,7 @@ std::map<std::string, std::multiset<std::string>> tables_of(const std::string& r
       end_table();
       name = table_of(line);
     }
-    // A solution with negative values is a good start for one without.
-    if (!line.empty() && !line.starts_with("positivity = ")) table += line + "\n";
+    if (!line.empty() && !is_free(line)) table += line + "\n";
   }
   end_table();
   return tables;

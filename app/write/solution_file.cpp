@@ -166,7 +166,7 @@ SavedSolution read_of_case(const InputFile& file, const Case& input) {
   throw InputError(fault_at(file.origin, quoted(file),
                             "is a solution of another case (" + bracketed(different) +
                                 " differ); only the title, [mesh] if it gives the same cells, "
-                                "space.positivity, [solve], [[probe]], "
+                                "space.positivity, photometric units, [solve], [[probe]], "
                                 "[[camera]], [[sensor]] and [output] may, so start without or undo that"));
 }
 

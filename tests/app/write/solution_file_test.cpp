@@ -30,6 +30,10 @@ SavedState sample_state(const TetrahedralMesh& mesh, std::size_t bands) {
 
 const std::string sample_toml = R"(title = "Sample"
 
+[units]
+length = "m"
+illuminance = "lx"
+
 [mesh]
 max_volume = 1.0
 
@@ -97,6 +101,7 @@ TEST_F(SolutionFile, IsTakenWhereOnlyTheWayToTheSolutionAndItsReportDiffer) {
   change("\"Sample\"", "\"Another name\"");
   change("1e-06", "1e-09");
   change("\"results\"", "\"elsewhere\"");
+  change("\"lx\"", "\"fc\"\nluminous_exitance = \"lm/ft^2\"");
   run.input.resolved_toml += "\n[[probe]]\nname = \"new\"\n";
   EXPECT_EQ(refusal(), "");
 }
@@ -113,8 +118,8 @@ TEST_F(SolutionFile, OfAnotherCaseIsRefusedWithThePartsThatDiffer) {
   EXPECT_EQ(refusal(),
             "case.toml:8: solve.initial = \"" + file().string() +
                 "\": is a solution of another case ([directions], [media] differ); only the title, "
-                "[mesh] if it gives the same cells, space.positivity, [solve], [[probe]], [[camera]], "
-                "[[sensor]] and [output] may, so start without or undo that");
+                "[mesh] if it gives the same cells, space.positivity, photometric units, [solve], [[probe]], "
+                "[[camera]], [[sensor]] and [output] may, so start without or undo that");
 }
 
 TEST_F(SolutionFile, OfAnotherMeshIsRefused) {
