@@ -55,7 +55,7 @@ WallIrradiance brought(const BakeRequest& request, const SavedScene& scene, cons
   const SolveOptions& options = scene.options;
   if (request.gather == 0)
     return WallLight(scene.lights, scene.directions, scene.state, options.order == SpaceOrder::linear ? 3 : 1)
-        .joined();
+        .brought();
   const RayRadiance radiance(scene.lights, scene.directions, options, scene.state, options.threads);
   return gather(radiance, request.gather, fine_shadow_rays, options.threads, observer);
 }

@@ -14,7 +14,7 @@ ErrorScenes::ErrorScenes(const std::vector<CameraCase>& cameras, const LightSetu
   if (options.order == SpaceOrder::linear && state.radiance.empty()) {
     const CollidedSource source(lights, directions, options, state);
     bent_ = bent_state(lights.problem(), state, source.rows(), options.threads);
-    cells_.emplace(lights, directions, options, bent_, options.threads);
+    cells_.emplace(lights, directions, options, bent_, options.threads, WallValues::raw);
   }
   if (direction_error.empty()) return;
   brighter_ = state;

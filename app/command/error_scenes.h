@@ -21,7 +21,8 @@ class ErrorScenes {
   ErrorScenes(const ErrorScenes&) = delete;
   ErrorScenes& operator=(const ErrorScenes&) = delete;
 
-  /// With quadratics for the fluence and moments of each cell (bent_state). Null where no camera asks, with
+  /// With quadratics for the fluence and moments of each cell (bent_state), and what walls receive as the
+  /// solution has it in each face, not joined. Null where no camera asks, with
   /// constant elements, and beside scattering by a matrix, whose radiance is not bent.
   const RayRadiance* of_cells() const { return cells_ ? &*cells_ : nullptr; }
   /// With the standard error of rotated sets added to the fluence. Null where no camera asks or it is not

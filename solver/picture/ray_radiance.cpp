@@ -56,13 +56,13 @@ struct RayRadiance::Turn {
 };
 
 RayRadiance::RayRadiance(const LightSetup& lights, const DirectionSet& directions,
-                         const SolveOptions& options, const SavedState& state, int threads)
+                         const SolveOptions& options, const SavedState& state, int threads, WallValues walls)
     : lights_(lights),
       problem_(lights.problem()),
       bands_(lights.paths().bands()),
       collided_(lights, directions, options, state),
       once_(lights, threads),
-      walls_(lights, directions, state, options.order == SpaceOrder::linear ? 3 : 1),
+      walls_(lights, directions, state, options.order == SpaceOrder::linear ? 3 : 1, walls),
       entry_(problem_.mesh()) {
   find_dark_cells();
 }
@@ -136,8 +136,8 @@ RayRadiance::DiffuseWall RayRadiance::diffuse_wall(const PointInCell& start, con
                                                    Workspace& work) const {
   const RayEnd end = walk(start, direction, work);
   DiffuseWall wall{end.distance, std::vector<double>(bands_, 0)};
-  walls_.add_reflected(*end.wall, end.point, walls_.joined(), irradiance, wall.radiance);
-  walls_.add_transmitted(*end.wall, end.point, walls_.joined(), fine_shadow_rays, work.beams, wall.radiance);
+  walls_.add_reflected(*end.wall, end.point, walls_.brought(), irradiance, wall.radiance);
+  walls_.add_transmitted(*end.wall, end.point, walls_.brought(), fine_shadow_rays, work.beams, wall.radiance);
   return wall;
 }
 
@@ -242,7 +242,7 @@ void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const Stretch& str
   const Wall& wall = problem_.wall(number);
   std::fill(work.at_point.begin(), work.at_point.end(), 0.0);
   if (stretch.wall_is_diffuse)
-    walls_.add_reflected(face, point, view.brought != nullptr ? *view.brought : walls_.joined(),
+    walls_.add_reflected(face, point, view.brought != nullptr ? *view.brought : walls_.brought(),
                          view.shadow_rays, work.beams, work.at_point);
   for (std::size_t b = 0; b < bands_; ++b) {
     const double rest = std::exp(-work.depth_rest[b]);

@@ -42,7 +42,7 @@ class RayRadiance {
   /// `options` are those of the solution (elements, meters). The arguments must
   /// outlive it. Throws InputError where the state is not of this kind.
   RayRadiance(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
-              const SavedState& state, int threads);
+              const SavedState& state, int threads, WallValues walls = WallValues::joined);
 
   /// What one thread works with.
   struct Workspace {

@@ -54,7 +54,7 @@ void RayRadiance::add_glossy(FaceIndex face, const Vec3& point, const Stretch& s
     std::vector<double> share;
     for (std::size_t b = 0; b < bands_; ++b)
       share.push_back(wall.glossy_in(b) != nullptr ? wall.glossy_in(b)->albedo().mean() : 0);
-    walls_.add_sent_on(face, point, share, walls_.joined(), stretch.view.shadow_rays, work.beams, sum);
+    walls_.add_sent_on(face, point, share, walls_.brought(), stretch.view.shadow_rays, work.beams, sum);
   } else {
     add_glossy_lights(face, point, stretch, work, sum);
     add_glossy_rays(face, point, stretch, work, sum);

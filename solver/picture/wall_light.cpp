@@ -40,7 +40,7 @@ LightDetail detail_within(const LightSource& source, const PointInCell& point, L
 }
 
 WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, const SavedState& state,
-                     std::size_t face_nodes)
+                     std::size_t face_nodes, WallValues values)
     : lights_(lights),
       problem_(lights.problem()),
       bands_(lights.paths().bands()),
@@ -49,10 +49,12 @@ WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, c
   std::ranges::copy_if(lights.creases(), std::back_inserter(edges_), is_of_walls);
   const TetrahedralMesh& mesh = problem_.mesh();
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
-    joined_.half_range.push_back(directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
-  if (state.irradiance.size() != joined_.half_range.size() * face_nodes * bands_)
+    brought_.half_range.push_back(directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
+  if (state.irradiance.size() != brought_.half_range.size() * face_nodes * bands_)
     throw InputError("the saved state is not of this kind (another mesh or other elements)");
-  joined_.values = joined_on_planes(mesh, state.irradiance, face_nodes, bands_);
+  brought_.values = values == WallValues::raw && face_nodes == 3
+                        ? state.irradiance
+                        : joined_on_planes(mesh, state.irradiance, face_nodes, bands_);
 }
 
 void WallLight::add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought,

@@ -25,21 +25,26 @@ inline constexpr LightDetail cut_detail{0, 0, 0.6, 0.9, TriangleRule::seven_poin
 LightDetail detail_within(const LightSource& source, const PointInCell& point, LightDetail detail, int rays,
                           LightBeams& beams);
 
-/// What directions brought to the walls, as a picture takes it: continuous within each plane.
+/// What directions brought to the walls, as a picture takes it.
 struct WallIrradiance {
   std::vector<double> values;      ///< [boundary face][3][band] [power/length^2]
   std::vector<double> half_range;  ///< [boundary face] what it is divided by to be reflected [sr]
 };
 
+/// Whether what directions brought to the walls is made continuous within each plane, or taken as the
+/// solution has it in each face.
+enum class WallValues { joined, raw };
+
 /// The radiance that walls send back.
 class WallLight {
  public:
-  /// The arguments must outlive it. `face_nodes` is 3, or 1 with constant elements.
+  /// The arguments must outlive it. `face_nodes` is 3, or 1 with constant elements, whose values are always
+  /// joined.
   WallLight(const LightSetup& lights, const DirectionSet& directions, const SavedState& state,
-            std::size_t face_nodes);
+            std::size_t face_nodes, WallValues values = WallValues::joined);
 
   /// Adds the radiance [band] that a wall reflects diffusely at a point of a face, or transmits from behind:
-  /// of the light that directions carried, (diffuse/pi_h) E with the values around it joined continuously,
+  /// of the light that directions carried, (diffuse/pi_h) E,
   /// and of the lights' own, (diffuse/pi) E_0 as add_light() finds it.
   void add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought, int shadow_rays,
                      LightBeams& beams, std::span<double> radiance) const;
@@ -70,8 +75,8 @@ class WallLight {
   void add_light(const PointInCell& point, const Vec3& normal, int shadow_rays, LightBeams& beams,
                  std::span<double> irradiance) const;
 
-  /// What directions brought, as the solution has it, joined within each plane.
-  const WallIrradiance& joined() const { return joined_; }
+  /// What directions brought, as the solution has it.
+  const WallIrradiance& brought() const { return brought_; }
 
  private:
   /// The same with the irradiance that the lights are known to bring.
@@ -87,7 +92,7 @@ class WallLight {
   LightIrradiance irradiance_;
   std::vector<Crease> edges_;         ///< of walls
   std::vector<std::int32_t> behind_;  ///< [boundary face] other side of a sheet, -1: none
-  WallIrradiance joined_;
+  WallIrradiance brought_;
 };
 
 }  // namespace etendue

@@ -43,6 +43,11 @@ double root_mean_square(const std::vector<double>& values) {
 
 double smooth(const Vec3& p) { return 2 + std::sin(3 * p.x() + 1) * std::cos(2 * p.y()) + p.z() * p.z(); }
 
+Vec3 slope(const Vec3& p) {
+  return {3 * std::cos(3 * p.x() + 1) * std::cos(2 * p.y()),
+          -2 * std::sin(3 * p.x() + 1) * std::sin(2 * p.y()), 2 * p.z()};
+}
+
 /// A smooth fluence as discontinuous elements have it at best.
 SavedState elements_of(const TetrahedralMesh& mesh) {
   SavedState state;
@@ -115,6 +120,52 @@ TEST(ErrorScenes, ErrorOfCellsFollowsTheTrueOneAtOrderTwo) {
   EXPECT_GT(std::log2(coarse.estimated / fine.estimated) / 2, 1.7);
   EXPECT_GT(std::log2(coarse.true_one / fine.true_one) / 2, 1.7);
   EXPECT_GT(std::log2(coarse.left / fine.left) / 2, 2.5);
+}
+
+/// The same of a wall that smooth light falls on, in the faces as its value and slope in their middles have
+/// it.
+SpaceError wall_error(double max_volume) {
+  const TetrahedralMesh mesh = cube_mesh(max_volume);
+  const Problem room = uniform_problem(mesh, uniform_medium(1, 0, 0, 0), uniform_wall(1, 0, 0.5, 0));
+  const LightSetup lights(room);
+  const DirectionSet directions = directions_product(2);
+  const SolveOptions options = tight_options();
+  SavedState state;
+  state.bands = 1;
+  state.fluence.assign(4 * static_cast<std::size_t>(mesh.cell_count()), 0);
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    for (const std::int32_t vertex : mesh.vertices(FaceIndex(f))) {
+      const Vec3 middle = mesh.centroid(FaceIndex(f));
+      state.irradiance.push_back(smooth(middle) +
+                                 slope(middle).dot(mesh.point(VertexIndex(vertex)) - middle));
+    }
+  const RayRadiance scene(lights, directions, options, state, 1);
+  const ErrorScenes errors(cameras(), lights, directions, options, state, {});
+  const Camera camera = cameras().front().camera;
+  const CameraRays rays(camera);
+  std::vector<double> off = take_picture(scene, camera, 1).radiance;
+  for (int row = 0; row < camera.pixels[1]; ++row)
+    for (int column = 0; column < camera.pixels[0]; ++column) {
+      const CameraRay ray = rays.through(column + 0.5, row + 0.5);
+      const auto start = scene.enter(ray.origin, ray.direction);
+      if (!start) continue;
+      const Vec3 end = start->position + way_through(start->position, ray.direction) * ray.direction;
+      Vec3 outwards = Vec3::Zero();
+      for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(end[axis] - std::round(end[axis])) < 1e-9)
+          outwards[axis] = 2 * std::round(end[axis]) - 1;
+      off[static_cast<std::size_t>(row * camera.pixels[0] + column)] -=
+          0.5 / directions.half_range(outwards) * smooth(end);
+    }
+  return {root_mean_square(layer(*errors.of_cells(), scene)), root_mean_square(off), 0};
+}
+
+// Walls show what is joined, which differs from the linear elements as much as from the light.
+TEST(ErrorScenes, ErrorOfWallsFollowsTheTrueOneAtOrderTwo) {
+  const SpaceError coarse = wall_error(2e-2), middle = wall_error(2e-2 / 8), fine = wall_error(2e-2 / 64);
+  for (const SpaceError& error : {coarse, middle, fine})
+    EXPECT_NEAR(error.estimated, error.true_one, 0.2 * error.true_one);
+  EXPECT_GT(std::log2(coarse.estimated / fine.estimated) / 2, 1.7);
 }
 
 // The layer of directions is what pictures of the rotated sets differ by, as a standard error, or more: it

@@ -28,7 +28,7 @@ TEST(WallLight, KeepsAnIrradianceThatIsLinearOnEachSide) {
       state.irradiance.push_back(exact(FaceIndex(f), mesh.point(VertexIndex(v))));
   const WallLight walls(lights, directions_ldfe_sq(1), state, 3);
   for (std::size_t i = 0; i < state.irradiance.size(); ++i)
-    EXPECT_NEAR(walls.joined().values[i], state.irradiance[i], 1e-12);
+    EXPECT_NEAR(walls.brought().values[i], state.irradiance[i], 1e-12);
 }
 
 TEST(WallLight, IsContinuousOnASide) {
@@ -44,7 +44,7 @@ TEST(WallLight, IsContinuousOnASide) {
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     for (std::size_t i = 0; i < 3; ++i) {
       const std::pair place(mesh.wall(FaceIndex(f)), mesh.vertices(FaceIndex(f))[i]);
-      const double value = walls.joined().values[static_cast<std::size_t>(f) * 3 + i];
+      const double value = walls.brought().values[static_cast<std::size_t>(f) * 3 + i];
       EXPECT_NEAR(seen.try_emplace(place, value).first->second, value, 1e-12);
     }
 }
@@ -70,7 +70,7 @@ TEST(WallLight, SendsBackTheLightOfALampExactly) {
     const double expected = mesh.area_normal(face).normalized().dot(way) / std::pow(way.norm(), 3) *
                             std::exp(-0.7 * way.norm()) * 0.5 / std::numbers::pi;
     std::vector<double> radiance(1, 0);
-    wall_light.add_reflected(face, point, wall_light.joined(), 16, beams, radiance);
+    wall_light.add_reflected(face, point, wall_light.brought(), 16, beams, radiance);
     EXPECT_NEAR(radiance[0], expected, 1e-9 * expected);
   }
 }
