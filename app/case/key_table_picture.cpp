@@ -74,9 +74,10 @@ std::vector<KeyDeclaration> picture_keys() {
        {.default_value = "128",
         .range = {.lowest = 1, .highest = 4096},
         .help =
-            "From each point of a wall to each light with an extent, at most, where haze does not take the "
-            "same of all. Above 16 flat lamps are cut along the edges that hide them, with as many rays as "
-            "that needs, and penumbras have no steps; 16 make quick pictures."}},
+            "From each point of a wall to each light with an extent, at most: 16, and more where not all of "
+            "these fare alike. Above 16 lamps of few flat pieces are cut along the edges that hide them, "
+            "with as "
+            "many rays as that needs, and their penumbras have no steps; 16 make quick pictures."}},
       {"camera",
        "errors",
        boolean,

@@ -135,8 +135,9 @@ bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, c
         PictureProgress display(progress, "looking for the light of walls", out);
         return take_picture(scene, camera, threads, observer, [&](double share) {
           display.show(share, seconds_since(begun));
-          if (share == 1) display.finish();
-          return !interrupted();
+          const bool goes_on = !interrupted();
+          if (share == 1 || !goes_on) display.finish();
+          return goes_on;
         });
       },
       [&](NamedPicture& picture) { return add_errors(error_scenes, threads, interrupted, picture); });

@@ -2,6 +2,7 @@
 #include "solver/lights/even_pieces.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/lights/outline.h"
 
@@ -14,10 +15,15 @@ constexpr double one_plane = 1e-6;
 constexpr std::size_t most_pieces = 64;
 /// Sides of an outline that turn back by more than this are not convex.
 constexpr double turns_back = 1e-12;
+/// Heights above a plane, in units of the size, that are rounding: rays end at walls to 1e-9 of their way.
+constexpr double in_plane = 1e-10;
+/// Areas that differ by less are the same.
+constexpr double same_area = 1e-9;
 
 /// The corners of a convex outline in order; empty where it is not convex, or not one.
 std::vector<Vec3> convex_corners(const EvenPiece& piece) {
   const std::vector<Side> sides = outline(piece.triangles);
+  if (sides.empty()) return {};
   std::vector<Vec3> corners{sides.front().first};
   const Side* at = &sides.front();
   while (at->second != corners.front()) {
@@ -35,6 +41,24 @@ std::vector<Vec3> convex_corners(const EvenPiece& piece) {
     if (piece.normal.dot(in.cross(out)) < -turns_back * in.norm() * out.norm()) return {};
   }
   return corners;
+}
+
+double area_of(const std::array<Vec3, 3>& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2; }
+
+/// Whether the triangles about the first corner cover what the piece's own cover, and lie as they do.
+bool stand_for(const std::vector<Vec3>& corners, const EvenPiece& piece) {
+  const Vec3& first = corners[0];
+  double fan = 0, whole = 0, size = 0, height = 0;
+  for (std::size_t i = 2; i < corners.size(); ++i) fan += area_of({first, corners[i - 1], corners[i]});
+  const Vec3 normal = (corners[1] - first).cross(corners[2] - first).normalized();
+  for (const std::array<Vec3, 3>& triangle : piece.triangles) {
+    whole += area_of(triangle);
+    for (const Vec3& corner : triangle) {
+      size = std::max(size, (corner - first).norm());
+      height = std::max(height, std::abs(normal.dot(corner - first)));
+    }
+  }
+  return height <= in_plane * size && std::abs(fan - whole) <= same_area * whole;
 }
 
 EmitterPart triangle_of(const std::array<Vec3, 3>& corners, const std::vector<double>& radiance) {
@@ -63,13 +87,20 @@ std::optional<std::vector<EvenPiece>> even_pieces(std::span<const EmitterPart> t
   return pieces;
 }
 
+bool shines_to(const EmitterPart& triangle, const Vec3& eye) {
+  const Vec3 a = triangle.corners[0] - eye, b = triangle.corners[1] - eye, c = triangle.corners[2] - eye;
+  const Vec3 normal = (b - a).cross(c - a);
+  return -normal.dot(a) > in_plane * normal.norm() * std::max({a.norm(), b.norm(), c.norm()});
+}
+
 std::vector<EmitterPart> few_triangles(std::span<const EmitterPart> triangles) {
   const std::optional<std::vector<EvenPiece>> pieces = even_pieces(triangles, most_pieces);
   if (!pieces) return {triangles.begin(), triangles.end()};
   std::vector<EmitterPart> few;
   for (const EvenPiece& piece : *pieces) {
     const std::vector<Vec3> corners = convex_corners(piece);
-    const bool fewer = !corners.empty() && corners.size() - 2 < piece.triangles.size();
+    const bool fewer =
+        corners.size() > 2 && corners.size() - 2 < piece.triangles.size() && stand_for(corners, piece);
     for (std::size_t i = 2; fewer && i < corners.size(); ++i)
       few.push_back(triangle_of({corners[0], corners[i - 1], corners[i]}, piece.radiance));
     for (std::size_t i = 0; !fewer && i < piece.triangles.size(); ++i)

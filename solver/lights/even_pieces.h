@@ -22,8 +22,11 @@ struct EvenPiece {
 /// The pieces that a light's triangles make up; nothing where they are more than `most`.
 std::optional<std::vector<EvenPiece>> even_pieces(std::span<const EmitterPart> triangles, std::size_t most);
 
-/// The same light in as few triangles as its pieces' outlines need, where these are convex: faces of a mesh
-/// are far more.
+/// Whether a triangle shines towards an eye; not where that lies in its plane but for rounding.
+bool shines_to(const EmitterPart& triangle, const Vec3& eye);
+
+/// The same light in as few triangles as its pieces' outlines need, where these are convex and flat but for
+/// rounding: faces of a mesh are far more.
 std::vector<EmitterPart> few_triangles(std::span<const EmitterPart> triangles);
 
 }  // namespace etendue

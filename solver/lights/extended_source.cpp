@@ -32,12 +32,6 @@ constexpr double largest_side_of_body = 0.5, small_body = 0.25;
 
 std::span<const Vec3> triangle(const EmitterPart& part) { return std::span(part.corners).first<3>(); }
 
-/// Whether a triangle shines towards an eye.
-bool faces(const Vec3& eye, const EmitterPart& part) {
-  const auto corners = triangle(part);
-  return (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(eye - corners[0]) > 0;
-}
-
 /// What one part brings is the integral over its solid angle of the brightness along each direction.
 void scale(std::span<double> fluence, const std::vector<double>& brightness, double factor) {
   for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] *= brightness[b] * factor;
@@ -103,9 +97,8 @@ void ExtendedSource::add_view(const View& view, LightBeams& beams) const {
   const EmitterTree::Node& root = tree_.root();
   const bool far = root.radius < view.detail.opening / 2 * (root.centre - view.eye).norm() &&
                    root.thickness < view.detail.thickness / 2;
-  if (view.detail.creases != nullptr && !flat_parts_.empty() && tree_.parts().size() <= most_parted)
-    add_parted(view, beams);
-  else if (convex_.empty() || far)
+  if (view.detail.creases != nullptr && !flat_parts_.empty() && add_parted(view, beams)) return;
+  if (convex_.empty() || far)
     add_node(view, root, beams);
   else
     add_body(view, beams);
@@ -146,22 +139,23 @@ void ExtendedSource::add_points(const View& view, const EmitterTree::Node& node,
 }
 
 // Of a large triangle creases may be too many to be told apart, where they are not of each face of the mesh.
-void ExtendedSource::add_parted(const View& view, LightBeams& beams) const {
+bool ExtendedSource::add_parted(const View& view, LightBeams& beams) const {
+  if (flat_parts_.size() > most_parted) return false;
   const CreasePlanes creases(paths_, *view.detail.creases, view.eye, view.mirrors);
-  std::vector<CreasePlane> planes;
-  std::vector<std::vector<CreasePlane>> planes_of_few(flat_parts_.size());
+  std::vector<std::vector<CreasePlane>> planes(flat_parts_.size());
   bool told_apart = true;
   for (std::size_t i = 0; i < flat_parts_.size() && told_apart; ++i)
-    told_apart =
-        !faces(view.eye, flat_parts_[i]) || creases.find(0, triangle(flat_parts_[i]), planes_of_few[i]);
+    told_apart = !shines_to(flat_parts_[i], view.eye) || creases.find(0, triangle(flat_parts_[i]), planes[i]);
   for (std::size_t i = 0; i < flat_parts_.size() && told_apart; ++i)
-    if (faces(view.eye, flat_parts_[i])) add_triangle(view, flat_parts_[i], planes_of_few[i], beams);
-  if (told_apart) return;
+    if (shines_to(flat_parts_[i], view.eye)) add_triangle(view, flat_parts_[i], planes[i], beams);
+  if (told_apart) return true;
+  if (tree_.parts().size() > most_parted) return false;
   for (const EmitterPart& part : tree_.parts()) {
-    if (!faces(view.eye, part)) continue;
-    creases.find(0, triangle(part), planes);
-    add_triangle(view, part, planes, beams);
+    if (!shines_to(part, view.eye)) continue;
+    creases.find(0, triangle(part), planes[0]);
+    add_triangle(view, part, planes[0], beams);
   }
+  return true;
 }
 
 void ExtendedSource::add_triangle(const View& view, const EmitterPart& part,

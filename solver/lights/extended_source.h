@@ -46,7 +46,8 @@ class ExtendedSource : public WideSource {
   void add_points(const View& view, const EmitterTree::Node& node, LightBeams& beams) const;
   void add_triangle(const View& view, const EmitterPart& part, std::span<const CreasePlane> planes,
                     LightBeams& beams) const;
-  void add_parted(const View& view, LightBeams& beams) const;
+  /// False, and nothing added, where they are too many.
+  bool add_parted(const View& view, LightBeams& beams) const;
   void add_tetrahedron(const View& view, const EmitterPart& part, LightBeams& beams) const;
   void add_wedge(const View& view, const Wedge& wedge, const EmitterPart& part, LightBeams& beams) const;
   void add_body(const View& view, LightBeams& beams) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "solver/lights/even_pieces.h"
 #include "solver/lights/polygon_irradiance.h"
 #include "solver/lights/wide_source.h"
 
@@ -57,12 +58,19 @@ UncollidedAtPoint LightIrradiance::at(const PointInCell& point, const Vec3& norm
 
 void LightIrradiance::add(const LightSource& source, const Vec3& position, const Vec3& normal,
                           const LightBeams& seen, const LightBeams& clear, UncollidedAtPoint& light) const {
-  add_beams(seen, normal, 1, light);
-  const std::span<const EmitterPart> flat = flat_parts(source);
+  UncollidedAtPoint found{std::vector<double>(clear.bands(), 0), std::vector<double>(clear.bands(), 0)};
+  add_beams(seen, normal, 1, found);
   // Where nothing of it is seen, no rounding is to be left of (1).
-  if (flat.empty() || seen.size() == 0) return;
-  add_beams(clear, normal, -1, light);
-  for (const MirrorSet mirrors : images_) add_clear(flat, mirrors, position, normal, light);
+  if (seen.size() > 0 && clear.size() > 0) {
+    add_beams(clear, normal, -1, found);
+    for (const MirrorSet mirrors : images_) add_clear(flat_parts(source), mirrors, position, normal, found);
+  }
+  // Where nearly all is lost, the rule of the beams may take more than there was.
+  const auto add_to = [](const std::vector<double>& from, std::vector<double>& to) {
+    for (std::size_t b = 0; b < to.size(); ++b) to[b] += from[b] < 0 ? 0 : from[b];
+  };
+  add_to(found.irradiance, light.irradiance);
+  add_to(found.fluence, light.fluence);
 }
 
 // Through mirrors the meter is moved behind them instead of the light.
@@ -71,9 +79,8 @@ void LightIrradiance::add_clear(std::span<const EmitterPart> flat, MirrorSet mir
   const MirrorPlanes& planes = lights_.paths().mirrors();
   const Vec3 eye = planes.image(mirrors, position), up = planes.image_direction(mirrors, normal);
   for (const EmitterPart& part : flat) {
+    if (!shines_to(part, eye)) continue;
     const std::array<Vec3, 3> seen = {part.corners[0] - eye, part.corners[1] - eye, part.corners[2] - eye};
-    const Vec3 front = (seen[1] - seen[0]).cross(seen[2] - seen[0]);
-    if (front.dot(seen[0]) >= 0) continue;  // it shines the other way
     const double across = polygon_irradiance(seen, up), all = triangle_solid_angle(seen);
     for (std::size_t b = 0; b < part.brightness.size(); ++b) {
       const double arrives = part.brightness[b] * planes.reflectance(mirrors, b);

@@ -34,9 +34,9 @@ class LightIrradiance {
   /// `normal` is a unit vector.
   UncollidedAtPoint at(const PointInCell& point, const Vec3& normal) const;
 
-  /// Adds (1) for one light, or the sum over its beams of a light of another kind. `seen` are its beams
-  /// through what stands in the way, `clear` those of empty space at the same detail, of which only flat
-  /// lights need any.
+  /// Adds (1) for one light. `seen` are its beams through what stands in the way, `clear` those of empty
+  /// space at the same detail; without these, as for lights that are not flat, the sum over its beams is
+  /// added.
   void add(const LightSource& source, const Vec3& position, const Vec3& normal, const LightBeams& seen,
            const LightBeams& clear, UncollidedAtPoint& light) const;
 

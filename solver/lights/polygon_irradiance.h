@@ -14,7 +14,8 @@ namespace etendue {
 ///
 ///     E = |sum over the edges of a_i (x_i cross x_j).n / (2 |x_i cross x_j|)|,   a_i the angle of the edge.
 ///
-/// Corners in order, either way round; a polygon whose plane holds the origin brings nothing.
+/// Corners in order, either way round; a polygon whose plane holds the origin brings
+/// nothing, but must not be asked for where that plane is the meter's own.
 double polygon_irradiance(std::span<const Vec3> corners, const Vec3& normal);
 
 /// Solid angle of a triangle seen from the origin [sr] (van Oosterom and Strackee 1983, eq. 8).

@@ -17,6 +17,8 @@ namespace etendue {
 
 /// How many rays a point of a wall sends to each light with an extent where nothing else is said.
 inline constexpr int fine_shadow_rays = 128;
+/// And where many rays meet walls, so that the steps of each penumbra are lost among them.
+inline constexpr int quick_shadow_rays = 16;
 
 /// How a ray looks.
 struct RayView {

@@ -15,11 +15,20 @@ namespace {
 /// Transmittances to a light that differ by more show where each ray ends.
 constexpr double uneven = 0.1;
 
+/// Lamps of more are seen by groups of their faces.
+constexpr std::size_t most_triangles = 24;
+
 /// Rays to a light with an extent that tell whether more are needed.
 constexpr int few_rays = 16;
 
 /// From one detail to the next coarser one, and an opening within which all of a light is one.
 constexpr double coarser = 1.3, whole = 20;
+
+/// Whether a light is made of few enough triangles for each to be looked at.
+bool is_flat(const LightSource& source) {
+  const WideSource* wide = source.as_wide();
+  return wide != nullptr && !wide->flat_parts().empty() && wide->flat_parts().size() <= most_triangles;
+}
 
 bool is_of_walls(const Crease& crease) {
   return std::ranges::any_of(crease.surfaces,
@@ -101,51 +110,53 @@ void WallLight::add_sent_on(FaceIndex face, const Vec3& point, std::span<const d
 void WallLight::add_light(const PointInCell& point, const Vec3& normal, int shadow_rays, LightBeams& beams,
                           std::span<double> irradiance) const {
   LightBeams clear(bands_);
-  UncollidedAtPoint light;
+  UncollidedAtPoint light{std::vector<double>(bands_, 0), std::vector<double>(bands_, 0)};
   for (const auto& source : lights_.sources()) {
-    light.irradiance.assign(bands_, 0);
-    light.fluence.assign(bands_, 0);
     find_beams(*source, point, shadow_rays, beams, clear);
+    if (!is_flat(*source)) clear.clear();
     irradiance_.add(*source, point.position, -normal, beams, clear, light);
-    // Of a lamp that few rays see too little of, more may be missing than there was.
-    for (std::size_t b = 0; b < bands_; ++b) irradiance[b] += std::max(0.0, light.irradiance[b]);
   }
+  for (std::size_t b = 0; b < bands_; ++b) irradiance[b] += light.irradiance[b];
 }
 
 void WallLight::find_beams(const LightSource& source, const PointInCell& point, int shadow_rays,
                            LightBeams& beams, LightBeams& clear) const {
-  const auto look = [&](LightDetail detail) {
-    beams.clear();
-    source.add_beams(point, Sight::attenuated, detail, beams);
+  const auto look = [&](Sight sight, LightDetail detail, LightBeams& found) {
+    found.clear();
+    source.add_beams(point, sight, detail, found);
   };
   clear.clear();
-  const WideSource* wide = source.as_wide();
-  if (wide == nullptr) return look(wall_light_detail);
-  LightDetail first = wall_light_detail, second = penumbra_detail;
-  if (shadow_rays > few_rays && !wide->flat_parts().empty()) {
-    first = cut_detail;
-    first.creases = second.creases = &edges_;
-    source.add_beams(point, Sight::clear, first, clear);
-  } else {
-    first = detail_within(source, point, first, std::min(shadow_rays, few_rays), clear);
+  if (source.as_wide() == nullptr) return look(Sight::attenuated, wall_light_detail, beams);
+  if (shadow_rays > few_rays && is_flat(source)) {
+    LightDetail cut = cut_detail;
+    cut.creases = &edges_;
+    look(Sight::clear, cut, clear);
+    look(Sight::attenuated, cut, beams);
+    if (!are_unlike(clear, beams)) return;
+    cut = penumbra_detail;
+    cut.creases = &edges_;
+    look(Sight::clear, cut, clear);
+    return look(Sight::attenuated, cut, beams);
   }
-  look(first);
-  if (shadow_rays <= few_rays || !are_unlike(clear, beams, first.creases != nullptr)) return;
-  look(detail_within(source, point, second, shadow_rays, clear));
+  const int few = std::min(shadow_rays, few_rays);
+  look(Sight::attenuated, detail_within(source, point, wall_light_detail, few, clear), beams);
+  if (shadow_rays > few_rays && are_unlike(clear, beams, true))
+    look(Sight::attenuated, detail_within(source, point, penumbra_detail, shadow_rays, clear), beams);
 }
 
 // Without obstacles and media the same beams come in the same order, and no rays are needed to know them.
 // Behind mirrors it is not known which of them there are.
-bool WallLight::are_unlike(const LightBeams& clear, const LightBeams& seen, bool cut) const {
+bool WallLight::are_unlike(const LightBeams& clear, const LightBeams& seen, bool hidden_too) const {
   if (!lights_.paths().mirrors().empty()) return false;
-  if (seen.size() < clear.size() && !cut) return true;
+  if (hidden_too && seen.size() < clear.size()) return true;
   for (std::size_t b = 0; b < bands_; ++b) {
     double least = 1, most = 0;
-    for (std::size_t i = 0, all = 0; i < seen.size(); ++i, ++all) {
-      while (all + 1 < clear.size() && clear.direction(all) != seen.direction(i)) ++all;
+    for (std::size_t i = 0, all = 0; i < seen.size() && all < clear.size(); ++all) {
+      if (clear.direction(all) != seen.direction(i)) continue;
       const double part = clear.fluence(all)[b] > 0 ? seen.fluence(i)[b] / clear.fluence(all)[b] : 1;
       least = std::min(least, part);
       most = std::max(most, part);
+      ++i;
     }
     if (most - least > uneven) return true;
   }

@@ -14,7 +14,7 @@ namespace etendue {
 
 /// How light of the lights is found where a ray of a picture meets a wall: mostly 16 rays to a lamp; more
 /// where some of them are in the shadow, or where the haze that they pass is not alike, so that no edges of
-/// single shadows are seen. Lamps in a plane are cut along the edges of walls that stand before them instead.
+/// single shadows are seen. Flat lamps are cut along the edges of walls that stand before them instead.
 inline constexpr LightDetail wall_light_detail{0.4, 0.02, 0.6, 0.9, TriangleRule::three_points};
 inline constexpr LightDetail penumbra_detail{0.12, 0.01, 0.15, 0.3, TriangleRule::three_points};
 inline constexpr LightDetail cut_detail{0, 0, 0.6, 0.9, TriangleRule::seven_points};
@@ -64,9 +64,9 @@ class WallLight {
                    std::span<double> radiance) const;
 
   /// The beams of one light at a point of a cell, and of one with an extent those that would come in empty
-  /// space. From a light with an extent come 16 at most, or `shadow_rays` where those are fewer. Where these
-  /// are more, so many at most come where the first are not all alike; and a flat light is cut along what
-  /// hides it, however many come then.
+  /// space. From a light with an extent come 16 at most, or `shadow_rays` where those are fewer; where these
+  /// are more, so many at most come where the first are not all alike. A flat light of few triangles is cut
+  /// along what hides it where `shadow_rays` is above 16, however many come then.
   void find_beams(const LightSource& source, const PointInCell& point, int shadow_rays, LightBeams& beams,
                   LightBeams& clear) const;
 
@@ -83,8 +83,8 @@ class WallLight {
   void add_sent_on(FaceIndex face, const Vec3& point, std::span<const double> share,
                    const WallIrradiance& brought, std::span<const double> irradiance,
                    std::span<double> radiance) const;
-  /// Whether the beams of an uncut light are not all seen, or those that are seen alike.
-  bool are_unlike(const LightBeams& clear, const LightBeams& seen, bool cut) const;
+  /// Whether the beams that are seen have not lost alike; or, where asked, some are hidden.
+  bool are_unlike(const LightBeams& clear, const LightBeams& seen, bool hidden_too = false) const;
 
   const LightSetup& lights_;
   const Problem& problem_;

@@ -109,7 +109,7 @@ SensorReader::AtPoint SensorReader::radiance(const PointInCell& place, const Vec
 
 SensorReader::AtPoint SensorReader::irradiance(const PointInCell& place, const Vec3& normal, int rays,
                                                RayRadiance::Workspace& work) const {
-  const RayView view{.lights_shown = false};
+  const RayView view{.lights_shown = false, .shadow_rays = quick_shadow_rays};
   const ConeIntegrals rest = integrate_over_cone(
       {normal, pi / 2}, scene_.bands(),
       [&](const Vec3& direction, std::span<double> values) {
@@ -122,7 +122,7 @@ SensorReader::AtPoint SensorReader::irradiance(const PointInCell& place, const V
 
 SensorReader::AtPoint SensorReader::fluence(const PointInCell& place, const Sensor& sensor,
                                             RayRadiance::Workspace& work) const {
-  const RayView view{.lights_shown = false};
+  const RayView view{.lights_shown = false, .shadow_rays = quick_shadow_rays};
   const ConeIntegrals rest = integrate_over_cone(
       {Vec3::UnitZ(), pi}, scene_.bands(),
       [&](const Vec3& direction, std::span<double> values) {

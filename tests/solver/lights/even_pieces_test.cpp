@@ -45,6 +45,33 @@ TEST(FewTriangles, LeaveAloneWhatIsNotConvex) {
   }
 }
 
+// A strip that bends by a millionth is one piece, and its outline would cut off what rays meet first.
+TEST(FewTriangles, LeaveAloneWhatIsNotFlat) {
+  std::vector<EmitterPart> parts;
+  for (int i = 0; i < 4; ++i) add_square(i, 0, 0, 1, parts);
+  for (EmitterPart& part : parts)
+    for (Vec3& corner : part.corners) corner.z() += 2e-8 * corner.x() * corner.x();
+  EXPECT_EQ(even_pieces(parts, 64)->size(), 1);
+  EXPECT_EQ(few_triangles(parts).size(), parts.size());
+}
+
+// Two lamps in one place shine twice.
+TEST(FewTriangles, KeepAllLightOfTrianglesThatCoincide) {
+  std::vector<EmitterPart> parts;
+  for (int i = 0; i < 3; ++i) add_square(i, 0, 0, 1, parts);
+  parts.push_back(parts.front());
+  EXPECT_DOUBLE_EQ(area_of(few_triangles(parts)), area_of(parts));
+}
+
+TEST(ShinesTo, WhatLiesBeforeItAlone) {
+  std::vector<EmitterPart> parts;
+  add_square(0, 0, 0, 1, parts);
+  EXPECT_TRUE(shines_to(parts[0], {0.3, 0.2, 1e-6}));
+  EXPECT_FALSE(shines_to(parts[0], {0.3, 0.2, 1e-12}));
+  EXPECT_FALSE(shines_to(parts[0], {3, 2, 0}));
+  EXPECT_FALSE(shines_to(parts[0], {0.3, 0.2, -1}));
+}
+
 TEST(FewTriangles, KeepPlanesAndRadiancesApart) {
   std::vector<EmitterPart> parts;
   for (const auto& [height, radiance] : {std::pair{0., 1.}, {1., 1.}, {1., 2.}})

@@ -115,6 +115,16 @@ struct LitFloor {
     return found[0];
   }
 
+  /// The sum over rays to very small pieces of the ceiling.
+  double summed(const Vec3& place) const {
+    LightBeams beams(1);
+    lights.sources().front()->add_beams({CellLocator(mesh).find(place).front().cell, place},
+                                        Sight::attenuated, {0, 0, 1, 0.01, TriangleRule::seven_points},
+                                        beams);
+    double sum = 0;
+    for (std::size_t i = 0; i < beams.size(); ++i) sum -= beams.direction(i).z() * beams.fluence(i)[0];
+    return sum;
+  }
   /// What a meter there reads.
   double measured(const Vec3& place) const {
     return LightIrradiance(lights)
@@ -162,6 +172,8 @@ TEST(WallLight, CutsLampsInPenumbras) {
     few = std::max(few, std::abs(floor.irradiance(place, 16) - truth));
     many = std::max(many, std::abs(floor.irradiance(place, 128) - truth));
   }
+  // One of them by rays to a ceiling in small pieces.
+  EXPECT_NEAR(floor.measured({0.3, 0.5, 0}), floor.summed({0.3, 0.5, 0}), 2e-4);
   EXPECT_LT(many, 1e-4);
   EXPECT_GT(few, 1e-2);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -125,6 +126,25 @@ TEST(LightIrradiance, IsCutAlongABoxBeforeMatterOfManyFacets) {
     for (std::size_t i = 0; i < beams.size(); ++i) sum -= beams.direction(i).z() * beams.fluence(i)[0];
     EXPECT_NEAR(meter.at(point, Vec3::UnitZ()).irradiance[0] / sum, 1, 3e-4) << x;
   }
+}
+
+// A lamp brings nothing to itself, however rounding puts a point of a slanting one before or behind it.
+TEST(LightIrradiance, IsZeroOnTheFaceThatShines) {
+  const TetrahedralMesh mesh = cube_mesh(5e-3);
+  const std::array<Vec3, 3> lamp = {{{0.21, 0.33, 0.47}, {0.83, 0.29, 0.61}, {0.37, 0.77, 0.71}}};
+  const Problem problem(mesh, {}, {uniform_medium(1, 0, 0, 0)},
+                        std::vector<Wall>(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0)),
+                        AngularSpace::sphere, {{"lamp", SurfaceLight{{lamp[0], lamp[1], lamp[2]}, {1}}, {}}});
+  const LightSetup lights(problem);
+  const LightIrradiance meter(lights);
+  const CellLocator locator(mesh);
+  const Vec3 normal = (lamp[1] - lamp[0]).cross(lamp[2] - lamp[0]).normalized();
+  for (int i = 1; i < 40; ++i)
+    for (int j = 1; i + j < 40; ++j) {
+      const Vec3 place = lamp[0] + i / 40.0 * (lamp[1] - lamp[0]) + j / 40.0 * (lamp[2] - lamp[0]);
+      const PointInCell point{locator.find(place).front().cell, place};
+      EXPECT_LT(meter.at(point, normal).irradiance[0], 1e-12) << i << " " << j;
+    }
 }
 
 }  // namespace
