@@ -15,8 +15,9 @@ namespace {
 /// Transmittances to a light that differ by more show where each ray ends.
 constexpr double uneven = 0.1;
 
-/// Lamps of more are seen by groups of their faces.
-constexpr std::size_t most_triangles = 24;
+/// Triangles of a lamp that are cut, each seen by several rays, and of one whose light in empty space is
+/// added up: a disc has 62.
+constexpr std::size_t most_cut = 24, most_known = 256;
 
 /// Rays to a light with an extent that tell whether more are needed.
 constexpr int few_rays = 16;
@@ -24,10 +25,10 @@ constexpr int few_rays = 16;
 /// From one detail to the next coarser one, and an opening within which all of a light is one.
 constexpr double coarser = 1.3, whole = 20;
 
-/// Whether a light is made of few enough triangles for each to be looked at.
-bool is_flat(const LightSource& source) {
+/// Whether a light is made of triangles, and of so many at most.
+bool is_flat(const LightSource& source, std::size_t most) {
   const WideSource* wide = source.as_wide();
-  return wide != nullptr && !wide->flat_parts().empty() && wide->flat_parts().size() <= most_triangles;
+  return wide != nullptr && !wide->flat_parts().empty() && wide->flat_parts().size() <= most;
 }
 
 bool is_of_walls(const Crease& crease) {
@@ -113,7 +114,7 @@ void WallLight::add_light(const PointInCell& point, const Vec3& normal, int shad
   UncollidedAtPoint light{std::vector<double>(bands_, 0), std::vector<double>(bands_, 0)};
   for (const auto& source : lights_.sources()) {
     find_beams(*source, point, shadow_rays, beams, clear);
-    if (!is_flat(*source)) clear.clear();
+    if (!is_flat(*source, most_known)) clear.clear();
     irradiance_.add(*source, point.position, -normal, beams, clear, light);
   }
   for (std::size_t b = 0; b < bands_; ++b) irradiance[b] += light.irradiance[b];
@@ -127,7 +128,7 @@ void WallLight::find_beams(const LightSource& source, const PointInCell& point, 
   };
   clear.clear();
   if (source.as_wide() == nullptr) return look(Sight::attenuated, wall_light_detail, beams);
-  if (shadow_rays > few_rays && is_flat(source)) {
+  if (shadow_rays > few_rays && is_flat(source, most_cut)) {
     LightDetail cut = cut_detail;
     cut.creases = &edges_;
     look(Sight::clear, cut, clear);

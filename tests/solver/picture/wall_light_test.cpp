@@ -161,6 +161,34 @@ TEST(WallLight, IsExactBelowALampThatNothingHides) {
         << rays;
 }
 
+// Below the middle of a disc of half angle a: E = pi sin^2 a, here of the polygon that is as large.
+TEST(WallLight, IsExactBelowADisc) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  constexpr int sides = 64;
+  constexpr double radius = 0.3, height = 0.9, angle = 2 * std::numbers::pi / sides;
+  const double corner = radius * std::sqrt(angle / std::sin(angle));
+  const auto rim = [&](int i) -> Vec3 {
+    return Vec3(0.5, 0.5, height) + corner * Vec3(std::cos(i * angle), std::sin(i * angle), 0);
+  };
+  SurfaceLight disc;
+  disc.radiance = {1};
+  for (int i = 0; i < sides; ++i)
+    for (const Vec3& point : {Vec3(0.5, 0.5, height), rim(i + 1), rim(i)}) disc.triangles.push_back(point);
+  const Problem problem(mesh, {}, {uniform_medium(1, 0, 0, 0)},
+                        std::vector<Wall>(mesh.wall_names().size(), uniform_wall(1, 0, 0.5, 0)),
+                        AngularSpace::sphere, {{"disc", disc, {}}});
+  const LightSetup lights(problem);
+  SavedState state;
+  state.irradiance.resize(static_cast<std::size_t>(mesh.boundary_face_count()) * 3);
+  const WallLight light(lights, directions_ldfe_sq(1), state, 3);
+  LightBeams beams(1);
+  std::vector<double> found(1, 0);
+  const Vec3 place(0.5, 0.5, 0);
+  light.add_light({CellLocator(mesh).find(place).front().cell, place}, -Vec3::UnitZ(), 16, beams, found);
+  const double sine = radius / std::hypot(radius, height);
+  EXPECT_NEAR(found[0] / (std::numbers::pi * sine * sine), 1, 1e-6);
+}
+
 // In the penumbra of the crate the ceiling is cut along its edges, and all rays see the truth but for the
 // rule that they make up.
 TEST(WallLight, CutsLampsInPenumbras) {
