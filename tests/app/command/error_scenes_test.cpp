@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -74,6 +75,27 @@ double way_through(const Vec3& from, const Vec3& direction) {
   return way;
 }
 
+/// The radiance along a ray through the cube, from where it comes in.
+using ExactRadiance = std::function<double(const Vec3& start, const Vec3& direction)>;
+
+/// Root mean squares of what the layer says, the picture is off by, and that of the error scene is.
+SpaceError compare(const RayRadiance& scene, const RayRadiance& erring, const ExactRadiance& exact) {
+  const Camera camera = cameras().front().camera;
+  const CameraRays rays(camera);
+  std::vector<double> off = take_picture(scene, camera, 1).radiance;
+  std::vector<double> left = take_picture(erring, camera, 1).radiance;
+  for (int row = 0; row < camera.pixels[1]; ++row)
+    for (int column = 0; column < camera.pixels[0]; ++column) {
+      const CameraRay ray = rays.through(column + 0.5, row + 0.5);
+      const auto start = scene.enter(ray.origin, ray.direction);
+      if (!start) continue;
+      const double truth = exact(start->position, ray.direction);
+      off[static_cast<std::size_t>(row * camera.pixels[0] + column)] -= truth;
+      left[static_cast<std::size_t>(row * camera.pixels[0] + column)] -= truth;
+    }
+  return {root_mean_square(layer(erring, scene)), root_mean_square(off), root_mean_square(left)};
+}
+
 SpaceError space_error(double max_volume) {
   const TetrahedralMesh mesh = cube_mesh(max_volume);
   const Problem haze = uniform_problem(mesh, uniform_medium(1, 0.2, 1.5, 0), uniform_wall(1, 0, 0, 0));
@@ -85,27 +107,17 @@ SpaceError space_error(double max_volume) {
   const ErrorScenes errors(cameras(), lights, directions, options, state, {});
   EXPECT_EQ(errors.of_directions(), nullptr) << "nothing is known of them";
   // The exact picture is that of a very fine sum along the rays.
-  const Camera camera = cameras().front().camera;
-  const CameraRays rays(camera);
-  std::vector<double> off = take_picture(scene, camera, 1).radiance;
-  std::vector<double> left = take_picture(*errors.of_cells(), camera, 1).radiance;
-  for (int row = 0; row < camera.pixels[1]; ++row)
-    for (int column = 0; column < camera.pixels[0]; ++column) {
-      const CameraRay ray = rays.through(column + 0.5, row + 0.5);
-      const auto start = scene.enter(ray.origin, ray.direction);
-      if (!start) continue;
-      double exact = 0;
-      const double way = way_through(start->position, ray.direction);
-      constexpr int steps = 1000;
-      for (int i = 0; i < steps; ++i) {
-        const double along = way * (i + 0.5) / steps;
-        exact += way / steps * std::exp(-1.7 * along) * 1.5 / (4 * std::numbers::pi) *
-                 smooth(start->position + along * ray.direction);
-      }
-      off[static_cast<std::size_t>(row * camera.pixels[0] + column)] -= exact;
-      left[static_cast<std::size_t>(row * camera.pixels[0] + column)] -= exact;
+  return compare(scene, *errors.of_cells(), [](const Vec3& start, const Vec3& direction) {
+    const double way = way_through(start, direction);
+    constexpr int steps = 1000;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+      const double along = way * (i + 0.5) / steps;
+      sum += way / steps * std::exp(-1.7 * along) * 1.5 / (4 * std::numbers::pi) *
+             smooth(start + along * direction);
     }
-  return {root_mean_square(layer(*errors.of_cells(), scene)), root_mean_square(off), root_mean_square(left)};
+    return sum;
+  });
 }
 
 // The layer of cells falls at the order of linear elements, as what it estimates does, and is that but for
@@ -141,23 +153,13 @@ SpaceError wall_error(double max_volume) {
     }
   const RayRadiance scene(lights, directions, options, state, 1);
   const ErrorScenes errors(cameras(), lights, directions, options, state, {});
-  const Camera camera = cameras().front().camera;
-  const CameraRays rays(camera);
-  std::vector<double> off = take_picture(scene, camera, 1).radiance;
-  for (int row = 0; row < camera.pixels[1]; ++row)
-    for (int column = 0; column < camera.pixels[0]; ++column) {
-      const CameraRay ray = rays.through(column + 0.5, row + 0.5);
-      const auto start = scene.enter(ray.origin, ray.direction);
-      if (!start) continue;
-      const Vec3 end = start->position + way_through(start->position, ray.direction) * ray.direction;
-      Vec3 outwards = Vec3::Zero();
-      for (int axis = 0; axis < 3; ++axis)
-        if (std::abs(end[axis] - std::round(end[axis])) < 1e-9)
-          outwards[axis] = 2 * std::round(end[axis]) - 1;
-      off[static_cast<std::size_t>(row * camera.pixels[0] + column)] -=
-          0.5 / directions.half_range(outwards) * smooth(end);
-    }
-  return {root_mean_square(layer(*errors.of_cells(), scene)), root_mean_square(off), 0};
+  return compare(scene, *errors.of_cells(), [&](const Vec3& start, const Vec3& direction) {
+    const Vec3 end = start + way_through(start, direction) * direction;
+    Vec3 outwards = Vec3::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::abs(end[axis] - std::round(end[axis])) < 1e-9) outwards[axis] = 2 * std::round(end[axis]) - 1;
+    return 0.5 / directions.half_range(outwards) * smooth(end);
+  });
 }
 
 // Walls show what is joined, which differs from the linear elements as much as from the light.
