@@ -2,11 +2,11 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <array>
 #include <functional>
 #include <vector>
 
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
+#include "solver/angle/gauss_legendre.h"
 
 namespace etendue {
 
@@ -14,10 +14,10 @@ namespace etendue {
 /// folded onto the cell, which is exact for polynomials up to degree 4.
 inline std::vector<double> linear_fits(const TetrahedralMesh& mesh,
                                        const std::function<double(const Vec3&)>& function) {
-  constexpr std::array at = {0.069431844202973712, 0.33000947820757187, 0.66999052179242813,
-                             0.93056815579702629};
-  constexpr std::array of = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
-                             0.17392742256872693};
+  GaussRule rule = gauss_legendre(4);
+  for (double& node : rule.nodes) node = (1 + node) / 2;
+  for (double& weight : rule.weights) weight /= 2;
+  const auto &at = rule.nodes, &of = rule.weights;
   std::vector<double> nodal;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const auto& v = mesh.vertices(CellIndex(c));
