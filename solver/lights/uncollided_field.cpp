@@ -6,6 +6,7 @@
 #include <span>
 
 #include "solver/lights/cell_light.h"
+#include "solver/lights/directional_losses.h"
 #include "solver/lights/extended_light.h"
 #include "solver/lights/face_light.h"
 #include "solver/lights/vertex_losses.h"
@@ -37,8 +38,9 @@ NodalMoments losses_of(const LitCell& cell, const VertexLosses& vertices, std::s
   return moments;
 }
 
-/// Adds what is absorbed and scatters of a source's light in a cell.
-void add_losses(const LightPaths& paths, const LitCell& cell, const std::optional<VertexLosses>& vertices,
+/// Adds what is absorbed and scatters of a source's light in a cell: as it was integrated, or by what it
+/// meets at the vertices.
+void add_losses(const LightPaths& paths, const LitCell& cell, const VertexLosses* vertices,
                 const NodalMoments& integrated, std::size_t source, UncollidedField& field) {
   const std::size_t bands = paths.bands();
   const RayMatter& matter = paths.matter();
@@ -85,6 +87,9 @@ void add_cells(const LightPaths& paths, const LightSource& source, const CreaseP
         extended->add(cell, beams, moments);
       else
         add_directly(paths, source, creases, cell, beams, moments);
+      const bool from_points = extended && !source.as_wide()->is_soft() &&
+                               paths.matter().depends_on_direction(mesh.region(cell.index));
+      if (from_points) add_directional_losses(paths, source, cell, beams, moments);
       for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t b = 0; b < bands; ++b) {
           const std::size_t node = cell.index.at() * 4 + i;
@@ -92,7 +97,9 @@ void add_cells(const LightPaths& paths, const LightSource& source, const CreaseP
           for (std::size_t axis = 0; axis < 3; ++axis)
             field.net_flux[(node * 3 + axis) * bands + b] += moments.nodal(i, 1 + axis, b, cell.volume);
         }
-      if (with_losses) add_losses(paths, cell, vertices, moments, field.by_source.size() - 1, field);
+      if (with_losses)
+        add_losses(paths, cell, vertices && !from_points ? &*vertices : nullptr, moments,
+                   field.by_source.size() - 1, field);
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include "mesh/tetrahedra/vertex_cells.h"
 #include "solver/lights/vertex_light.h"
+#include "solver/lights/wide_source.h"
 
 namespace etendue {
 
@@ -11,6 +12,7 @@ VertexLosses::VertexLosses(const LightPaths& paths, const LightSource& source, i
   const std::vector<std::int32_t> cell_of = wanted_cells_of_vertices(
       mesh, [&](CellIndex cell) { return paths.matter().depends_on_direction(mesh.region(cell)); });
   beams_.resize(cell_of.size());
+  if (source.as_wide() == nullptr || !source.as_wide()->is_soft()) return;
 #pragma omp parallel num_threads(threads)
   {
     LightBeams light(paths.bands());

@@ -7,8 +7,8 @@
 
 namespace etendue {
 
-/// What light of a source that comes from many directions meets at the corners of cells: in matter that
-/// depends on the direction the mean over those in which it comes to them.
+/// What light of a source with an extent meets at the corners of cells: in matter that depends on the
+/// direction, which soft light alone is asked for, the mean over those in which it comes to them.
 class VertexLosses {
  public:
   /// The paths must outlive it.

@@ -159,11 +159,42 @@ TEST(DirectionalLight, BalancesAsInOtherMatter) {
   EXPECT_LT(residual(leaves(LeafAngles::horizontal), Lamp::sun), 1e-6);
 }
 
-// What a wall's light meets is linear between the vertices; across leaves that lie flat that is coarse.
+// From a whole ceiling light comes in all directions; how much leaves that lie flat or stand upright take of
+// it differs most between these. Where nothing differs the rules of other matter are left.
 TEST(DirectionalLight, OfAWallBalances) {
   const TetrahedralMesh mesh = cube_mesh(0.05);
-  const Problem problem = lit(mesh, leaves(LeafAngles::planophile), Lamp::wall);
-  EXPECT_NEAR(powers_of(LightSetup(problem)).residual(), 0, 0.03);
+  const auto residual = [&](const Medium& medium) {
+    const Problem problem = lit(mesh, medium, Lamp::wall);
+    return std::abs(powers_of(LightSetup(problem)).residual());
+  };
+  for (const LeafAngles angles : {LeafAngles::horizontal, LeafAngles::planophile, LeafAngles::vertical})
+    EXPECT_LT(residual(leaves(angles)), 1e-3);
+  EXPECT_LT(residual(flakes()), 1e-3);
+  EXPECT_LT(residual(leaves(LeafAngles::spherical)), 1e-5);
+}
+
+/// Between opposite sides of length 1 at this distance (Hottel; Howell, C-11).
+double form_factor_of_squares(double distance) {
+  const double x = 1 / distance, root = std::sqrt(1 + x * x);
+  return 2 / (std::numbers::pi * x * x) *
+         (std::log((1 + x * x) / std::sqrt(1 + 2 * x * x)) + 2 * x * root * std::atan(x / root) -
+          2 * x * std::atan(x));
+}
+
+// Flat leaves leave e^(-u_L d) in a depth d, whatever the direction: of what goes down through a plane there,
+// pi F(d) e^(-u_L d) of a ceiling of radiance 1, they take u_L in each length.
+TEST(DirectionalLight, OfACeilingIsLostInFlatLeavesAsInClosedForm) {
+  const TetrahedralMesh mesh = cube_mesh(5e-3);
+  constexpr int steps = 1000;
+  double lost = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double depth = (i + 0.5) / steps;
+    lost += density * std::exp(-density * depth) * form_factor_of_squares(depth) / steps;
+  }
+  const Problem problem = lit(mesh, leaves(LeafAngles::horizontal), Lamp::wall);
+  const Powers powers = powers_of(LightSetup(problem));
+  EXPECT_NEAR((powers.absorbed + powers.collided) / powers.sent, lost, 1e-4);
+  EXPECT_NEAR(powers.residual(), 0, 5e-4);
 }
 
 TEST(DirectionalLight, OfRoundFlakesIsThatOfOrdinaryMatter) {
