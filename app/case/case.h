@@ -161,6 +161,7 @@ struct RadiosityCase {
   RadiosityMethod solution = RadiosityMethod::gathering;
   int rays = 16;                 ///< between two patches
   double link_tolerance = 3e-4;  ///< of the hierarchical solution
+  int path_rays = 1024;          ///< from each patch over mirrors and glossy walls
   int passes = 0;                ///< that are written
 };
 

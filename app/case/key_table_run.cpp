@@ -229,6 +229,13 @@ std::vector<KeyDeclaration> run_keys() {
             "Of the hierarchical solution: what a link may bring too much or too little to a place, of the "
             "mean irradiance of all walls. The irradiance is off by some ten times that."}},
       {"radiosity",
+       "path_rays",
+       integer,
+       {.default_value = "1024",
+        .range = {.lowest = 1, .highest = 1e6},
+        .help = "From each patch, followed over mirrors and glossy walls where there are any; from a probe "
+                "sixteen times as many."}},
+      {"radiosity",
        "passes",
        integer,
        {.default_value = "0",

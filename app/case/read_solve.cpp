@@ -134,6 +134,7 @@ void read_radiosity(Section radiosity, bool chosen, Case& result) {
   read.solution = radiosity_method(radiosity.text("solution"));
   read.rays = radiosity.integer("rays");
   read.link_tolerance = radiosity.number("link_tolerance");
+  read.path_rays = radiosity.integer("path_rays");
   read.passes = radiosity.integer("passes");
   if (chosen) result.radiosity = read;
 }

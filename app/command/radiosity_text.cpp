@@ -12,7 +12,8 @@ namespace {
 // Rows of passes that a person reads; the rest is in passes.csv.
 constexpr std::size_t longest_table = 24;
 
-std::string checks_text(const FactorChecks& checks) {
+std::string checks_text(const RadiosityReport& report) {
+  const FactorChecks& checks = report.checks;
   TextTable table({"what holds of form factors", "largest deviation"}, {Align::left, Align::right});
   const auto add = [&](const char* what, double deviation) {
     table.add_row({what, fmt::format("{:.2g}", deviation)});
@@ -23,17 +24,24 @@ std::string checks_text(const FactorChecks& checks) {
   add("A_j F_jk = A_k F_kj, found both ways", checks.reciprocity);
   add("F_jj = 0", checks.self);
   add("F to a patch = sum of F to its parts", checks.additivity);
+  if (report.extended_entries > 0) {
+    add("with mirrors and glossy walls: all of a patch's light stays somewhere",
+        report.extended_closing.row_sum);
+    add("the same on the mean", report.extended_closing.row_sum_mean);
+    add("the same, closed", report.extended_closing.closed_row_sum);
+  }
   return "\nform factors\n" + table.text();
 }
 
 std::string passes_text(const RunResult& result) {
   const std::vector<Bounce>& bounces = result.radiosity->bounces;
   if (bounces.empty()) return "";
-  TextTable table({"pass", "band", "exitant", "incident", "deposit"},
-                  {Align::right, Align::left, Align::right, Align::right, Align::right});
+  TextTable table({"pass", "band", "exitant", "incident", "redirected", "deposit"},
+                  {Align::right, Align::left, Align::right, Align::right, Align::right, Align::right});
   for (std::size_t i = 0; i < std::min(bounces.size(), longest_table); ++i)
     table.add_row({fmt::to_string(bounces[i].pass), result.problem.bands().names[bounces[i].band],
-                   number(bounces[i].exitant), number(bounces[i].incident), number(bounces[i].deposit)});
+                   number(bounces[i].exitant), number(bounces[i].incident), number(bounces[i].redirected),
+                   number(bounces[i].deposit)});
   return fmt::format("\npasses from wall to wall [{}]{}\n", UnitLabels(result.input.units).power,
                      bounces.size() > longest_table ? ", the first (all: passes.csv)" : "") +
          table.text();
@@ -51,10 +59,13 @@ std::string radiosity_text(const RunResult& result) {
     text += fmt::format("  {} links between groups of patches, {:.3g} for each patch, after {} rounds\n",
                         report.links, static_cast<double>(report.links) / static_cast<double>(report.patches),
                         report.link_rounds.size());
+  if (report.extended_entries > 0)
+    text += fmt::format("  mirrors and glossy walls connect {:.3g} patches with each one\n",
+                        static_cast<double>(report.extended_entries) / static_cast<double>(report.patches));
   text += fmt::format(
       "  seconds: {:.3g} for form factors, {:.3g} for the solution, {:.3g} for the field in cells\n",
       report.factor_seconds, report.solve_seconds, report.field_seconds);
-  text += checks_text(report.checks) + passes_text(result);
+  text += checks_text(report) + passes_text(result);
   TextTable table({"band", "still on its way [%]", "passes", ""},
                   {Align::left, Align::right, Align::right, Align::left});
   for (std::size_t b = 0; b < result.solution.convergence.size(); ++b) {

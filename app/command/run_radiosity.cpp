@@ -13,6 +13,8 @@ namespace {
 constexpr double off_the_wall = 1e-6;
 // From a probe, where something may stand between.
 constexpr int rays_to_a_patch = 64;
+// Where light is redirected: a probe looks around along so many times the rays of a patch.
+constexpr int path_rays_of_probe = 16;
 
 std::vector<ProbeRow> probes_of(const Case& input, const Problem& problem, const CellLocator& locator,
                                 const WallLightField& field) {
@@ -80,6 +82,7 @@ RadiosityOptions radiosity_options(const Case& input, int threads) {
   options.method = input.radiosity->solution;
   options.rays = input.radiosity->rays;
   options.link_tolerance = input.radiosity->link_tolerance;
+  options.path_rays = input.radiosity->path_rays;
   options.limits = {input.solve.tolerance, input.solve.max_sweeps};
   options.threads = threads;
   return options;
@@ -104,15 +107,16 @@ RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room,
   RadiosityRun run;
   run.solution = room.solve([&](const RadiosityState& state) {
     if (run.passes.size() < static_cast<std::size_t>(input.radiosity->passes)) {
-      room.fields_on_walls(state.irradiance, run.passes.emplace_back());
-      if (finer) run.pass_patches.push_back(light_on_patches(problem, room.patches(), state.irradiance));
+      room.fields_on_walls(state, run.passes.emplace_back());
+      if (finer) run.pass_patches.push_back(light_on_patches(problem, room.patches(), state));
     }
     return !interrupted();
   });
-  if (finer) run.patches = light_on_patches(problem, room.patches(), room.irradiance());
+  if (finer) run.patches = light_on_patches(problem, room.patches(), room.solved());
   run.solution.state = state_to_look_at(room, scene);
   run.report = room.report();
-  run.probes = probes_of(input, problem, scene.locator, room.light(rays_to_a_patch));
+  run.probes = probes_of(input, problem, scene.locator,
+                         room.light(rays_to_a_patch, path_rays_of_probe * input.radiosity->path_rays));
   return run;
 }
 

@@ -93,10 +93,10 @@ std::string regions_csv(const RunResult& result) {
 
 std::string passes_csv(const RunResult& result) {
   const std::vector<std::string>& bands = result.problem.bands().names;
-  std::string table = "pass,band,exitant,incident,deposit\n";
+  std::string table = "pass,band,exitant,incident,redirected,deposit\n";
   for (const Bounce& bounce : result.radiosity->bounces)
-    add_row(table, "{},{},{},{},{}", bounce.pass, csv_field(bands[bounce.band]), bounce.exitant,
-            bounce.incident, bounce.deposit);
+    add_row(table, "{},{},{},{},{},{}", bounce.pass, csv_field(bands[bounce.band]), bounce.exitant,
+            bounce.incident, bounce.redirected, bounce.deposit);
   return table;
 }
 

@@ -8,7 +8,14 @@
 namespace etendue {
 
 /// What random numbers are drawn for; different uses of one history never share numbers.
-enum class RandomUse : std::uint32_t { emission = 0, flight = 1, reverse = 2, lattice = 3, form_factor = 4 };
+enum class RandomUse : std::uint32_t {
+  emission = 0,
+  flight = 1,
+  reverse = 2,
+  lattice = 3,
+  form_factor = 4,
+  path = 5
+};
 
 /// The random numbers of one history, four at a time: the same whichever thread walks it.
 class RandomStream {

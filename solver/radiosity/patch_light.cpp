@@ -23,10 +23,9 @@ std::vector<double> irradiance_behind(const Problem& problem, const WallPatches&
 
 }  // namespace
 
-PatchLight light_on_patches(const Problem& problem, const WallPatches& patches,
-                            const std::vector<double>& irradiance) {
+PatchLight light_on_patches(const Problem& problem, const WallPatches& patches, const RadiosityState& state) {
   const auto bands = static_cast<std::size_t>(problem.band_count());
-  const std::vector<double> behind = irradiance_behind(problem, patches, irradiance);
+  const std::vector<double> behind = irradiance_behind(problem, patches, state.irradiance);
   PatchLight light;
   for (std::size_t p = 0; p < patches.patches.size(); ++p) {
     const Wall& wall = problem.wall(patches.walls[p]);
@@ -35,10 +34,12 @@ PatchLight light_on_patches(const Problem& problem, const WallPatches& patches,
       light.walls.push_back(patches.walls[p]);
       light.patches.push_back(static_cast<std::int32_t>(p));
       for (std::size_t b = 0; b < bands; ++b) {
-        const double incident = irradiance[p * bands + b];
+        const double incident = state.irradiance[p * bands + b];
         light.irradiance.push_back(incident);
         const double through = behind.empty() ? 0 : wall.transmitted(b) * behind[p * bands + b];
-        light.exitance.push_back(std::numbers::pi * wall.radiance[b] + wall.diffuse[b] * incident + through);
+        const double redirected = state.redirected.empty() ? 0 : state.redirected[p * bands + b];
+        light.exitance.push_back(std::numbers::pi * wall.radiance[b] + wall.diffuse[b] * incident + through +
+                                 redirected);
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/problem/problem.h"
+#include "solver/radiosity/radiosity_equation.h"
 #include "solver/radiosity/wall_patches.h"
 
 namespace etendue {
@@ -15,12 +16,11 @@ struct PatchLight {
   std::vector<std::int32_t> walls;         ///< [triangle]
   std::vector<std::int32_t> patches;       ///< [triangle]
   std::vector<double> irradiance;          ///< [triangle][band] [power/length^2]
-  std::vector<double> exitance;            ///< [triangle][band] pi L + rho H + tau H(behind) [power/length^2]
+  /// [triangle][band] pi L + rho H + tau H(behind) + what is redirected [power/length^2]
+  std::vector<double> exitance;
 };
 
-/// Of irradiances [patch][band].
-PatchLight light_on_patches(const Problem& problem, const WallPatches& patches,
-                            const std::vector<double>& irradiance);
+PatchLight light_on_patches(const Problem& problem, const WallPatches& patches, const RadiosityState& state);
 
 /// Whether some patch is a part of a face, so that means over faces say less.
 bool are_finer_than_faces(const WallPatches& patches);

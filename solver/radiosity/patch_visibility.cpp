@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "solver/photons/random_stream.h"
+#include "solver/radiosity/even_points.h"
 #include "solver/radiosity/wall_patches.h"
 
 namespace etendue {
@@ -15,40 +15,6 @@ namespace {
 constexpr int rays_of_shadows = 8;
 // Distance behind a plane, relative to the size of a patch and its distance, that is rounding.
 constexpr double behind = 1e-9;
-
-/// Steps of 1/g, 1/g^2, …, where g^(n+1) = g + 1 in n dimensions (Roberts 2018).
-template <std::size_t dimensions>
-constexpr std::array<double, dimensions> even_step;
-template <>
-constexpr std::array<double, 4> even_step<4> = {0.8566748838545029, 0.7338918566271260, 0.6287067210378087,
-                                                0.5385972572236101};
-template <>
-constexpr std::array<double, 6> even_step<6> = {0.8986537126286992, 0.8075784952213447, 0.7257334129697597,
-                                                0.6521830259439715, 0.5860866975779693, 0.5266889867007357};
-
-/// A sequence that fills the unit cube of so many dimensions evenly, begun somewhere.
-template <std::size_t dimensions>
-class EvenPoints {
- public:
-  explicit EvenPoints(std::uint64_t number) {
-    RandomStream stream(0, number, RandomUse::form_factor);
-    std::uint32_t word[4];
-    for (std::size_t i = 0; i < dimensions; ++i) {
-      if (i % 4 == 0) stream.next(word);
-      place_[i] = uniform(word[i % 4]);
-    }
-  }
-  const std::array<double, dimensions>& next() {
-    for (std::size_t i = 0; i < dimensions; ++i) {
-      place_[i] += even_step<dimensions>[i];
-      place_[i] -= std::floor(place_[i]);
-    }
-    return place_;
-  }
-
- private:
-  std::array<double, dimensions> place_{};
-};
 
 /// Whether nothing of a node, or of what is left of it, lies behind a plane.
 bool all_before(const PatchTree& tree, const PatchNode& node, const FlatPatch& plane) {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "solver/radiosity/exchange.h"
+#include "solver/radiosity/extended_exchange.h"
 
 namespace etendue {
 
@@ -15,7 +15,7 @@ struct SheetPassage {
 };
 
 /// B_j = E_j + rho_j H_j + tau_j sum over passages k to j of share H_k,  A_j H_j = sum over k of G_jk B_k.
-/// Arrays are [patch][band].
+/// G is extended over walls that redirect light, where there are any. Arrays are [patch][band].
 struct RadiosityEquation {
   const Exchange& exchange;
   std::size_t bands = 1;
@@ -23,9 +23,16 @@ struct RadiosityEquation {
   std::vector<double> reflectance;  ///< rho
   std::vector<SheetPassage> passages = {};
   std::vector<double> transmittance = {};  ///< tau, where there are passages
+  const ExtendedExchange* extended = nullptr;
 
   /// rho H + tau H(behind) of an irradiance H.
   std::vector<double> sent_on(const std::vector<double>& irradiance) const;
+  /// G x
+  std::vector<double> arriving(const std::vector<double>& x) const;
+  /// [patch][band] of G_jk
+  std::vector<double> row(std::size_t j) const;
+  /// What walls redirect of light x, of which this power arrives [power/length^2].
+  std::vector<double> redirected(const std::vector<double>& x, const std::vector<double>& arriving) const;
 };
 
 /// The powers of one band in one pass of the light from all walls to all walls.
@@ -33,16 +40,19 @@ struct Bounce {
   int pass = 0;
   std::size_t band = 0;
   double exitant = 0;   ///< what leaves the walls: emitted in the first pass, reflected in later ones
-  double incident = 0;  ///< what arrives
-  double deposit = 0;   ///< what of it stays
+  double incident = 0;  ///< what arrives, again where a mirror or a glossy wall has redirected it
+  double redirected = 0;
+  double deposit = 0;  ///< what of it stays
 };
 
 /// A solution, or how far it is.
 struct RadiosityState {
   std::vector<double> irradiance;  ///< H [patch][band] [power/length^2]
-  std::vector<Bounce> bounces;     ///< pass by pass, band by band; none of a direct solution
-  std::vector<double> residual;    ///< [band] power that is still on its way, of all that arrives
-  int passes = 0;                  ///< of gathering, or rows of shooting in units of all patches
+  /// What mirrors and glossy walls redirect of it [patch][band] [power/length^2].
+  std::vector<double> redirected = {};
+  std::vector<Bounce> bounces;   ///< pass by pass, band by band; none of a direct solution
+  std::vector<double> residual;  ///< [band] power that is still on its way, of all that arrives
+  int passes = 0;                ///< of gathering, or rows of shooting in units of all patches
   bool converged = false;
 };
 

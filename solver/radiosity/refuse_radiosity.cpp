@@ -54,13 +54,9 @@ void refuse_for_radiosity(const Problem& problem) {
     if (any(medium.emission_by_direction))
       faults.add(origin_of(medium, "emission"), "depends on the direction");
   for (const Wall& wall : problem.walls()) {
-    if (std::ranges::any_of(wall.specular, [](double s) { return s > 0; }))
-      faults.add(origin_of(wall, "specular"), "is a mirror (radiosity knows diffuse walls alone)");
-    if (wall.refractive_index != 1)
-      faults.add(origin_of(wall, "refractive_index"), "refracts (radiosity knows diffuse walls alone)");
-    if (wall.is_glossy())
-      faults.add(origin_of(wall, "glossy"),
-                 "reflects into some directions more than into others (radiosity knows diffuse walls alone)");
+    if (wall.refractive_index != 1 && std::ranges::any_of(wall.radiance, [](double r) { return r > 0; }))
+      faults.add(origin_of(wall, "radiance"),
+                 "is refracted as it comes in (radiosity sends light evenly into all directions)");
     if (any(wall.radiance_by_direction))
       faults.add(origin_of(wall, "radiance"),
                  "depends on the place or the direction (not in this version for radiosity)");

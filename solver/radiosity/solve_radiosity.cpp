@@ -12,12 +12,19 @@
 namespace etendue {
 namespace {
 
+bool has_redirecting_walls(const Problem& problem) {
+  return std::ranges::any_of(
+      problem.walls(), [](const Wall& wall) { return redirects(wall, Redirection::mirrors_and_lobes); });
+}
+
 constexpr double pi = std::numbers::pi;
 // Error of row sums after closing: far below that of the factors.
 constexpr double closed = 1e-12;
 // What may be on its way where a solution is looked at for refinement: of links, and of the change that
 // patches are cut for.
 constexpr double rough = 0.01;
+// A point of a cell looks along fewer rays than a patch sends: four points share the cell.
+constexpr int rays_of_patch_to_point = 8;
 
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
@@ -43,6 +50,8 @@ RadiosityMemory radiosity_memory(const Problem& problem, const RadiosityOptions&
   memory.bytes = (memory.kept ? matrix : 0) + memory.patches * (4096 + 8 * bands * sizeof(double)) +
                  static_cast<std::size_t>(mesh.cell_count()) * 16 * bands * sizeof(double);
   if (options.method == RadiosityMethod::direct) memory.bytes += 2 * matrix;
+  if (has_redirecting_walls(problem))
+    memory.bytes += ExtendedExchange::bytes_of(patches, options.path_rays, bands);
   return memory;
 }
 
@@ -76,7 +85,21 @@ void RadiosityRoom::make_matrix(const FactorProgress& progress) {
                                                  options_.largest_kept, progress);
   report_.kept = matrix->is_kept();
   exchange_ = std::move(matrix);
+  extend();
+  close();
+}
+
+void RadiosityRoom::extend() {
+  if (!has_redirecting_walls(problem_)) return;
+  extended_ = std::make_unique<ExtendedExchange>(*exchange_, problem_, patches_,
+                                                 Redirection::mirrors_and_lobes, options_.path_rays);
+  report_.extended_entries = extended_->entries();
+}
+
+// Straight factors first, whose checks are their own.
+void RadiosityRoom::close() {
   report_.checks = check_and_close(*exchange_, closed);
+  if (extended_ != nullptr) report_.extended_closing = extended_->close(closed);
 }
 
 // Links are found for what patches are likely to send, solved with, and split where they send more, until all
@@ -88,8 +111,9 @@ void RadiosityRoom::make_links(const FactorProgress& progress) {
   ExchangeLinks& links = *found;
   exchange_ = std::move(found);
   report_.link_rounds.clear();
+  extend();
   do {
-    report_.checks = check_and_close(links, closed);
+    close();
     report_.link_rounds.push_back(links.link_count());
   } while (links.refine(solved_brightness(), [&](double) { progress(1); }) > 0);
   report_.links = links.link_count();
@@ -124,7 +148,9 @@ std::vector<double> RadiosityRoom::likely_brightness() const {
     for (std::size_t p = 0; p < brightness.size(); ++p) {
       const Wall& wall = problem_.wall(patches_.walls[p]);
       emitted += patches_.patches[p].area() * pi * wall.radiance[b];
-      absorbing += patches_.patches[p].area() * (1 - wall.diffuse[b]);
+      absorbing +=
+          patches_.patches[p].area() *
+          (1 - wall.diffuse[b] - redirected_part_of_isotropic(wall, b, Redirection::mirrors_and_lobes));
     }
     if (emitted <= 0 || absorbing <= 0) continue;
     for (std::size_t p = 0; p < brightness.size(); ++p) {
@@ -142,6 +168,7 @@ void RadiosityRoom::make_factors(const RadiosityWatcher& watcher) {
     if (watcher) watcher(stage);
   };
   tell(0);
+  extended_.reset();
   exchange_.reset();
   const auto so_far = [&](double done) {
     if (done > 0) tell(done);  // 0 is told once
@@ -165,6 +192,7 @@ RadiosityEquation RadiosityRoom::equation() const {
   }
   if (std::ranges::any_of(problem_.walls(), [](const Wall& wall) { return wall.transmits(); }))
     equation.passages = sheet_passages(problem_.mesh(), patches_);
+  equation.extended = extended_.get();
   return equation;
 }
 
@@ -186,20 +214,20 @@ Solution RadiosityRoom::solve(const RadiosityObserver& observer) {
   Clock::time_point start = Clock::now();
   const RadiosityEquation asked = equation();
   bool stopped = false;
-  const RadiosityState state = solve(asked, [&](const RadiosityState& now) {
+  solved_ = solve(asked, [&](const RadiosityState& now) {
     stopped = observer && !observer(now);
     return !stopped;
   });
+  const RadiosityState& state = solved_;
   report_.bounces = state.bounces;
   report_.passes = state.passes;
   report_.solve_seconds = seconds_since(start);
-  irradiance_ = state.irradiance;
   exitance_ = asked.emission;
   const std::vector<double> sent_on = asked.sent_on(state.irradiance);
   for (std::size_t i = 0; i < exitance_.size(); ++i) exitance_[i] += sent_on[i];
   Solution solution;
   solution.method = "radiosity";
-  fields_on_walls(state.irradiance, solution);
+  fields_on_walls(state, solution);
   start = Clock::now();
   fill_cells(solution);
   report_.field_seconds = seconds_since(start);
@@ -211,31 +239,32 @@ Solution RadiosityRoom::solve(const RadiosityObserver& observer) {
   for (const Bounce& bounce : state.bounces)
     solution.history.push_back(
         {bounce.pass, static_cast<int>(bounce.band),
-         bounce.exitant > 0 ? (bounce.incident - bounce.deposit) / bounce.exitant : 0});
+         bounce.exitant > 0 ? (bounce.incident - bounce.redirected - bounce.deposit) / bounce.exitant : 0});
   solution.negative = negative_census(solution.fluence, bands_);
   return solution;
 }
 
-void RadiosityRoom::fields_on_walls(const std::vector<double>& irradiance, Solution& fields) const {
+void RadiosityRoom::fields_on_walls(const RadiosityState& state, Solution& fields) const {
   const TetrahedralMesh& mesh = problem_.mesh();
   const auto faces = static_cast<std::size_t>(mesh.boundary_face_count());
   fields.irradiance.assign(faces * 3 * bands_, 0);
   fields.exitance.assign(faces * 3 * bands_, 0);
   fields.half_range.assign(faces, pi);
   const std::vector<std::int32_t> behind = faces_behind(mesh);
-  const auto mean_on = [&](std::size_t face, std::size_t band) {
+  const auto mean_on = [&](const std::vector<double>& values, std::size_t face, std::size_t band) {
     double mean = 0;
     for (const FacePart& part : patches_.of_faces[face])
-      mean += part.share * irradiance[part.patch * bands_ + band];
+      mean += part.share * values[part.patch * bands_ + band];
     return mean;
   };
   for (std::size_t f = 0; f < faces; ++f) {
     const Wall& wall = problem_.wall(mesh.wall(FaceIndex(static_cast<std::int64_t>(f))));
     for (std::size_t b = 0; b < bands_; ++b) {
-      const double mean = mean_on(f, b);
+      const double mean = mean_on(state.irradiance, f, b);
       double sent = pi * wall.radiance[b] + wall.diffuse[b] * mean;
       if (wall.transmitted(b) > 0)
-        sent += wall.transmitted(b) * mean_on(static_cast<std::size_t>(behind[f]), b);
+        sent += wall.transmitted(b) * mean_on(state.irradiance, static_cast<std::size_t>(behind[f]), b);
+      if (!state.redirected.empty()) sent += mean_on(state.redirected, f, b);
       for (std::size_t node = 3 * f; node < 3 * f + 3; ++node) {
         fields.irradiance[node * bands_ + b] = mean;
         fields.exitance[node * bands_ + b] = sent;
@@ -244,23 +273,35 @@ void RadiosityRoom::fields_on_walls(const std::vector<double>& irradiance, Solut
   }
 }
 
-WallLightField RadiosityRoom::light(int rays) const { return {*exchange_, exitance_, bands_, rays}; }
+WallLightField RadiosityRoom::light(int rays, int path_rays) const {
+  WallLightField field(*exchange_, exitance_, bands_, rays);
+  if (extended_ != nullptr) field.look_along(extended_->paths(), path_rays);
+  return field;
+}
 
-// Straight from these walls, H_j = sum over k of G_jk E_k / A_j.
-std::vector<double> RadiosityRoom::irradiance_of(const std::vector<bool>& walls) const {
+// What comes from these walls as lights are followed along rays: straight, and by way of mirrors, but not of
+// glossy walls. H_j = sum over k of G_jk E_k / A_j.
+std::vector<double> RadiosityRoom::straight_irradiance(const std::vector<bool>& walls) const {
   std::vector<double> emission = equation().emission;
   for (std::size_t i = 0; i < emission.size(); ++i)
     if (!walls[static_cast<std::size_t>(patches_.walls[i / bands_])]) emission[i] = 0;
-  std::vector<double> irradiance = exchange_->times(emission, bands_);
+  std::vector<double> irradiance;
+  if (extended_ == nullptr) {
+    irradiance = exchange_->times(emission, bands_);
+  } else {
+    ExtendedExchange mirrored(*exchange_, problem_, patches_, Redirection::mirrors_alone, options_.path_rays);
+    mirrored.close_as(*extended_);
+    irradiance = mirrored.times(emission);
+  }
   for (std::size_t i = 0; i < irradiance.size(); ++i)
     irradiance[i] /= exchange_->patches()[i / bands_].area();
   return irradiance;
 }
 
 SavedState RadiosityRoom::state(const std::vector<bool>& followed, std::span<const double> half_range) const {
-  std::vector<double> rest = irradiance_;
+  std::vector<double> rest = solved_.irradiance;
   if (std::ranges::count(followed, true) > 0) {
-    const std::vector<double> straight = irradiance_of(followed);
+    const std::vector<double> straight = straight_irradiance(followed);
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= straight[i];
   }
   SavedState state;
@@ -278,7 +319,7 @@ void RadiosityRoom::fill_cells(Solution& fields) const {
   const auto cells = static_cast<std::size_t>(mesh.cell_count());
   fields.fluence.assign(cells * 4 * bands_, 0);
   fields.net_flux.assign(cells * 12 * bands_, 0);
-  const WallLightField field = light(1);
+  const WallLightField field = light(1, std::max(1, options_.path_rays / rays_of_patch_to_point));
 #pragma omp parallel for schedule(dynamic, 64) num_threads(options_.threads)
   for (std::size_t c = 0; c < cells; ++c) {
     const auto& vertices = mesh.vertices(CellIndex(static_cast<std::int64_t>(c)));

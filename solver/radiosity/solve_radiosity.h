@@ -27,6 +27,7 @@ struct RadiosityOptions {
   RadiosityMethod method = RadiosityMethod::gathering;
   int rays = 16;                 ///< between two patches, and eight times as many where some are blocked
   double link_tolerance = 3e-4;  ///< of hierarchical: see LinkRule
+  int path_rays = 1024;          ///< from each patch, where mirrors or glossy walls redirect light
   RadiosityLimits limits;
   int threads = 1;
   std::size_t largest_kept = largest_kept_matrix;  ///< bytes of a matrix
@@ -51,6 +52,8 @@ struct RadiosityReport {
   std::size_t links = 0;                       ///< of a hierarchical solution, which has no matrix
   std::vector<std::size_t> link_rounds;        ///< links of each round of their refinement
   FactorChecks checks;
+  std::size_t extended_entries = 0;  ///< pairs of patches that mirrors and glossy walls connect
+  ExtendedClosing extended_closing;  ///< where there are any
   std::vector<double> wall_factors;  ///< [wall][wall] see factors_of_walls()
   std::vector<Bounce> bounces;
   int passes = 0;
@@ -71,12 +74,14 @@ class RadiosityRoom {
 
   /// Solves; the observer gets states on the way, to be made fields of by fields_on_walls().
   Solution solve(const RadiosityObserver& observer = {});
-  /// [patch][band] of the state that was solved last [power/length^2]
-  const std::vector<double>& irradiance() const { return irradiance_; }
+  /// The state that was solved last.
+  const RadiosityState& solved() const { return solved_; }
+  const std::vector<double>& irradiance() const { return solved_.irradiance; }
   /// Irradiance and exitance of the boundary faces.
-  void fields_on_walls(const std::vector<double>& irradiance, Solution& fields) const;
-  /// The field at points, of the state that was solved last; `rays` look at each patch from a point.
-  WallLightField light(int rays) const;
+  void fields_on_walls(const RadiosityState& state, Solution& fields) const;
+  /// The field at points, of the state that was solved last; `rays` look at each patch from a point, and
+  /// `path_rays` around where light is redirected.
+  WallLightField light(int rays, int path_rays) const;
   /// The state that was solved last as rays of pictures and sensors look at it: what walls receive, but for
   /// what comes straight from the walls that are `followed` [wall] along rays as lights. Nothing scatters, so
   /// the fluence is none. It is divided by `half_range` [boundary face] to be reflected.
@@ -90,23 +95,26 @@ class RadiosityRoom {
   void make_factors(const RadiosityWatcher& watcher);
   void make_links(const FactorProgress& progress);
   void make_matrix(const FactorProgress& progress);
+  void extend();
+  void close();
   RadiosityEquation equation() const;
   RadiosityState solve(const RadiosityEquation& equation, const RadiosityObserver& observer) const;
   void fill_cells(Solution& fields) const;
-  std::vector<double> irradiance_of(const std::vector<bool>& walls) const;
+  std::vector<double> straight_irradiance(const std::vector<bool>& walls) const;
 
   const Problem& problem_;
   RadiosityOptions options_;
   std::size_t bands_;
   WallPatches patches_;
   std::unique_ptr<Exchange> exchange_;
+  std::unique_ptr<ExtendedExchange> extended_;  ///< where walls redirect light
   RadiosityReport report_;
-  std::vector<double> irradiance_;  ///< [patch][band] of the solution
-  std::vector<double> exitance_;    ///< [patch][band] of the solution
+  RadiosityState solved_;
+  std::vector<double> exitance_;  ///< [patch][band] of the solution, the diffuse part
 };
 
 /// Throws InputError that names all in a problem that radiosity does not know: matter that scatters, absorbs
-/// or emits, mirrors, lights, radiance that depends on the direction, directions of the plane.
+/// or emits, lights, radiance that depends on the direction, directions of the plane.
 void refuse_for_radiosity(const Problem& problem);
 
 /// Bytes that a solution takes at most, and whether the matrix is kept.

@@ -133,7 +133,7 @@ TEST(PatchLight, IsThatOfThePatchOnEachOfItsTriangles) {
   const Problem problem = empty_room(mesh, 0.5, "zmin");
   const WallPatches patches = wall_patches(mesh, 0.4);
   const auto height = [](const Vec3& p) { return 1 + p.z(); };
-  const PatchLight light = light_on_patches(problem, patches, in_middles(patches, height));
+  const PatchLight light = light_on_patches(problem, patches, {in_middles(patches, height), {}, {}, {}});
   double area = 0;
   for (std::size_t t = 0; t < light.triangles.size(); ++t) {
     const auto p = static_cast<std::size_t>(light.patches[t]);

@@ -98,13 +98,9 @@ Found found_with(const TetrahedralMesh& mesh, double size, const RefinementRule&
   options.rays = 4;
   options.threads = 2;
   RadiosityRoom room(problem, options);
-  std::vector<double> irradiance;
-  room.solve([&](const RadiosityState& state) {
-    irradiance = state.irradiance;
-    return true;
-  });
+  room.solve();
   return {room.report().patches,
-          error_on_the_floor(room, light_on_patches(problem, room.patches(), irradiance))};
+          error_on_the_floor(room, light_on_patches(problem, room.patches(), room.solved()))};
 }
 
 // What a lamp and a board between it and the floor leave on the floor.

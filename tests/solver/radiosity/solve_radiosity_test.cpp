@@ -106,7 +106,7 @@ TEST(SolveRadiosity, AFurnaceIsEvenInside) {
   const Solution solution = room.solve();
   for (const double fluence : solution.fluence) EXPECT_NEAR(fluence, 4 * M_PI, 1e-9);
   for (const double flux : solution.net_flux) EXPECT_NEAR(flux, 0, 1e-9);
-  const WallLightValue value = room.light(4).at(Vec3(0.4, 0.3, 0.6), Vec3::UnitX());
+  const WallLightValue value = room.light(4, 1).at(Vec3(0.4, 0.3, 0.6), Vec3::UnitX());
   EXPECT_NEAR(value.fluence[0], 4 * M_PI, 1e-9);
   EXPECT_NEAR(value.irradiance[0], M_PI, 1e-9);
 }
@@ -116,7 +116,9 @@ TEST(SolveRadiosity, RefusesWhatItDoesNotKnowWithTheLine) {
   const Problem plain = empty_room(mesh, 0.3, "zmin");
   std::vector<Wall> walls(plain.walls().begin(), plain.walls().end());
   std::vector<Medium> media(plain.media().begin(), plain.media().end());
-  walls[0].specular = {0.1};
+  walls[0].radiance = {1};
+  walls[0].refractive_index = 1.5;
+  walls[0].diffuse = {0};
   media[0].scattering = {Coefficient(0.5)};
   const Problem problem(mesh, Bands{}, media, walls);
   try {
@@ -125,7 +127,7 @@ TEST(SolveRadiosity, RefusesWhatItDoesNotKnowWithTheLine) {
   } catch (const InputError& error) {
     ASSERT_EQ(error.faults().size(), 2u);
     EXPECT_EQ(error.faults()[0].line, 3);
-    EXPECT_NE(std::string(error.what()).find("is a mirror"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("is refracted"), std::string::npos) << error.what();
   }
 }
 

@@ -86,6 +86,10 @@ TEST(Transmittance, TwoBlackCavitiesExchangeLight) {
   const std::size_t top = wall_number(mirrors, "zmax"), floor = wall_number(mirrors, "zmin");
   EXPECT_NEAR(photons.sums.derived.mean(top), pi * (0.25 * r + t), 3.5 * photons.sums.derived.error(top));
   EXPECT_NEAR(photons.sums.derived.mean(floor), pi * (r + 0.25 * t), 3.5 * photons.sums.derived.error(floor));
+  const Solution radiosity = by_radiosity(mirrors);
+  EXPECT_NEAR(power_on(mirrors, radiosity, "zmax").incoming, pi * (0.25 * r + t), 1e-9);
+  EXPECT_NEAR(power_on(mirrors, radiosity, "zmin").incoming, pi * (r + 0.25 * t), 1e-9);
+  expect_balance(mirrors, radiosity);
 }
 
 // Plates that reflect too: the light goes to and fro between four surfaces, infinite since the sides are
@@ -115,6 +119,15 @@ TEST(Transmittance, CavitiesInSeriesHaveAClosedForm) {
     EXPECT_NEAR(power_on(problem, solution, "under").incoming, range * exact[1], 1e-8);
     EXPECT_NEAR(power_on(problem, solution, "top").incoming, range * exact[2], 1e-8);
     EXPECT_NEAR(power_on(problem, solution, "zmax").incoming, range * exact[3], 1e-8);
+    expect_balance(problem, solution);
+  }
+  for (const RadiosityMethod method :
+       {RadiosityMethod::gathering, RadiosityMethod::shooting, RadiosityMethod::direct}) {
+    const Solution solution = by_radiosity(problem, method);
+    EXPECT_NEAR(power_on(problem, solution, "zmin").incoming, pi * exact[0], 1e-8);
+    EXPECT_NEAR(power_on(problem, solution, "under").incoming, pi * exact[1], 1e-8);
+    EXPECT_NEAR(power_on(problem, solution, "top").incoming, pi * exact[2], 1e-8);
+    EXPECT_NEAR(power_on(problem, solution, "zmax").incoming, pi * exact[3], 1e-8);
     expect_balance(problem, solution);
   }
   const PhotonSolution photons = by_photons(problem, 40000);
