@@ -233,8 +233,8 @@ std::vector<KeyDeclaration> run_keys() {
        integer,
        {.default_value = "1024",
         .range = {.lowest = 1, .highest = 1e6},
-        .help = "From each patch, followed over mirrors and glossy walls where there are any; from a probe "
-                "sixteen times as many."}},
+        .help = "From each patch and each of four points of a cell, followed over mirrors and glossy walls "
+                "where there are any; sixteen times as many from a probe."}},
       {"radiosity",
        "passes",
        integer,

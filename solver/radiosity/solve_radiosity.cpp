@@ -23,8 +23,6 @@ constexpr double closed = 1e-12;
 // What may be on its way where a solution is looked at for refinement: of links, and of the change that
 // patches are cut for.
 constexpr double rough = 0.01;
-// A point of a cell looks along fewer rays than a patch sends: four points share the cell.
-constexpr int rays_of_patch_to_point = 8;
 
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
@@ -319,7 +317,7 @@ void RadiosityRoom::fill_cells(Solution& fields) const {
   const auto cells = static_cast<std::size_t>(mesh.cell_count());
   fields.fluence.assign(cells * 4 * bands_, 0);
   fields.net_flux.assign(cells * 12 * bands_, 0);
-  const WallLightField field = light(1, std::max(1, options_.path_rays / rays_of_patch_to_point));
+  const WallLightField field = light(1, options_.path_rays);
 #pragma omp parallel for schedule(dynamic, 64) num_threads(options_.threads)
   for (std::size_t c = 0; c < cells; ++c) {
     const auto& vertices = mesh.vertices(CellIndex(static_cast<std::int64_t>(c)));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/app/command/empty_cube.h"
@@ -77,11 +79,50 @@ TEST(RunRadiosity, RefusesWhatItDoesNotKnow) {
     return outcome.err;
   };
   EXPECT_TRUE(has(fault("media.air.absorption=0.1"), "media.air.absorption: is not 0 (radiosity carries"));
-  EXPECT_TRUE(has(fault("walls.floor.specular=0.1"), "walls.floor.specular: is a mirror"));
+  const std::string refracted = fault("walls.floor={radiance=1,refractive_index=1.5}");
+  EXPECT_TRUE(has(refracted, "walls.floor.radiance: is refracted as it comes in")) << refracted;
   EXPECT_TRUE(
       has(fault("light=[{name=\"bulb\",kind=\"point\",position=[0.5,0.5,0.5],power=1}]"), "is a light"));
   EXPECT_TRUE(has(fault("output.fields=[\"radiance:0\"]"), "radiosity has none"));
   EXPECT_TRUE(has(fault("directions={set=\"flatland\",order=4}"), "flatland"));
+}
+
+// A sensor has the lamp's image in a mirror exactly and the rest from the patches, a probe all of it along
+// rays.
+TEST(RunRadiosity, SensorsAndProbesSeeTheSameByWayOfAMirror) {
+  const CaseFolder folder(empty_cube());
+  const Outcome outcome =
+      etendue_says({"run", folder.file(), "--output", folder.results(), "--set", "radiosity.patch_size=0.2",
+                    "--set", "walls.xmin={specular=0.8,diffuse=0.1}", "--set", "walls.floor.uncollided=true",
+                    "--set", "walls.ymax={diffuse=0.2,glossy={model=\"phong\",exponent=20,reflectance=0.5}}",
+                    "--set", "probe=[{name=\"p\",points=[[0.6,0.4,0.5]],normal=[-1,0,0]}]", "--set",
+                    "sensor=[{name=\"s\",kind=\"irradiance\",position=[0.6,0.4,0.5],normal=[-1,0,0]}]"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "mirrors and glossy walls connect")) << outcome.out;
+  const json summary = summary_in(folder.results());
+  EXPECT_LT(summary["radiosity"]["extended"]["row_sum_error_closed"].get<double>(), 1e-11);
+  for (const json& balance : summary["balance"]) EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-5);
+  const std::string probes = text_of(folder.path() / "results/probes.csv");
+  const std::string sensors = text_of(folder.path() / "results/sensors.csv");
+  double at_probe = 0, uncollided = 0, at_sensor = 0;
+  ASSERT_EQ(
+      std::sscanf(probes.c_str() + probes.find("p,0,"), "p,0,%*f,%*f,%*f,red,%*f,%*f,%*f,%*f,%lf", &at_probe),
+      1);
+  ASSERT_EQ(std::sscanf(sensors.c_str() + sensors.find("s,red,irradiance"), "s,red,irradiance,%lf,%*f,%lf",
+                        &uncollided, &at_sensor),
+            2);
+  EXPECT_GT(uncollided, 0.2 * at_sensor);
+  EXPECT_NEAR(at_sensor, at_probe, 0.01 * at_probe);
+  // What arrives is redirected or sent on by its walls, or stays.
+  std::istringstream passes(text_of(folder.path() / "results/passes.csv"));
+  std::string line;
+  std::getline(passes, line);
+  EXPECT_EQ(line, "pass,band,exitant,incident,redirected,deposit");
+  std::getline(passes, line);
+  double exitant, incident, redirected;
+  ASSERT_EQ(std::sscanf(line.c_str(), "1,red,%lf,%lf,%lf", &exitant, &incident, &redirected), 3);
+  EXPECT_GT(redirected, 0.1 * exitant);
+  EXPECT_NEAR(incident - redirected, exitant, 1e-9 * exitant);
 }
 
 // A floor that is brightest beside the bright wall: the patches there are cut, and walls.vtp shows them.

@@ -14,8 +14,8 @@ def compare(runs):
             found.append(row(runs, "one patch a wall", name, wall, reference["rho"], reference[f"H_{name}"]))
     for reference in read_reference("radiosity_cube_continuous.csv"):
         name = reference["wall"]
-        found.append(row(runs, "small patches", name, WALLS[name], reference["rho"], reference["H_mean"],
-                         float(reference["sd"])))
+        for run in ("small patches", "quarter with mirrors"):
+            found.append(row(runs, run, name, WALLS[name], reference["rho"], reference["H_mean"], float(reference["sd"])))
     return found
 
 
