@@ -30,7 +30,7 @@ struct PhotonKernels {
   PhotonCounts (*collect)(const PhotonSceneView& scene, const HistoryRange& range, double* score);
 };
 
-/// The widest that this machine has, or what ETENDUE_ISA names (baseline, avx2).
+/// The widest that this machine has, or what ETENDUE_ISA names (baseline, avx2, avx512): the same bits.
 PhotonKernels choose_photon_kernels();
 
 }  // namespace etendue

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <cstdlib>
-#include <string_view>
+#include <array>
 
+#include "solver/parallel/instruction_set.h"
 #include "solver/photons/photon_kernel.h"
 
 namespace etendue {
@@ -9,15 +9,18 @@ namespace etendue {
 PhotonKernels photon_kernels_baseline();
 #ifdef ETENDUE_X86_KERNELS
 PhotonKernels photon_kernels_avx2();
+PhotonKernels photon_kernels_avx512();
 #endif
 
 PhotonKernels choose_photon_kernels() {
 #ifdef ETENDUE_X86_KERNELS
-  const char* wanted = std::getenv("ETENDUE_ISA");
-  const bool narrow = wanted != nullptr && std::string_view(wanted) == "baseline";
-  if (!narrow && __builtin_cpu_supports("avx2")) return photon_kernels_avx2();
+  constexpr std::array<std::string_view, 3> built = {"avx512", "avx2", "baseline"};
+  constexpr std::array make = {photon_kernels_avx512, photon_kernels_avx2, photon_kernels_baseline};
+#else
+  constexpr std::array<std::string_view, 1> built = {"baseline"};
+  constexpr std::array make = {photon_kernels_baseline};
 #endif
-  return photon_kernels_baseline();
+  return make[choose_instruction_set(built)]();
 }
 
 }  // namespace etendue

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "solver/measure/balance.h"
+#include "solver/parallel/instruction_set.h"
 #include "solver/problem/cell_rule.h"
 #include "solver/problem/lamp_shape.h"
 #include "tests/solver/ordinates/sample_problems.h"
@@ -47,6 +48,23 @@ TEST(SolvePhotons, ThreadsDoNotChangeABit) {
   const PhotonSolution one = solved(problem, 3000, {}, 1), three = solved(problem, 3000, {}, 3);
   EXPECT_EQ(one.solution.fluence, three.solution.fluence);
   EXPECT_EQ(one.sums.packed(), three.sums.packed());
+}
+
+TEST(SolvePhotons, InstructionSetsDoNotChangeABit) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const Problem problem = uniform_problem(mesh, uniform_medium(2, 0.5, 2, 1, PhaseHenyeyGreenstein{0.4}),
+                                          uniform_wall(2, 0.1, 0.5, 0.3));
+  setenv("ETENDUE_ISA", "baseline", 1);
+  const PhotonSolution plain = solved(problem, 3000);
+  for (const char* isa : {"avx2", "avx512"}) {
+    if (!has_instruction_set(isa)) continue;
+    setenv("ETENDUE_ISA", isa, 1);
+    const PhotonSolution wide = solved(problem, 3000);
+    EXPECT_EQ(wide.sums.packed(), plain.sums.packed()) << isa;
+  }
+  setenv("ETENDUE_ISA", "mmx", 1);
+  EXPECT_THROW(solved(problem, 10), InputError);
+  unsetenv("ETENDUE_ISA");
 }
 
 // A beam that enters by z = 0 into a medium that only absorbs: fluence E exp(-a z) on every depth, its mean
