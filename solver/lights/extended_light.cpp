@@ -58,7 +58,7 @@ struct ExtendedLight::Site {
   }
 };
 
-ExtendedLight::ExtendedLight(const LightPaths& paths, const WideSource& source, int threads)
+ExtendedLight::ExtendedLight(const LightPaths& paths, const ExtendedSource& source, int threads)
     : paths_(paths), source_(source), bands_(paths.bands()), losses_(paths, source, threads) {}
 
 // The points of the rule have one barycentric coordinate 1 - (n - 1) a and the others a. Those behind the

@@ -8,8 +8,8 @@
 
 #include "solver/lights/cell_light.h"
 #include "solver/lights/collapsed_rule.h"
+#include "solver/lights/extended_source.h"
 #include "solver/lights/mesh_losses.h"
-#include "solver/lights/wide_source.h"
 
 namespace etendue {
 
@@ -21,7 +21,7 @@ namespace etendue {
 /// medium nothing is left to be interpolated.
 class ExtendedLight {
  public:
-  ExtendedLight(const LightPaths& paths, const WideSource& source, int threads);
+  ExtendedLight(const LightPaths& paths, const ExtendedSource& source, int threads);
 
   void add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const;
   void add(FaceIndex face, LightBeams& beams, NodalMoments& moments) const;
@@ -52,7 +52,7 @@ class ExtendedLight {
            const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const;
 
   const LightPaths& paths_;
-  const WideSource& source_;
+  const ExtendedSource& source_;
   std::size_t bands_;
   MeshLosses losses_;
 };

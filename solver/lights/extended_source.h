@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <bitset>
 #include <optional>
 #include <span>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "solver/lights/crease_planes.h"
 #include "solver/lights/emitter_tree.h"
+#include "solver/lights/even_light.h"
 #include "solver/lights/flat_shape.h"
 #include "solver/lights/solid_shape.h"
 #include "solver/lights/wide_source.h"
@@ -25,11 +27,17 @@ class ExtendedSource : public WideSource {
   void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
   bool is_near(const Vec3& place, double size) const override;
   std::span<const EmitterPart> flat_parts() const override { return flat_parts_; }
-  bool is_in_parts() const override { return bodies_.empty() && tree_.shape() == EmitterShape::tetrahedra; }
-  std::bitset<32> rim_sides_at(const Vec3& place, double distance) const override;
-  /// In closed form where the light is made of a few even flat shapes or bodies.
+  const ExtendedSource* as_extended() const override { return this; }
+  /// Whether light through even matter is added up from many parts of it, emitting each in its own way: slow,
+  /// and without steps.
+  bool is_in_parts() const { return bodies_.empty() && tree_.shape() == EmitterShape::tetrahedra; }
+  /// The sides of its rim that a place lies on but for a distance.
+  std::bitset<32> rim_sides_at(const Vec3& place, double distance) const;
+  /// What would arrive through matter of this extinction [band] and nothing opaque, by way of mirrors too,
+  /// without the images behind this plane of a mirror: in closed form where the light is made of a few even
+  /// flat shapes or bodies. `beams` is room to work in.
   void look_even(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
-                 LightBeams& beams, EvenLight& light) const override;
+                 LightBeams& beams, EvenLight& light) const;
 
  private:
   struct View;

@@ -36,10 +36,10 @@ WayLoss LossesBetween<corners>::at(const std::array<double, corners>& barycentri
   return loss;
 }
 
-MeshLosses::MeshLosses(const LightPaths& paths, const WideSource& source, int threads)
+MeshLosses::MeshLosses(const LightPaths& paths, const ExtendedSource& source, int threads)
     : source_(source), bands_(paths.bands()) {
   look_at_vertices(paths, threads);
-  if (!source.is_soft() && !are_even()) look_at_edges(paths, threads);
+  if (!are_even()) look_at_edges(paths, threads);
 }
 
 void MeshLosses::look_at_vertices(const LightPaths& paths, int threads) {
@@ -114,8 +114,7 @@ Interpolation MeshLosses::take(const std::array<std::int32_t, corners>& vertices
   };
   for (std::size_t i = 0; i < corners; ++i) {
     const auto v = static_cast<std::size_t>(vertices[i]);
-    if (vertex_sees_[v] == Seen::by_side || (vertex_sees_[v] != Seen::all && !source_.is_soft()))
-      return Interpolation::unseen;
+    if (vertex_sees_[v] != Seen::all) return Interpolation::unseen;
     losses.corner[i] = row(at_vertices_, v);
   }
   if (edges_.size() == 0) return Interpolation::possible;

@@ -31,10 +31,9 @@ enum class Interpolation { possible, steep, unseen };
 /// the same everywhere, to the middles of its edges: shared by the cells and faces around them.
 class MeshLosses {
  public:
-  MeshLosses(const LightPaths& paths, const WideSource& source, int threads);
+  MeshLosses(const LightPaths& paths, const ExtendedSource& source, int threads);
 
-  /// The losses between these vertices, unless it is unseen. Soft light is always interpolated but beside
-  /// sheets.
+  /// The losses between these vertices, unless it is unseen.
   template <std::size_t corners>
   Interpolation take(const std::array<std::int32_t, corners>& vertices, LossesBetween<corners>& losses) const;
 
@@ -43,7 +42,7 @@ class MeshLosses {
   void look_at_edges(const LightPaths& paths, int threads);
   bool are_even() const;
 
-  const WideSource& source_;
+  const ExtendedSource& source_;
   std::size_t bands_;
   std::vector<WayLoss> at_vertices_;  ///< [vertex][band]
   std::vector<Seen> vertex_sees_;

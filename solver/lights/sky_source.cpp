@@ -23,6 +23,12 @@ std::vector<double> power_of(std::span<const BeamLight> parts, const Tetrahedral
   return power;
 }
 
+bool mirrors_are_perfect(const Problem& problem) {
+  return std::ranges::all_of(problem.walls(), [](const Wall& wall) {
+    return std::ranges::all_of(wall.specular, [](double part) { return part == 0 || part == 1; });
+  });
+}
+
 }  // namespace
 
 bool continues_sky(std::span<const Light> lights, std::size_t i) {
@@ -35,43 +41,58 @@ SkySource::SkySource(std::string name, std::vector<BeamLight> parts, const Light
     : WideSource(std::move(name), power_of(parts, paths.problem().mesh())),
       parts_(std::move(parts)),
       paths_(paths),
-      images_(paths.mirrors().images_of_direction()) {}
-
-void SkySource::add_beams(const PointInCell& at, Sight sight, LightDetail, LightBeams& beams) const {
+      images_(paths.mirrors().images_of_direction()) {
   for (const MirrorSet mirrors : images_)
-    for (const BeamLight& part : parts_) {
-      const Vec3 direction = paths_.mirrors().image_direction(mirrors, part.direction);
-      // All ways count as equally long: what is linear between places is the optical depth.
-      const std::span<double> fluence = beams.add(direction, {1, 0});
-      if (sight == Sight::attenuated) {
-        const std::optional<WayOut> out = paths_.leave(at, -direction, fluence);
-        const bool lit = out && (out->direction + part.direction).norm() < same_direction &&
-                         comes_in_by(part, paths_.problem().mesh().wall(out->face));
-        if (!lit) {
-          beams.drop();
-          continue;
-        }
-      } else {
-        for (std::size_t b = 0; b < fluence.size(); ++b)
-          fluence[b] = paths_.mirrors().reflectance(mirrors, b);
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const Vec3 direction = paths.mirrors().image_direction(mirrors, parts_[i].direction);
+      const auto known = std::ranges::find_if(
+          directions_, [&](const Vec3& other) { return (other - direction).norm() < same_direction; });
+      const auto place = static_cast<std::size_t>(known - directions_.begin());
+      if (known == directions_.end()) {
+        directions_.push_back(direction);
+        from_.emplace_back();
       }
-      for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] *= part.irradiance[b];
+      if (std::ranges::count(from_[place], i) == 0) from_[place].push_back(i);
     }
+  const bool perfect = mirrors_are_perfect(paths.problem());
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const auto like = std::ranges::find_if(
+        parts_, [&](const BeamLight& other) { return perfect && other.irradiance == parts_[i].irradiance; });
+    kinds_.push_back(like == parts_.end() ? i : static_cast<std::size_t>(like - parts_.begin()));
+  }
 }
 
-void SkySource::look_even(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
-                          LightBeams& beams, EvenLight& light) const {
-  beams.clear();
-  add_beams({CellIndex(0), place}, Sight::clear, coarse_light, beams);
-  light.clear();
-  for (std::size_t i = 0; i < beams.size(); ++i) {
-    const MirrorSet mirrors = images_[i / parts_.size()];
-    if (without && (mirrors >> *without & 1) != 0) continue;
-    for (std::size_t b = 0; b < light.fluence.size(); ++b) {
-      const double arrives = beams.fluence(i)[b] * std::exp(-extinction[b]);
-      light.fluence[b] += arrives;
-      light.flux[b] += arrives * beams.direction(i);
+std::optional<SkySource::Entry> SkySource::transmit(const PointInCell& at, std::size_t direction,
+                                                    std::span<double> transmittance) const {
+  const std::optional<WayOut> out = paths_.leave(at, -directions_[direction], transmittance);
+  if (!out) return std::nullopt;
+  for (const std::size_t i : from_[direction])
+    if ((out->direction + parts_[i].direction).norm() < same_direction)
+      return comes_in_by(parts_[i], paths_.problem().mesh().wall(out->face))
+                 ? std::optional(Entry{out->face, i})
+                 : std::nullopt;
+  return std::nullopt;
+}
+
+void SkySource::add_beams(const PointInCell& at, Sight sight, LightDetail, LightBeams& beams) const {
+  if (sight == Sight::clear) {
+    for (const MirrorSet mirrors : images_)
+      for (const BeamLight& part : parts_) {
+        const std::span<double> fluence =
+            beams.add(paths_.mirrors().image_direction(mirrors, part.direction));
+        for (std::size_t b = 0; b < fluence.size(); ++b)
+          fluence[b] = part.irradiance[b] * paths_.mirrors().reflectance(mirrors, b);
+      }
+    return;
+  }
+  for (std::size_t i = 0; i < directions_.size(); ++i) {
+    const std::span<double> fluence = beams.add(directions_[i]);
+    const std::optional<Entry> entry = transmit(at, i, fluence);
+    if (!entry) {
+      beams.drop();
+      continue;
     }
+    for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] *= parts_[entry->part].irradiance[b];
   }
 }
 

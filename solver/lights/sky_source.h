@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,16 +17,31 @@ class SkySource : public WideSource {
   SkySource(std::string name, std::vector<BeamLight> parts, const LightPaths& paths);
 
   void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
-  void look_even(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
-                 LightBeams& beams, EvenLight& light) const override;
   bool is_near(const Vec3&, double) const override { return false; }
-  bool is_soft() const override { return true; }
+  const SkySource* as_sky() const override { return this; }
   std::span<const BeamLight> parts() const { return parts_; }
+
+  /// Unit, in which it travels, images behind mirrors included, each once.
+  std::span<const Vec3> directions() const { return directions_; }
+  /// Where light of one of these directions comes in: the face, and the part that it is of.
+  struct Entry {
+    FaceIndex face;
+    std::size_t part;
+  };
+  /// With the transmittance [band] of the way to a point, reflectances included; empty if none comes.
+  std::optional<Entry> transmit(const PointInCell& at, std::size_t direction,
+                                std::span<double> transmittance) const;
+  /// Of the parts between which light of a direction changes where it is reflected once more, those that
+  /// leave no trace of it, as bright ones and mirrors that reflect all of it, have the same number.
+  std::size_t kind(std::size_t part) const { return kinds_[part]; }
 
  private:
   std::vector<BeamLight> parts_;
   const LightPaths& paths_;
   std::vector<MirrorSet> images_;
+  std::vector<Vec3> directions_;
+  std::vector<std::vector<std::size_t>> from_;  ///< [direction] the parts it may be of
+  std::vector<std::size_t> kinds_;              ///< [part] one that is like it
 };
 
 /// Whether a light is a part of the same sky as the one before it.

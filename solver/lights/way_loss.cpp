@@ -49,7 +49,7 @@ double even_extinction(const LightBeams& clear, std::size_t band, double left) {
 
 }  // namespace
 
-Seen look(const WideSource& source, const PointInCell& here, LightDetail detail, LightBeams& beams,
+Seen look(const ExtendedSource& source, const PointInCell& here, LightDetail detail, LightBeams& beams,
           std::span<WayLoss> loss) {
   LightBeams clear(loss.size());
   source.add_beams(here, Sight::clear, detail, clear);

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "solver/lights/wide_source.h"
+#include "solver/lights/extended_source.h"
 
 namespace etendue {
 
@@ -20,7 +20,7 @@ struct WayLoss {
 enum class Seen : char { all, part, nothing, behind, by_side };
 
 /// Looks at a light through what there is: the loss [band]. `beams` is room to work in.
-Seen look(const WideSource& source, const PointInCell& here, LightDetail detail, LightBeams& beams,
+Seen look(const ExtendedSource& source, const PointInCell& here, LightDetail detail, LightBeams& beams,
           std::span<WayLoss> loss);
 
 }  // namespace etendue

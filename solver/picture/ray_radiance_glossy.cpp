@@ -72,7 +72,7 @@ void RayRadiance::add_glossy_lights(FaceIndex face, const Vec3& point, const Str
   const bool rays_see_lamps = drawn_from(wall)->width() < narrow;
   for (const auto& source : lights_.sources()) {
     const WideSource* wide = source->as_wide();
-    if (rays_see_lamps && wide != nullptr && !wide->is_soft()) continue;
+    if (rays_see_lamps && wide != nullptr && wide->as_sky() == nullptr) continue;
     walls_.find_beams(*source, {problem_.mesh().owner(face), point}, stretch.view.shadow_rays, work.beams,
                       clear);
     for (std::size_t k = 0; k < work.beams.size(); ++k) {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "solver/lights/cell_light.h"
+#include "solver/lights/sky_source.h"
+
+namespace etendue {
+
+/// Light of a sky in the cells, beam by beam. Rays go to the vertices of the mesh; between them the optical
+/// depth of each beam is linear, as it is in even matter behind a flat wall, and so is the part of the cell
+/// that it comes to. Cells at sheets, whose vertices see another light from each side, are looked at from
+/// points.
+///
+/// `add` is called with the integrals over a cell (with what is absorbed and scatters where some matter
+/// depends on directions or varies in cells), several times for each cell, each of several beams, and by
+/// several threads at a time for different cells.
+void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads,
+                   const std::function<void(const LitCell&, const NodalMoments&)>& add);
+
+}  // namespace etendue
