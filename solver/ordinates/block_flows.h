@@ -14,13 +14,13 @@ namespace {
 /// The flows of W cells that stand one behind the other in the order, lane j those of cell j: exactly zero on
 /// parallel faces, whichever side looks. All bands share them.
 template <int W>
-ETENDUE_KERNEL_INLINE FaceFlows<Lanes<W>> seen_faces(const SweepTask& task, const RecordLayout& layout,
-                                                     const SweepVisit* visits) {
+ETENDUE_KERNEL_INLINE FaceFlows<Lanes<W>> seen_faces(const SweepTaskOf<Real>& task,
+                                                     const RecordLayout& layout, const SweepVisit* visits) {
   Lanes<4> seen[W];
   std::uint32_t parallel = 0;
   ETENDUE_UNROLL
   for (int j = 0; j < W; ++j) {
-    const double* normals = task.records + visited_cell(visits[j]) * layout.length;
+    const Real* normals = task.records + visited_cell(visits[j]) * layout.length;
     seen[j] = (task.direction[0] * load_lanes<4>(normals) + task.direction[1] * load_lanes<4>(normals + 3)) +
               task.direction[2] * load_lanes<4>(normals + 6);
     parallel |= visits[j].cell_and_parallel;
@@ -69,7 +69,7 @@ class BlockFlows {
  private:
   /// Numbers of the packet's cells, each in the lanes of its bands.
   template <int C, int B>
-  ETENDUE_KERNEL_MEMBER static Lanes<C * B> spread(const double* values, int first,
+  ETENDUE_KERNEL_MEMBER static Lanes<C * B> spread(const Real* values, int first,
                                                    const LaneChoice<W>& cells) {
     if constexpr (C == 1) {
       return repeat<B>(values[first]);
@@ -79,9 +79,9 @@ class BlockFlows {
     }
   }
 
-  alignas(sizeof(double) * W) double leaving_[4][W];
-  alignas(sizeof(double) * W) double entering_[4][W];
-  alignas(sizeof(double) * W) double total_[W];
+  alignas(sizeof(Real) * W) Real leaving_[4][W];
+  alignas(sizeof(Real) * W) Real entering_[4][W];
+  alignas(sizeof(Real) * W) Real total_[W];
 };
 
 }  // namespace

@@ -233,7 +233,7 @@ void DenseScattering::add_absorption(const DenseGroup& group, Lanes& lanes) {
   }
 }
 
-void DenseScattering::form_source(const TransportState& last, const SweepKernels& kernels, int threads,
+void DenseScattering::form_source(const TransportState& last, MatrixProduct kernel, int threads,
                                   double& seconds) {
   const std::size_t pairs = product_lanes / static_cast<std::size_t>(cells_.nodes());
   const std::size_t panel = static_cast<std::size_t>(directions_.count()) * product_lanes;
@@ -247,12 +247,12 @@ void DenseScattering::form_source(const TransportState& last, const SweepKernels
     AlignedArray factor(panel), result(panel);
 #pragma omp for schedule(static)
     for (std::size_t block = 0; block < blocks.size(); ++block)
-      product(*blocks[block].first, blocks[block].second, last, kernels, factor.data(), result.data());
+      product(*blocks[block].first, blocks[block].second, last, kernel, factor.data(), result.data());
   }
 }
 
 void DenseScattering::product(const Lanes& lanes, std::size_t first, const TransportState& last,
-                              const SweepKernels& kernels, double* factor, double* result) {
+                              MatrixProduct kernel, double* factor, double* result) {
   const auto nodes = static_cast<std::size_t>(cells_.nodes());
   const auto stride = static_cast<std::size_t>(cells_.stride());
   const auto count = static_cast<std::size_t>(directions_.count());
@@ -278,8 +278,7 @@ void DenseScattering::product(const Lanes& lanes, std::size_t first, const Trans
       for (std::size_t i = 0; i < nodes; ++i) to[i] = mass[pair].sum * total + mass[pair].own * u[i * stride];
     }
   }
-  kernels.matrix_product(
-      {static_cast<int>(count), static_cast<int>(count), lanes.matrix.data(), factor, result});
+  kernel({static_cast<int>(count), static_cast<int>(count), lanes.matrix.data(), factor, result});
   for (std::size_t m = 0; m < count; ++m) {
     double* source = source_.data() + m * of_ordinate;
     const double* from = result + m * product_lanes;
@@ -288,25 +287,28 @@ void DenseScattering::product(const Lanes& lanes, std::size_t first, const Trans
   }
 }
 
-void DenseScattering::add_source(OrdinateIndex m, const std::int32_t* index, double* angular) const {
+template <class Real>
+void DenseScattering::add_source(OrdinateIndex m, const std::int32_t* index, Real* angular) const {
   const double* from = source_.data() + m.at() * rows_.size() * row_length_;
   for (const std::int32_t c : rows_) {
-    double* right = angular + static_cast<std::size_t>(index[c]) * row_length_;
-    for (std::size_t i = 0; i < row_length_; ++i) right[i] += from[i];
+    Real* right = angular + static_cast<std::size_t>(index[c]) * row_length_;
+    for (std::size_t i = 0; i < row_length_; ++i) right[i] += static_cast<Real>(from[i]);
     from += row_length_;
   }
 }
 
-void DenseScattering::keep_radiance(OrdinateIndex m, const std::int32_t* index, const double* angular,
+template <class Real>
+void DenseScattering::keep_radiance(OrdinateIndex m, const std::int32_t* index, const Real* angular,
                                     TransportState& next) const {
   double* to = next.radiance().data() + m.at() * rows_.size() * row_length_;
   for (const std::int32_t c : rows_) {
-    const double* u = angular + static_cast<std::size_t>(index[c]) * row_length_;
+    const Real* u = angular + static_cast<std::size_t>(index[c]) * row_length_;
     to = std::copy(u, u + row_length_, to);
   }
 }
 
-void DenseScattering::set_mass(OrdinateIndex m, double* records) const {
+template <class Real>
+void DenseScattering::set_mass(OrdinateIndex m, Real* records) const {
   const RecordLayout layout = cells_.layout();
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   for (std::size_t g = 0; g < lanes_.size(); ++g) {
@@ -321,7 +323,7 @@ void DenseScattering::set_mass(OrdinateIndex m, double* records) const {
                                 (absorption == nullptr ? 0 : absorption[pair]);
       const CellIndex cell(rows_[row]);
       records[cell.at() * layout.length + layout.mass + static_cast<std::size_t>(lanes.bands[pair])] =
-          cells_.mass(cell, lanes.bands[pair], extinction);
+          static_cast<Real>(cells_.mass(cell, lanes.bands[pair], extinction));
     }
   }
 }
@@ -343,7 +345,8 @@ bool DenseScattering::absorbs_by_direction(CellIndex cell, int band) const {
   return false;
 }
 
-void DenseScattering::add_absorbed(OrdinateIndex m, const std::int32_t* index, const double* angular,
+template <class Real>
+void DenseScattering::add_absorbed(OrdinateIndex m, const std::int32_t* index, const Real* angular,
                                    std::span<double> absorbed) const {
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   const auto stride = static_cast<std::size_t>(cells_.stride());
@@ -356,7 +359,7 @@ void DenseScattering::add_absorbed(OrdinateIndex m, const std::int32_t* index, c
     for (std::size_t pair = 0; pair < lanes.rows.size(); ++pair) {
       const auto cell = static_cast<std::size_t>(rows_[static_cast<std::size_t>(lanes.rows[pair])]);
       const auto band = static_cast<std::size_t>(lanes.bands[pair]);
-      const double* u = angular + static_cast<std::size_t>(index[cell]) * row_length_ + band;
+      const Real* u = angular + static_cast<std::size_t>(index[cell]) * row_length_ + band;
       double sum = 0;
       for (std::size_t i = 0; i < nodes; ++i) sum += u[i * stride];
       const double absorption = of_matter ? lanes.amplitude[pair] * groups_[g].matter.absorbing[m.at()]
@@ -365,5 +368,19 @@ void DenseScattering::add_absorbed(OrdinateIndex m, const std::int32_t* index, c
     }
   }
 }
+
+template void DenseScattering::add_source(OrdinateIndex, const std::int32_t*, double*) const;
+template void DenseScattering::keep_radiance(OrdinateIndex, const std::int32_t*, const double*,
+                                             TransportState&) const;
+template void DenseScattering::add_absorbed(OrdinateIndex, const std::int32_t*, const double*,
+                                            std::span<double>) const;
+template void DenseScattering::set_mass(OrdinateIndex, double*) const;
+
+template void DenseScattering::add_source(OrdinateIndex, const std::int32_t*, float*) const;
+template void DenseScattering::keep_radiance(OrdinateIndex, const std::int32_t*, const float*,
+                                             TransportState&) const;
+template void DenseScattering::add_absorbed(OrdinateIndex, const std::int32_t*, const float*,
+                                            std::span<double>) const;
+template void DenseScattering::set_mass(OrdinateIndex, float*) const;
 
 }  // namespace etendue

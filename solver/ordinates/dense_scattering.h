@@ -60,22 +60,26 @@ class DenseScattering {
 
   /// The right-hand sides of what scatters, for all ordinates, from the angular solution of a state.
   /// Adds the processor time to `seconds`.
-  void form_source(const TransportState& last, const SweepKernels& kernels, int threads, double& seconds);
+  void form_source(const TransportState& last, MatrixProduct kernel, int threads, double& seconds);
   /// Adds them for one ordinate to rows [angular row][node][stride], that `index` finds by cell.
-  void add_source(OrdinateIndex m, const std::int32_t* index, double* angular) const;
+  template <class Real>
+  void add_source(OrdinateIndex m, const std::int32_t* index, Real* angular) const;
   /// Copies the radiance of one ordinate from such rows to the next state.
-  void keep_radiance(OrdinateIndex m, const std::int32_t* index, const double* angular,
+  template <class Real>
+  void keep_radiance(OrdinateIndex m, const std::int32_t* index, const Real* angular,
                      TransportState& next) const;
   /// Whether absorption depends on the ordinate somewhere.
   bool absorbs_by_direction() const;
   /// Adds what is absorbed from one ordinate, as the mean over each dense cell, to `absorbed` [cell][band]
   /// [power/length^3], where absorption depends on the ordinate.
-  void add_absorbed(OrdinateIndex m, const std::int32_t* index, const double* angular,
+  template <class Real>
+  void add_absorbed(OrdinateIndex m, const std::int32_t* index, const Real* angular,
                     std::span<double> absorbed) const;
   /// Whether it does so in a cell and band.
   bool absorbs_by_direction(CellIndex cell, int band) const;
   /// Writes the mass of the dense cells for one ordinate into records (cell_record.h).
-  void set_mass(OrdinateIndex m, double* records) const;
+  template <class Real>
+  void set_mass(OrdinateIndex m, Real* records) const;
 
  private:
   /// Where the pairs of a row and a band of one group stand.
@@ -91,7 +95,7 @@ class DenseScattering {
   std::vector<CellIndex> cells_of(const DenseGroup& group) const;
   void add_group(const DenseGroup& group);
   void add_absorption(const DenseGroup& group, Lanes& lanes);
-  void product(const Lanes& lanes, std::size_t first, const TransportState& last, const SweepKernels& kernels,
+  void product(const Lanes& lanes, std::size_t first, const TransportState& last, MatrixProduct kernel,
                double* factor, double* result);
 
   const Problem& problem_;

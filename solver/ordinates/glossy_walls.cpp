@@ -98,12 +98,13 @@ void GlossyWalls::form(std::span<const double> arrived, int threads) {
     }
 }
 
+template <class Real>
 void GlossyWalls::add_reflected(OrdinateIndex m, std::span<const double> inflow,
-                                const SweepSlots& slots) const {
+                                const SweepSlotsOf<Real>& slots) const {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const Face& face = faces_[f];
     if (seen_area(face.area_normal, directions_.direction(m)) >= 0) continue;
-    double* trace = slots.slot(wall_slots_.inflow(face.index));
+    Real* trace = slots.slot(wall_slots_.inflow(face.index));
     if (!face.is_mirror)
       std::copy_n(inflow.data() + static_cast<std::size_t>(face.index) * face_length_, face_length_, trace);
     const double* reflected = reflected_.data() + f * row_size_ + m.at() / 2 * face_length_;
@@ -111,7 +112,8 @@ void GlossyWalls::add_reflected(OrdinateIndex m, std::span<const double> inflow,
   }
 }
 
-void GlossyWalls::receive(OrdinateIndex m, const SweepSlots& slots, std::span<double> arrived) const {
+template <class Real>
+void GlossyWalls::receive(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<double> arrived) const {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     if (seen_area(faces_[f].area_normal, directions_.direction(m)) <= 0) continue;
     double* kept = arrived.data() + f * row_size_ + m.at() / 2 * face_length_;
@@ -172,5 +174,13 @@ GlossyWalls::Size GlossyWalls::size_of(const Problem& problem, const DirectionSe
   });
   return size;
 }
+
+template void GlossyWalls::add_reflected(OrdinateIndex, std::span<const double>,
+                                         const SweepSlotsOf<double>&) const;
+template void GlossyWalls::receive(OrdinateIndex, const SweepSlotsOf<double>&, std::span<double>) const;
+
+template void GlossyWalls::add_reflected(OrdinateIndex, std::span<const double>,
+                                         const SweepSlotsOf<float>&) const;
+template void GlossyWalls::receive(OrdinateIndex, const SweepSlotsOf<float>&, std::span<double>) const;
 
 }  // namespace etendue

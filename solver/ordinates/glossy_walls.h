@@ -29,9 +29,11 @@ class GlossyWalls {
   void form(std::span<const double> arrived, int threads);
   /// Adds what is reflected into ordinate m to the inflow slots; faces that are no mirrors get `inflow`
   /// [boundary face][face node][stride] too, since nothing else wrote them.
-  void add_reflected(OrdinateIndex m, std::span<const double> inflow, const SweepSlots& slots) const;
+  template <class Real>
+  void add_reflected(OrdinateIndex m, std::span<const double> inflow, const SweepSlotsOf<Real>& slots) const;
   /// Writes what arrives along ordinate m to `arrived`.
-  void receive(OrdinateIndex m, const SweepSlots& slots, std::span<double> arrived) const;
+  template <class Real>
+  void receive(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<double> arrived) const;
   /// Of even light that arrives at a face, the part that is reflected.
   double albedo(FaceIndex face, std::size_t band) const;
   /// Adds a radiance to all that arrives at a face, at each of its nodes, in one band.

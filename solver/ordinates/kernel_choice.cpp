@@ -7,18 +7,22 @@
 
 namespace etendue {
 
-SweepKernels kernels_baseline(Basis basis, int stride);
+void choose_baseline(Basis basis, int stride, SweepKernelsOf<double>& kernels);
+void choose_baseline(Basis basis, int stride, SweepKernelsOf<float>& kernels);
 #ifdef ETENDUE_X86_KERNELS
-SweepKernels kernels_avx2(Basis basis, int stride);
-SweepKernels kernels_avx512(Basis basis, int stride);
+void choose_avx2(Basis basis, int stride, SweepKernelsOf<double>& kernels);
+void choose_avx2(Basis basis, int stride, SweepKernelsOf<float>& kernels);
+void choose_avx512(Basis basis, int stride, SweepKernelsOf<double>& kernels);
+void choose_avx512(Basis basis, int stride, SweepKernelsOf<float>& kernels);
 #endif
 
 namespace {
 
+template <class Real>
 struct Choice {
   std::string_view name;
   bool available;
-  SweepKernels (*make)(Basis, int);
+  void (*choose)(Basis, int, SweepKernelsOf<Real>&);
 };
 
 #ifdef ETENDUE_X86_KERNELS
@@ -42,22 +46,30 @@ int lane_stride(int bands) {
 // widest packet; with four only those of AVX2, which gain a sixth, while the wider ones do not mind.
 bool skips_faces(int stride) { return stride >= 4; }
 
-SweepKernels choose_kernels(Basis basis, int stride) {
-  const Choice choices[] = {
+template <class Real>
+SweepKernelsOf<Real> choose_kernels(Basis basis, int stride) {
+  const Choice<Real> choices[] = {
 #ifdef ETENDUE_X86_KERNELS
-      {"avx512", has_avx512(), kernels_avx512},
-      {"avx2", has_avx2(), kernels_avx2},
+      {"avx512", has_avx512(), choose_avx512},
+      {"avx2", has_avx2(), choose_avx2},
 #endif
-      {"baseline", true, kernels_baseline},
+      {"baseline", true, choose_baseline},
   };
   const char* wanted = std::getenv("ETENDUE_ISA");
-  for (const Choice& choice : choices) {
+  for (const Choice<Real>& choice : choices) {
     if (wanted != nullptr && choice.name != wanted) continue;
-    if (choice.available) return choice.make(basis, stride);
+    if (choice.available) {
+      SweepKernelsOf<Real> kernels;
+      choice.choose(basis, stride, kernels);
+      return kernels;
+    }
     if (wanted != nullptr)
       throw InputError(std::string("ETENDUE_ISA = ") + wanted + ": this machine does not have it");
   }
   throw InputError(std::string("ETENDUE_ISA = ") + wanted + ": unknown; use baseline, avx2 or avx512");
 }
+
+template SweepKernelsOf<double> choose_kernels(Basis, int);
+template SweepKernelsOf<float> choose_kernels(Basis, int);
 
 }  // namespace etendue

@@ -5,6 +5,7 @@
 
 #include "solver/ordinates/lanes.h"
 #include "solver/ordinates/sweep_kernel.h"
+#include "solver/ordinates/tiny_as_zero.h"
 
 // Part of the kernel files, which are compiled once for each instruction set.
 namespace etendue {
@@ -21,7 +22,7 @@ constexpr std::size_t radiance_ahead = 4;
 
 /// W numbers: of one row or, where rows are shorter, of two, `step` apart.
 template <int Rows, int W>
-ETENDUE_KERNEL_INLINE Lanes<W> load_rows(const double* from, std::size_t step) {
+ETENDUE_KERNEL_INLINE Lanes<W> load_rows(const Real* from, std::size_t step) {
   if constexpr (Rows == 1) {
     return load_lanes<W>(from);
   } else {
@@ -30,7 +31,7 @@ ETENDUE_KERNEL_INLINE Lanes<W> load_rows(const double* from, std::size_t step) {
 }
 
 template <int Rows, int W>
-ETENDUE_KERNEL_INLINE void store_rows(double* to, std::size_t step, const Lanes<W>& values) {
+ETENDUE_KERNEL_INLINE void store_rows(Real* to, std::size_t step, const Lanes<W>& values) {
   if constexpr (Rows == 1) {
     store_lanes<W>(to, values);
   } else {
@@ -43,7 +44,7 @@ ETENDUE_KERNEL_INLINE void store_rows(double* to, std::size_t step, const Lanes<
 template <int Rows, int W>
 class MomentRows {
  public:
-  ETENDUE_KERNEL_MEMBER MomentRows(const MomentTask& task, std::size_t row, std::size_t x)
+  ETENDUE_KERNEL_MEMBER MomentRows(const MomentTaskOf<Real>& task, std::size_t row, std::size_t x)
       : task_(task),
         row_step_(static_cast<std::size_t>(task.moments) * task.row_length),
         moments_(task.moment_rows + row * row_step_ + x),
@@ -96,23 +97,23 @@ class MomentRows {
     }
   }
 
-  ETENDUE_KERNEL_MEMBER double* direction(int pair) const { return task_.direction_rows[2 * pair]; }
-  ETENDUE_KERNEL_MEMBER double* opposite(int pair) const { return task_.direction_rows[2 * pair + 1]; }
-  ETENDUE_KERNEL_MEMBER double factor(int pair, int k) const {
+  ETENDUE_KERNEL_MEMBER Real* direction(int pair) const { return task_.direction_rows[2 * pair]; }
+  ETENDUE_KERNEL_MEMBER Real* opposite(int pair) const { return task_.direction_rows[2 * pair + 1]; }
+  ETENDUE_KERNEL_MEMBER Real factor(int pair, int k) const {
     return task_.matrix[static_cast<std::ptrdiff_t>(pair) * task_.moments + k];
   }
-  ETENDUE_KERNEL_MEMBER double* moment(int k) const {
+  ETENDUE_KERNEL_MEMBER Real* moment(int k) const {
     return moments_ + static_cast<std::size_t>(task_.order[k]) * task_.row_length;
   }
 
-  const MomentTask& task_;
+  const MomentTaskOf<Real>& task_;
   std::size_t row_step_;
-  double* moments_;
+  Real* moments_;
   std::size_t at_;
 };
 
 template <int Rows, int W>
-ETENDUE_KERNEL_INLINE void expand_rows(const MomentTask& task, std::size_t row) {
+ETENDUE_KERNEL_INLINE void expand_rows(const MomentTaskOf<Real>& task, std::size_t row) {
   for (std::size_t x = 0; x < task.row_length; x += W / Rows) {
     const MomentRows<Rows, W> rows(task, row, x);
     int p = 0;
@@ -133,7 +134,7 @@ ETENDUE_KERNEL_INLINE void collect_parity(const MomentRows<Rows, W>& rows, int f
 }
 
 template <int Rows, int W>
-ETENDUE_KERNEL_INLINE void collect_rows(const MomentTask& task, std::size_t row) {
+ETENDUE_KERNEL_INLINE void collect_rows(const MomentTaskOf<Real>& task, std::size_t row) {
   for (std::size_t x = 0; x < task.row_length; x += W / Rows) {
     const MomentRows<Rows, W> rows(task, row, x);
     rows.fetch_radiance_ahead();
@@ -144,21 +145,23 @@ ETENDUE_KERNEL_INLINE void collect_rows(const MomentTask& task, std::size_t row)
 
 /// Rows of W numbers or more, or half as long.
 template <int Rows, int W>
-void moments_to_directions(const MomentTask& task) {
+void moments_to_directions(const MomentTaskOf<Real>& task) {
+  [[maybe_unused]] const TinyAsZero<Real> mode;
   std::size_t row = task.first_row;
   for (; row + Rows <= task.last_row; row += Rows) expand_rows<Rows, W>(task, row);
   for (; row < task.last_row; ++row) expand_rows<1, W / Rows>(task, row);
 }
 
 template <int Rows, int W>
-void directions_to_moments(const MomentTask& task) {
+void directions_to_moments(const MomentTaskOf<Real>& task) {
+  [[maybe_unused]] const TinyAsZero<Real> mode;
   std::size_t row = task.first_row;
   for (; row + Rows <= task.last_row; row += Rows) collect_rows<Rows, W>(task, row);
   for (; row < task.last_row; ++row) collect_rows<1, W / Rows>(task, row);
 }
 
 template <int Rows, int W>
-void set_moment_kernels(SweepKernels& kernels) {
+void set_moment_kernels(SweepKernelsOf<Real>& kernels) {
   kernels.moments_to_directions = moments_to_directions<Rows, W>;
   kernels.directions_to_moments = directions_to_moments<Rows, W>;
 }

@@ -11,8 +11,9 @@
 namespace etendue {
 
 /// A sweep of some bands, and its states.
-struct TransportSweep::Narrow {
-  Narrow(const TransportSweep& wide, std::vector<int> wanted)
+template <class Real>
+struct TransportSweepOf<Real>::Narrow {
+  Narrow(const TransportSweepOf& wide, std::vector<int> wanted)
       : bands(std::move(wanted)),
         problem(wide.problem_.of_bands(bands)),
         extinction(select_bands(wide.extinction_, static_cast<std::size_t>(wide.cells_.bands()), bands)),
@@ -25,7 +26,7 @@ struct TransportSweep::Narrow {
   std::vector<int> bands;  ///< of the wide sweep
   Problem problem;
   std::vector<double> extinction;
-  TransportSweep sweep;
+  TransportSweepOf sweep;
   TransportState last;
   TransportState next;
 };

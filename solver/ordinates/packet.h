@@ -6,13 +6,14 @@
 #include "solver/ordinates/lanes.h"
 
 namespace etendue {
+namespace {
 
 // A packet is C cells of one level times B neighbouring bands, side by side in C B lanes: cell j's band b is
 // lane j B + b. These functions bring numbers that lie together in memory, cell by cell, into lanes and back.
 
 /// Chunks of B numbers from C places, one behind the other.
 template <int C, int B>
-ETENDUE_KERNEL_INLINE Lanes<C * B> gather_chunks(const double* const* from, std::ptrdiff_t at) {
+ETENDUE_KERNEL_INLINE Lanes<C * B> gather_chunks(const Real* const* from, std::ptrdiff_t at) {
   if constexpr (C == 1) {
     return load_lanes<B>(from[0] + at);
   } else {
@@ -87,7 +88,7 @@ constexpr bool transposes = B == 1 && C >= 4;
 
 /// B lanes of one value.
 template <int B>
-ETENDUE_KERNEL_INLINE Lanes<B> repeat(double value) {
+ETENDUE_KERNEL_INLINE Lanes<B> repeat(Real value) {
   if constexpr (B == 1) {
     return value;
   } else {
@@ -106,4 +107,5 @@ ETENDUE_KERNEL_INLINE void spread_rows(const Lanes<4> (&row)[C], Lanes<C> (&out)
   }
 }
 
+}  // namespace
 }  // namespace etendue

@@ -2,7 +2,9 @@
 #pragma once
 
 // For the kernel files only.
-#include "solver/ordinates/lanes.h"
+#include <cstring>
+
+#include "solver/ordinates/kernel_inline.h"
 #include "solver/ordinates/sweep_kernel.h"
 
 namespace etendue {
@@ -21,23 +23,26 @@ constexpr int product_width = 8;
 constexpr int product_width = 4;
 #endif
 
+/// In double precision in all kernel files.
+typedef double ProductLanes __attribute__((vector_size(product_width * sizeof(double))));
+
 /// Rows first … first + Rows - 1, and columns from `at` on.
 template <int Rows>
 ETENDUE_KERNEL_INLINE void product_block(const ProductTask& task, int first, std::size_t at) {
-  Lanes<product_width> sum[Rows][product_columns] = {};
+  ProductLanes sum[Rows][product_columns] = {};
   const double* matrix = task.matrix + static_cast<std::ptrdiff_t>(first) * task.inner;
   for (std::ptrdiff_t k = 0; k < task.inner; ++k) {
     const double* factor = task.factor + static_cast<std::size_t>(k) * product_lanes + at;
     for (int c = 0; c < product_columns; ++c) {
-      const Lanes<product_width> column = load_lanes<product_width>(factor + c * product_width);
+      ProductLanes column;
+      std::memcpy(&column, factor + c * product_width, sizeof column);
       for (int r = 0; r < Rows; ++r) sum[r][c] += matrix[r * task.inner + k] * column;
     }
   }
   for (int r = 0; r < Rows; ++r)
     for (int c = 0; c < product_columns; ++c)
-      store_lanes<product_width>(
-          task.result + static_cast<std::size_t>(first + r) * product_lanes + at + c * product_width,
-          sum[r][c]);
+      std::memcpy(task.result + static_cast<std::size_t>(first + r) * product_lanes + at + c * product_width,
+                  &sum[r][c], sizeof sum[r][c]);
 }
 
 void matrix_product(const ProductTask& task) {

@@ -75,26 +75,28 @@ void ScatteringMoments::fill_factors(const OrdinateSchedule& schedule) {
     }
 }
 
+template <class Real>
 void ScatteringMoments::form_source(const TransportState& state, Emission emission, std::int32_t first,
-                                    std::int32_t last, double* records, double* moments) const {
+                                    std::int32_t last, Real* records, Real* moments) const {
   const RecordLayout layout = cells_.layout();
   const std::size_t nodes = static_cast<std::size_t>(cells_.nodes());
   const std::size_t stride = static_cast<std::size_t>(cells_.stride());
   const int bands = problem_.band_count();
   // right_i = sum (s_0 + s_1 + s_2 + s_3) + own s_i with s = constant + factor phi
   const auto apply = [&](const double* field, std::size_t band, double constant, double factor,
-                         CellCoefficients::SourceFactors mass, double* right) {
+                         CellCoefficients::SourceFactors mass, Real* right) {
     double total = 0;
     for (std::size_t i = 0; i < nodes; ++i) total += constant + factor * field[i * stride + band];
     for (std::size_t i = 0; i < nodes; ++i)
-      right[i * stride + band] = mass.sum * total + mass.own * (constant + factor * field[i * stride + band]);
+      right[i * stride + band] =
+          static_cast<Real>(mass.sum * total + mass.own * (constant + factor * field[i * stride + band]));
   };
   for (std::int32_t c = first; c < last; ++c) {
     const CellIndex cell(c);
     const std::int32_t row = index_[cell.at()];
     const double* fluence = state.fluence().data() + cell.at() * row_length_;
-    double* right = row > 0 ? moments + static_cast<std::size_t>(row - 1) * count() * row_length_
-                            : records + cell.at() * layout.length + layout.source;
+    Real* right = row > 0 ? moments + static_cast<std::size_t>(row - 1) * count() * row_length_
+                          : records + cell.at() * layout.length + layout.source;
     const auto region = static_cast<std::size_t>(problem_.mesh().region(cell));
     for (int b = 0; b < bands; ++b) {
       const auto band = static_cast<std::size_t>(b);
@@ -112,22 +114,32 @@ void ScatteringMoments::form_source(const TransportState& state, Emission emissi
   }
 }
 
-void ScatteringMoments::form_unit_source(double* records, double* moments) const {
+template <class Real>
+void ScatteringMoments::form_unit_source(Real* records, Real* moments) const {
   const RecordLayout layout = cells_.layout();
   const auto nodes = static_cast<std::size_t>(cells_.nodes());
   const auto stride = static_cast<std::size_t>(cells_.stride());
-  std::fill(moments, moments + moments_size(), 0.0);
+  std::fill(moments, moments + moments_size(), Real{});
   for (std::int32_t c = 0; c < problem_.mesh().cell_count(); ++c) {
     const CellIndex cell(c);
     const auto row = static_cast<std::size_t>(index_[cell.at()]);
-    double* right = row > 0 ? moments + (row - 1) * count() * row_length_
-                            : records + cell.at() * layout.length + layout.source;
+    Real* right = row > 0 ? moments + (row - 1) * count() * row_length_
+                          : records + cell.at() * layout.length + layout.source;
     for (int b = 0; b < problem_.band_count(); ++b) {
       const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, b);
       for (std::size_t i = 0; i < nodes; ++i)
-        right[i * stride + static_cast<std::size_t>(b)] = mass.sum * static_cast<double>(nodes) + mass.own;
+        right[i * stride + static_cast<std::size_t>(b)] =
+            static_cast<Real>(mass.sum * static_cast<double>(nodes) + mass.own);
     }
   }
 }
+
+template void ScatteringMoments::form_source(const TransportState&, Emission, std::int32_t, std::int32_t,
+                                             double*, double*) const;
+template void ScatteringMoments::form_unit_source(double*, double*) const;
+
+template void ScatteringMoments::form_source(const TransportState&, Emission, std::int32_t, std::int32_t,
+                                             float*, float*) const;
+template void ScatteringMoments::form_unit_source(float*, float*) const;
 
 }  // namespace etendue

@@ -32,7 +32,7 @@ class ScatteringMoments {
                     std::span<const CellIndex> observed);
 
   std::size_t row_count() const { return angular_cells_.size(); }  ///< without the scratch row
-  std::size_t row_length() const { return row_length_; }           ///< doubles
+  std::size_t row_length() const { return row_length_; }           ///< numbers
   int moment_count() const { return harmonics_.count(); }
   std::size_t moments_size() const {
     return row_count() * static_cast<std::size_t>(moment_count()) * row_length_;
@@ -46,21 +46,19 @@ class ScatteringMoments {
   int even_moments() const { return even_moments_; }
   /// [pair of opposite ordinates, as they come in the schedule][moment in that order] Y_k of the even
   /// ordinate
-  const double* evaluation(std::int32_t pair) const {
-    return &evaluation_[static_cast<std::size_t>(pair) * count()];
-  }
+  std::span<const double> evaluation() const { return evaluation_; }
   /// w_m Y_k, likewise
-  const double* integration(std::int32_t pair) const {
-    return &integration_[static_cast<std::size_t>(pair) * count()];
-  }
+  std::span<const double> integration() const { return integration_; }
 
   /// Right-hand sides of emission and scattering of a state, for cells first … last - 1: the isotropic part
   /// into the source of the cells' records, and moments [row][moment][node][stride] for angular cells.
+  template <class Real>
   void form_source(const TransportState& state, Emission emission, std::int32_t first, std::int32_t last,
-                   double* records, double* moments) const;
+                   Real* records, Real* moments) const;
 
   /// Right-hand sides of an isotropic source of 1 in all cells and bands, as form_source() writes them.
-  void form_unit_source(double* records, double* moments) const;
+  template <class Real>
+  void form_unit_source(Real* records, Real* moments) const;
 
  private:
   std::size_t count() const { return static_cast<std::size_t>(moment_count()); }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Compiled once for each instruction set, with ETENDUE_KERNEL_NAME naming the one function that is visible
-// and ETENDUE_KERNEL_LANES saying how many numbers its registers hold. Nothing in here may come from a header
-// that other files share as code (kernel_inline.h says why).
+// Compiled once for each instruction set and for double and float (ETENDUE_KERNEL_REAL), with
+// ETENDUE_KERNEL_NAME naming the one function that is visible and ETENDUE_KERNEL_LANES saying how many
+// numbers its registers hold. Nothing in here may come from a header that other files share as code
+// (kernel_inline.h says why).
 #include "solver/ordinates/sweep_kernel.h"
 
 #include "solver/ordinates/block_flows.h"
@@ -11,6 +12,7 @@
 #include "solver/ordinates/packet.h"
 #include "solver/ordinates/positivity_fixup.h"
 #include "solver/ordinates/product_kernel.h"
+#include "solver/ordinates/tiny_as_zero.h"
 #include "solver/ordinates/visited_cells.h"
 
 namespace etendue {
@@ -19,7 +21,7 @@ namespace {
 /// B neighbouring bands of each cell, from the place that `from` names for cell j.
 template <int C, int B, class From>
 ETENDUE_KERNEL_INLINE Lanes<C * B> gather_from(const From& from, std::ptrdiff_t at) {
-  const double* place[C];
+  const Real* place[C];
   ETENDUE_UNROLL
   for (int j = 0; j < C; ++j) place[j] = from(j);
   return gather_chunks<C, B>(place, at);
@@ -42,14 +44,15 @@ ETENDUE_KERNEL_INLINE void load_source(const Cells& packet, std::ptrdiff_t strid
 }
 
 /// The nodes of the face opposite a node in the first three lanes.
-alignas(32) constexpr long long face_nodes[4][4] = {{1, 2, 3, 0}, {0, 2, 3, 1}, {0, 1, 3, 2}, {0, 1, 2, 3}};
+alignas(4 * sizeof(Real)) constexpr RealChoice face_nodes[4][4] = {
+    {1, 2, 3, 0}, {0, 2, 3, 1}, {0, 1, 3, 2}, {0, 1, 2, 3}};
 
 /// Radiance at the three vertices of face f, as the cells behind those faces left it.
 template <int C, int B, class Cells>
 ETENDUE_KERNEL_INLINE void load_face(const Cells& packet, int f, std::ptrdiff_t stride, std::ptrdiff_t band,
                                      Lanes<C * B> (&out)[4]) {
-  const double* radiance[C];
-  const long long* nodes[C];
+  const Real* radiance[C];
+  const RealChoice* nodes[C];
   ETENDUE_UNROLL
   for (int j = 0; j < C; ++j) {
     radiance[j] = packet.behind(j, f);
@@ -137,18 +140,19 @@ ETENDUE_KERNEL_INLINE void balance_constant(const Cells& packet, std::ptrdiff_t 
   for (int j = 0; j < C; ++j) packet.template keep<B>(j, band, chunk<C, B>(u, j));
 }
 
-/// Cells whose flows are found together: as many as there are lanes, whatever the bands.
-constexpr int block_cells = ETENDUE_KERNEL_LANES;
+/// Cells whose flows are found together: as many as there are lanes, whatever the bands, but for sixteen.
+constexpr int most_cells_of_block = 8;
+constexpr int cells_of_block(int lanes) { return lanes < most_cells_of_block ? lanes : most_cells_of_block; }
 
 /// Some cells of one level, and what a few cells ahead stand in the order, null where it ends.
 struct Block {
   const SweepVisit* visits;
   const SweepVisit* ahead;
-  int count;  ///< of `visits`; up to block_cells there are idle ones behind them
+  int count;  ///< of `visits`; up to those of a block there are idle ones behind them
 };
 
 template <Basis basis, int C, int B, Angular angular, Flux flux, Sign sign>
-ETENDUE_KERNEL_INLINE void balance_packet(const SweepTask& task, const RecordLayout& layout,
+ETENDUE_KERNEL_INLINE void balance_packet(const SweepTaskOf<Real>& task, const RecordLayout& layout,
                                           const Block& block, int first,
                                           const FaceFlows<Lanes<C * B>>& flows) {
   const Packet<basis, C, angular, flux, sign> packet(task, layout, block.visits + first);
@@ -167,10 +171,11 @@ ETENDUE_KERNEL_INLINE void balance_packet(const SweepTask& task, const RecordLay
 }
 
 template <Basis basis, int C, int B, Angular angular, Flux flux, Sign sign>
-ETENDUE_KERNEL_INLINE void balance_block(const SweepTask& task, const RecordLayout& layout,
+ETENDUE_KERNEL_INLINE void balance_block(const SweepTaskOf<Real>& task, const RecordLayout& layout,
                                          const Block& block) {
+  constexpr int block_cells = cells_of_block(C * B);
   const FaceFlows<Lanes<block_cells>> flows = seen_faces<block_cells>(task, layout, block.visits);
-  if constexpr (C == block_cells) {
+  if constexpr (B == 1) {
     balance_packet<basis, C, B, angular, flux, sign>(task, layout, block, 0, flows);
   } else {
     const BlockFlows<block_cells> stored(flows);
@@ -182,7 +187,8 @@ ETENDUE_KERNEL_INLINE void balance_block(const SweepTask& task, const RecordLayo
 }
 
 /// The order itself is read once for each sweep, and comes from memory.
-ETENDUE_KERNEL_INLINE void prefetch_visits(const SweepTask& task, std::int32_t position) {
+template <int block_cells>
+ETENDUE_KERNEL_INLINE void prefetch_visits(const SweepTaskOf<Real>& task, std::int32_t position) {
   const std::int32_t there = position + (task.backwards ? -order_distance : order_distance);
   if (there < task.levels[0] || there + block_cells > task.levels[task.level_count]) return;
   ETENDUE_UNROLL
@@ -191,9 +197,10 @@ ETENDUE_KERNEL_INLINE void prefetch_visits(const SweepTask& task, std::int32_t p
 
 /// `Bands` is the stride where it is known when this is compiled, else 0.
 template <Basis basis, int C, int B, int Bands, Angular angular, Flux flux, Sign sign>
-ETENDUE_KERNEL_INLINE void sweep_cells(SweepTask task) {
+ETENDUE_KERNEL_INLINE void sweep_cells(SweepTaskOf<Real> task) {
+  constexpr int block_cells = cells_of_block(C * B);
   if constexpr (Bands > 0) task.stride = Bands;
-  const RecordLayout layout = record_layout(basis, static_cast<int>(task.stride));
+  const RecordLayout layout = record_layout(basis, static_cast<int>(task.stride), scalar_of<Real>);
   SweepVisit idle;
   idle.cell_and_parallel = task.idle_cell;
   const std::int32_t begin = task.levels[0];
@@ -208,7 +215,7 @@ ETENDUE_KERNEL_INLINE void sweep_cells(SweepTask task) {
       const std::int32_t ahead = position + (task.backwards ? -prefetch_distance : prefetch_distance);
       Block block{task.visits + position, nullptr, count};
       if (ahead >= begin && ahead + block_cells <= end) block.ahead = task.visits + ahead;
-      prefetch_visits(task, position);
+      prefetch_visits<block_cells>(task, position);
       SweepVisit filled[block_cells];
       if (count < block_cells) [[unlikely]] {
         for (int j = 0; j < block_cells; ++j) filled[j] = j < count ? block.visits[j] : idle;
@@ -220,7 +227,8 @@ ETENDUE_KERNEL_INLINE void sweep_cells(SweepTask task) {
 }
 
 template <Basis basis, int C, int B, int Bands, Sign sign>
-void sweep(const SweepTask& task) {
+void sweep(const SweepTaskOf<Real>& task) {
+  [[maybe_unused]] const TinyAsZero<Real> mode;
   const bool angular = task.angular_index != nullptr;
   const bool flux = task.net_flux != nullptr;
   if (angular && flux) {
@@ -234,20 +242,23 @@ void sweep(const SweepTask& task) {
   }
 }
 
-/// Bands fill the lanes first, cells of one level the rest.
-template <Basis basis, int Bands, Sign sign = Sign::free>
+/// Bands fill the lanes first, cells of one level the rest. Sixteen lanes are for sixteen bands alone: with
+/// several cells in them floats are as fast in eight, or slower.
+template <Basis basis, int Bands, Sign sign = Sign::free, int MostBands = ETENDUE_KERNEL_LANES>
 auto sweep_of_bands() {
-  constexpr int lanes = ETENDUE_KERNEL_LANES;
-  constexpr int B = Bands > 0 && Bands < lanes ? Bands : lanes;
+  constexpr int B = Bands > 0 && Bands < MostBands ? Bands : MostBands;
+  constexpr int lanes = B > most_cells_of_block ? B : cells_of_block(ETENDUE_KERNEL_LANES);
   return sweep<basis, lanes / B, B, Bands, sign>;
 }
 
-template <Basis basis>
-SweepKernels kernels_for(int stride) {
-  SweepKernels kernels;
-  // The widest lanes that divide a row of nodes times bands; two rows of four fill lanes of eight.
-  const int row = nodes_per_cell(basis) * stride;
-  if (row % 8 == 0) {
+/// The widest lanes that divide a row of nodes times bands; two short rows share them.
+void choose_moment_kernels(int row, SweepKernelsOf<Real>& kernels) {
+  constexpr int widest = 64 / sizeof(Real);
+  if (row % widest == 0) {
+    set_moment_kernels<1, widest>(kernels);
+  } else if (2 * row == widest) {
+    set_moment_kernels<2, widest>(kernels);
+  } else if (row % 8 == 0) {
     set_moment_kernels<1, 8>(kernels);
   } else if (row == 4) {
     set_moment_kernels<2, 8>(kernels);
@@ -256,7 +267,12 @@ SweepKernels kernels_for(int stride) {
   } else {
     set_moment_kernels<1, 1>(kernels);
   }
-  if constexpr (basis == Basis::linear)
+}
+
+template <Basis basis>
+void choose_for(int stride, SweepKernelsOf<Real>& kernels) {
+  choose_moment_kernels(nodes_per_cell(basis) * stride, kernels);
+  if constexpr (basis == Basis::linear && scalar_of<Real> == Scalar::double_precision)
     kernels.sweep_positive = stride == 1   ? sweep_of_bands<basis, 1, Sign::positive>()
                              : stride == 2 ? sweep_of_bands<basis, 2, Sign::positive>()
                              : stride == 4 ? sweep_of_bands<basis, 4, Sign::positive>()
@@ -271,20 +287,23 @@ SweepKernels kernels_for(int stride) {
     kernels.sweep = sweep_of_bands<basis, 8>();
   } else if (stride == 16) {
     kernels.sweep = sweep_of_bands<basis, 16>();
-  } else {
+  } else if (stride % ETENDUE_KERNEL_LANES == 0) {
     kernels.sweep = sweep_of_bands<basis, 0>();
+  } else {
+    kernels.sweep = sweep_of_bands<basis, 0, Sign::free, cells_of_block(ETENDUE_KERNEL_LANES)>();
   }
-  return kernels;
 }
 
 }  // namespace
 
-SweepKernels ETENDUE_KERNEL_NAME(Basis basis, int stride) {
-  SweepKernels kernels =
-      basis == Basis::linear ? kernels_for<Basis::linear>(stride) : kernels_for<Basis::constant>(stride);
+void ETENDUE_KERNEL_NAME(Basis basis, int stride, SweepKernelsOf<Real>& kernels) {
+  if (basis == Basis::linear) {
+    choose_for<Basis::linear>(stride, kernels);
+  } else {
+    choose_for<Basis::constant>(stride, kernels);
+  }
   kernels.matrix_product = matrix_product;
   kernels.instruction_set = ETENDUE_KERNEL_ISA;
-  return kernels;
 }
 
 }  // namespace etendue

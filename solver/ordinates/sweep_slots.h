@@ -40,18 +40,21 @@ class WallSlots {
 std::uint32_t opposite_node(const TetrahedralMesh& mesh, CellIndex cell, FaceIndex face);
 
 /// The slots of one thread: radiance [slot][node][stride] [power/(length^2 sr)].
-struct SweepSlots {
-  double* radiance = nullptr;
+template <class Real>
+struct SweepSlotsOf {
+  Real* radiance = nullptr;
   std::size_t cell_length = 0;  ///< nodes times stride
   std::size_t stride = 1;
 
-  double* slot(std::uint32_t s) const { return radiance + s * cell_length; }
+  Real* slot(std::uint32_t s) const { return radiance + s * cell_length; }
   /// [stride] at vertex k (0, 1, 2) of a face; constants have one value.
-  double* face_node(FaceCode face, std::size_t k) const {
+  Real* face_node(FaceCode face, std::size_t k) const {
     return slot(face.slot) +
            (cell_length == stride ? 0 : etendue::face_node(face.opposite, static_cast<std::uint32_t>(k))) *
                stride;
   }
 };
+
+using SweepSlots = SweepSlotsOf<double>;
 
 }  // namespace etendue

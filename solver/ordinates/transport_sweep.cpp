@@ -12,6 +12,9 @@
 #include "solver/ordinates/narrow_sweep.h"
 #include "solver/ordinates/processor_timer.h"
 #include "solver/ordinates/sweep_workspace.h"
+#include "solver/ordinates/transport_sweep_by_direction.h"
+#include "solver/ordinates/transport_sweep_group.h"
+#include "solver/ordinates/transport_sweep_narrow.h"
 
 namespace etendue {
 namespace {
@@ -23,7 +26,8 @@ constexpr std::int64_t smallest_shared_batch = 4096;
 constexpr std::int32_t merge_block = 1024;
 
 /// to += from; from = 0
-void move_sum(double* to, double* from, std::size_t size) {
+template <class Real>
+void move_sum(double* to, Real* from, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) {
     to[i] += from[i];
     from[i] = 0;
@@ -65,28 +69,39 @@ std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, con
 
 }  // namespace
 
-TransportSweep::Scattering TransportSweep::scattering_of(const Problem& problem,
-                                                         const DirectionSet& directions) {
+template <class Real>
+typename TransportSweepOf<Real>::Scattering TransportSweepOf<Real>::scattering_of(
+    const Problem& problem, const DirectionSet& directions) {
   Scattering scattering{plan_scattering(problem, directions), {}};
   scattering.groups = dense_groups(problem, directions, scattering.plan);
   return scattering;
 }
 
-TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& directions,
-                               std::span<const double> extinction, const SolveOptions& options)
-    : TransportSweep(problem, directions, extinction, options, scattering_of(problem, directions), nullptr) {}
+template <class Real>
+TransportSweepOf<Real>::TransportSweepOf(const Problem& problem, const DirectionSet& directions,
+                                         std::span<const double> extinction, const SolveOptions& options)
+    : TransportSweepOf(problem, directions, extinction, options, scattering_of(problem, directions),
+                       nullptr) {}
 
-TransportSweep::TransportSweep(const TransportSweep& wide, const Problem& problem,
-                               std::span<const double> extinction, std::span<const int> bands)
-    : TransportSweep(problem, wide.directions_, extinction, wide.options_,
-                     {select_bands(std::span<const ScatteringTreatment>(wide.plan_),
-                                   static_cast<std::size_t>(wide.cells_.bands()), bands),
-                      of_bands(wide.dense_groups_, bands)},
-                     wide.orders_) {}
+template <class Real>
+TransportSweepOf<Real>::TransportSweepOf(const TransportSweepOf& wide, const Problem& problem,
+                                         std::span<const double> extinction, std::span<const int> bands)
+    : TransportSweepOf(problem, wide.directions_, extinction, wide.options_,
+                       {select_bands(std::span<const ScatteringTreatment>(wide.plan_),
+                                     static_cast<std::size_t>(wide.cells_.bands()), bands),
+                        of_bands(wide.dense_groups_, bands)},
+                       wide.orders_) {}
 
-TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& directions,
-                               std::span<const double> extinction, const SolveOptions& options,
-                               Scattering scattering, std::shared_ptr<const SweepOrders> orders)
+template <class Real>
+template <class Other>
+TransportSweepOf<Real>::TransportSweepOf(const TransportSweepOf<Other>& other)
+    : TransportSweepOf(other.problem_, other.directions_, other.extinction_, other.options_,
+                       {other.plan_, other.dense_groups_}, other.orders_) {}
+
+template <class Real>
+TransportSweepOf<Real>::TransportSweepOf(const Problem& problem, const DirectionSet& directions,
+                                         std::span<const double> extinction, const SolveOptions& options,
+                                         Scattering scattering, std::shared_ptr<const SweepOrders> orders)
     : problem_(problem),
       directions_(directions),
       extinction_(extinction),
@@ -95,24 +110,29 @@ TransportSweep::TransportSweep(const Problem& problem, const DirectionSet& direc
       plan_(std::move(scattering.plan)),
       dense_groups_(std::move(scattering.groups)),
       cells_(problem.mesh(), effective_extinction(problem, extinction, plan_, dense_groups_),
-             problem.band_count(), basis_of(options), options.lumping),
+             problem.band_count(), basis_of(options), options.lumping, scalar_of<Real>),
       schedule_(problem, directions),
       scattering_(problem, directions, cells_, plan_, schedule_, observed_cells()),
       dense_(problem, directions, cells_, extinction, plan_, dense_groups_),
       orders_(orders ? std::move(orders)
                      : timed_orders(problem.mesh(), directions, cells_, options, threads_, order_seconds_)),
       walls_(problem, directions, schedule_, orders_->walls(), cells_.stride(), cells_.face_nodes()),
-      kernels_(choose_kernels(cells_.basis(), cells_.stride())),
-      records_(cells_.make_records()),
+      kernels_(choose_kernels<Real>(cells_.basis(), cells_.stride())),
+      records_(cells_.template make_records<Real>()),
       inflow_(walls_.irradiance_size()),
       passing_(walls_.passing_size()),
-      moment_source_(scattering_.moments_size()) {
+      moment_source_(scattering_.moments_size()),
+      evaluation_(scattering_.evaluation().begin(), scattering_.evaluation().end()),
+      integration_(scattering_.integration().begin(), scattering_.integration().end()) {
+  if constexpr (!adds_in_place) moment_sums_ = AlignedArrayOf<Real>(scattering_.moments_size());
   make_workspaces();
 }
 
-TransportSweep::~TransportSweep() = default;
+template <class Real>
+TransportSweepOf<Real>::~TransportSweepOf() = default;
 
-void TransportSweep::make_workspaces() {
+template <class Real>
+void TransportSweepOf<Real>::make_workspaces() {
   threads_ = std::min(threads_, schedule_.batch_count());
   // Where a batch is done in less time than threads need to meet, one is faster.
   if (std::int64_t{problem_.mesh().cell_count()} * schedule_.batch() < smallest_shared_batch) threads_ = 1;
@@ -120,20 +140,21 @@ void TransportSweep::make_workspaces() {
     auto work = std::make_unique<Workspace>();
     const std::size_t members = is_tiled() ? static_cast<std::size_t>(largest_group) : 1;
     const std::size_t slots_length = orders_->largest_slot_count() * cells_.cell_length();
-    work->radiance = AlignedArray(members * slots_length);
+    work->radiance = AlignedArrayOf<Real>(members * slots_length);
     work->members.resize(members);
     for (std::size_t i = 0; i < members; ++i)
       work->members[i].slots = {work->radiance.data() + i * slots_length, cells_.cell_length(),
                                 static_cast<std::size_t>(cells_.stride())};
-    work->fluence = AlignedArray(fluence_size() + cells_.cell_length());
+    work->fluence = AlignedArrayOf<Real>(fluence_size() + cells_.cell_length());
     work->irradiance = AlignedArray(walls_.irradiance_size());
-    work->angular = AlignedArray(static_cast<std::size_t>(schedule_.batch()) * angular_length());
-    if (!dense_.empty()) work->records = AlignedArray(records_.size());
+    work->angular = AlignedArrayOf<Real>(static_cast<std::size_t>(schedule_.batch()) * angular_length());
+    if (!dense_.empty()) work->records = AlignedArrayOf<Real>(records_.size());
     workspaces_.push_back(std::move(work));
   }
 }
 
-std::vector<CellIndex> TransportSweep::observed_cells() const {
+template <class Real>
+std::vector<CellIndex> TransportSweepOf<Real>::observed_cells() const {
   std::vector<CellIndex> cells;
   for (std::int32_t c = 0; options_.angular_input != nullptr && c < problem_.mesh().cell_count(); ++c)
     if (options_.angular_input->depends_on_direction(CellIndex(c))) cells.push_back(CellIndex(c));
@@ -142,23 +163,27 @@ std::vector<CellIndex> TransportSweep::observed_cells() const {
   return cells;
 }
 
-std::size_t TransportSweep::fluence_size() const {
+template <class Real>
+std::size_t TransportSweepOf<Real>::fluence_size() const {
   return static_cast<std::size_t>(problem_.mesh().cell_count()) * cells_.cell_length();
 }
 
-StateLayout TransportSweep::layout() const {
+template <class Real>
+StateLayout TransportSweepOf<Real>::layout() const {
   const auto trace_length = cells_.trace_length();
   return {fluence_size(),           scattering_.moments_size(), dense_.radiance_size(),
           walls_.irradiance_size(), walls_.mirror_size(),       2 * orders_->lagged_total() * trace_length};
 }
 
-bool TransportSweep::is_direct() const {
+template <class Real>
+bool TransportSweepOf<Real>::is_direct() const {
   const auto scattering = problem_.scattering();
   return !walls_.feeds_back() && orders_->lagged_total() == 0 &&
          std::all_of(scattering.begin(), scattering.end(), [](double s) { return s == 0; });
 }
 
-void TransportSweep::form_source(const TransportState& last) {
+template <class Real>
+void TransportSweepOf<Real>::form_source(const TransportState& last) {
   walls_.form_inflow(last, emission_, threads_, inflow_.span());
   const std::int32_t cells = problem_.mesh().cell_count();
 #pragma omp parallel for schedule(static) num_threads(threads_)
@@ -168,40 +193,48 @@ void TransportSweep::form_source(const TransportState& last) {
                             moment_source_.data());
     if (shines_by_direction()) add_isotropic_source(first, std::min(cells, first + merge_block));
   }
-  dense_.form_source(last, kernels_, threads_, processor_seconds_);
+  dense_.form_source(last, kernels_.matrix_product, threads_, processor_seconds_);
   for (auto& work : workspaces_) std::copy_n(records_.data(), work->records.size(), work->records.data());
 }
 
-void TransportSweep::apply(const TransportState& last, TransportState& next, SweepRecord* record) {
+template <class Real>
+void TransportSweepOf<Real>::apply(const TransportState& last, TransportState& next, SweepRecord* record) {
   emission_ = Emission::included;
   sweep_all(last, next, record);
   if (options_.angular_input != nullptr && options_.angular_input->found_elsewhere() != nullptr)
     add_saved(*options_.angular_input->found_elsewhere(), cells_.bands(), next);
 }
 
-void TransportSweep::keep_positive(Fixup fixup) {
+template <class Real>
+void TransportSweepOf<Real>::keep_positive(Fixup fixup) {
   fixup_ = fixup;
   census_.resize(static_cast<std::size_t>(directions_.count()) * static_cast<std::size_t>(cells_.stride()));
 }
 
-void TransportSweep::apply_linear(const TransportState& last, TransportState& next) {
+template <class Real>
+void TransportSweepOf<Real>::apply_linear(const TransportState& last, TransportState& next) {
   emission_ = Emission::left_out;
   sweep_all(last, next, nullptr);
 }
 
-void TransportSweep::apply_to_unit_source(TransportState& next) {
+template <class Real>
+void TransportSweepOf<Real>::apply_to_unit_source(TransportState& next) {
   emission_ = Emission::left_out;
   scattering_.form_unit_source(records_.data(), moment_source_.data());
   sweep_source(TransportState(layout()), next, nullptr);
 }
 
-void TransportSweep::sweep_all(const TransportState& last, TransportState& next, SweepRecord* record) {
+template <class Real>
+void TransportSweepOf<Real>::sweep_all(const TransportState& last, TransportState& next,
+                                       SweepRecord* record) {
   form_source(last);
   std::fill(census_.begin(), census_.end(), FixupCensus());
   sweep_source(last, next, record);
 }
 
-void TransportSweep::sweep_source(const TransportState& last, TransportState& next, SweepRecord* record) {
+template <class Real>
+void TransportSweepOf<Real>::sweep_source(const TransportState& last, TransportState& next,
+                                          SweepRecord* record) {
   std::fill(next.fluence().begin(), next.fluence().end(), 0.0);
   std::fill(next.moments().begin(), next.moments().end(), 0.0);
   std::fill(next.irradiance().begin(), next.irradiance().end(), 0.0);
@@ -222,16 +255,16 @@ void TransportSweep::sweep_source(const TransportState& last, TransportState& ne
     }
     for (auto& work : workspaces_) {
       // The idle cell has a flux too.
-      work->net_flux = AlignedArray(record->net_flux.size() + 3 * cells_.cell_length());
+      work->net_flux = AlignedArrayOf<Real>(record->net_flux.size() + 3 * cells_.cell_length());
       work->exitance = AlignedArray(record->exitance.size());
       work->meters.assign(record->meters.size(), 0);
       work->absorbed.assign(record->absorbed.size(), 0);
       if (!options_.keep_ordinates.empty())
-        work->whole = AlignedArray(fluence_size() + scattering_.row_length());
+        work->whole = AlignedArrayOf<Real>(fluence_size() + scattering_.row_length());
     }
   }
   for (auto& work : workspaces_)
-    for (Workspace::Member& member : work->members) member.is_filled = false;
+    for (auto& member : work->members) member.is_filled = false;
   for (std::int32_t first = 0; first < schedule_.batch_count(); first += threads_) {
     const int batches = std::min(threads_, schedule_.batch_count() - first);
 #pragma omp parallel for schedule(static, 1) num_threads(batches)
@@ -241,12 +274,21 @@ void TransportSweep::sweep_source(const TransportState& last, TransportState& ne
     }
     merge(first, batches, next, record);
   }
+  if constexpr (!adds_in_place) {
+    std::copy(moment_sums_.span().begin(), moment_sums_.span().end(), next.moments().begin());
+    moment_sums_.fill_zero();
+  }
   if (record != nullptr)
-    for (auto& work : workspaces_) work->net_flux = work->exitance = work->whole = AlignedArray();
+    for (auto& work : workspaces_) {
+      work->net_flux = work->whole = AlignedArrayOf<Real>();
+      work->exitance = AlignedArray();
+    }
   band_sweep_count_ += cells_.bands();
 }
 
-void TransportSweep::merge(std::int32_t first_batch, int batches, TransportState& next, SweepRecord* record) {
+template <class Real>
+void TransportSweepOf<Real>::merge(std::int32_t first_batch, int batches, TransportState& next,
+                                   SweepRecord* record) {
   const std::int32_t cells = problem_.mesh().cell_count();
 #pragma omp parallel for schedule(static) num_threads(threads_)
   for (std::int32_t first = 0; first < cells; first += merge_block) {
@@ -272,8 +314,9 @@ void TransportSweep::merge(std::int32_t first_batch, int batches, TransportState
   }
 }
 
-void TransportSweep::merge_cells(std::int32_t first, std::int32_t last, int batches, TransportState& next,
-                                 SweepRecord* record) {
+template <class Real>
+void TransportSweepOf<Real>::merge_cells(std::int32_t first, std::int32_t last, int batches,
+                                         TransportState& next, SweepRecord* record) {
   const std::size_t begin = static_cast<std::size_t>(first) * scattering_.row_length();
   const std::size_t size = static_cast<std::size_t>(last - first) * scattering_.row_length();
   for (int t = 0; t < batches; ++t) {
@@ -284,15 +327,24 @@ void TransportSweep::merge_cells(std::int32_t first, std::int32_t last, int batc
   }
 }
 
-void TransportSweep::merge_moments(std::size_t first, std::size_t last, std::int32_t batch, Workspace& work,
-                                   TransportState& next) const {
-  const std::vector<double*> rows = angular_rows(batch, work);
-  MomentTask task = moment_task(rows);
-  task.matrix = scattering_.integration(batch * schedule_.batch() / 2);
-  task.moment_rows = next.moments().data();
+template <class Real>
+void TransportSweepOf<Real>::merge_moments(std::size_t first, std::size_t last, std::int32_t batch,
+                                           Workspace& work, TransportState& next) {
+  const std::vector<Real*> rows = angular_rows(batch, work);
+  MomentTaskOf<Real> task = moment_task(rows);
+  task.matrix = &integration_[static_cast<std::size_t>(batch * schedule_.batch() / 2 * task.moments)];
+  if constexpr (adds_in_place) {
+    task.moment_rows = next.moments().data();
+  } else {
+    task.moment_rows = moment_sums_.data();
+  }
   task.first_row = first;
   task.last_row = last;
   kernels_.directions_to_moments(task);
 }
+
+template class TransportSweepOf<double>;
+template class TransportSweepOf<float>;
+template TransportSweepOf<float>::TransportSweepOf(const TransportSweepOf<double>&);
 
 }  // namespace etendue

@@ -32,13 +32,18 @@ struct SweepRecord {
 /// One sweep through all cells along all directions: the affine map whose fixed point is the discrete
 /// solution. Source and reflected light come from the last state; the radiance itself is never stored.
 /// Threads take batches of directions of fixed size, whose sums are added in their order: the same bits for
-/// any number of threads.
-class TransportSweep {
+/// any number of threads. States are in double precision whatever the numbers, double or float, that the
+/// sweep itself computes with.
+template <class Real>
+class TransportSweepOf {
  public:
   /// `extinction` is [cell][band]; it may exceed absorption + scattering. The arguments must outlive it.
-  TransportSweep(const Problem& problem, const DirectionSet& directions, std::span<const double> extinction,
-                 const SolveOptions& options);
-  ~TransportSweep();
+  TransportSweepOf(const Problem& problem, const DirectionSet& directions, std::span<const double> extinction,
+                   const SolveOptions& options);
+  /// The same sweep in another precision, with the same orders. The other one's arguments must outlive it.
+  template <class Other>
+  explicit TransportSweepOf(const TransportSweepOf<Other>& other);
+  ~TransportSweepOf();
 
   StateLayout layout() const;
   /// next = F(last). `record`, where it is not null, is filled too (its sizes are set here).
@@ -84,6 +89,9 @@ class TransportSweep {
   double order_seconds() const { return order_seconds_; }  ///< wall clock
 
  private:
+  template <class>
+  friend class TransportSweepOf;
+
   struct Workspace;
   struct Passage;
   struct Narrow;
@@ -96,12 +104,15 @@ class TransportSweep {
   static Scattering scattering_of(const Problem& problem, const DirectionSet& directions);
 
   /// Makes its own orders where there are none.
-  TransportSweep(const Problem& problem, const DirectionSet& directions, std::span<const double> extinction,
-                 const SolveOptions& options, Scattering scattering,
-                 std::shared_ptr<const SweepOrders> orders);
+  TransportSweepOf(const Problem& problem, const DirectionSet& directions, std::span<const double> extinction,
+                   const SolveOptions& options, Scattering scattering,
+                   std::shared_ptr<const SweepOrders> orders);
   /// Of some bands of another sweep, with whose orders it goes.
-  TransportSweep(const TransportSweep& wide, const Problem& problem, std::span<const double> extinction,
-                 std::span<const int> bands);
+  TransportSweepOf(const TransportSweepOf& wide, const Problem& problem, std::span<const double> extinction,
+                   std::span<const int> bands);
+  /// Whether moments are added up where the next state has them.
+  static constexpr bool adds_in_place = scalar_of<Real> == Scalar::double_precision;
+
   void make_workspaces();
   /// Null where those bands would not save lanes.
   Narrow* narrow(std::span<const char> active);
@@ -116,37 +127,37 @@ class TransportSweep {
                    SweepRecord* record, Workspace& work);
   void begin_passage(const Passage& passage, const TransportState& last, SweepRecord* record,
                      Workspace& work);
-  SweepTask make_task(const Passage& passage, SweepRecord* record, Workspace& work);
-  void run_kernel(const SweepTask& task) const;
+  SweepTaskOf<Real> make_task(const Passage& passage, SweepRecord* record, Workspace& work);
+  void run_kernel(const SweepTaskOf<Real>& task) const;
   void run_alone(const Passage& passage, SweepRecord* record, Workspace& work);
   void run_together(std::span<const Passage> group, SweepRecord* record, Workspace& work);
   void end_passage(const Passage& passage, TransportState& next, SweepRecord* record, Workspace& work);
-  void sweep_and_keep(SweepTask task, OrdinateRadiance& kept, std::span<double> whole_rows) const;
+  void sweep_and_keep(SweepTaskOf<Real> task, OrdinateRadiance& kept, std::span<Real> whole_rows) const;
   void set_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
-                  const SweepSlots& slots) const;
+                  const SweepSlotsOf<Real>& slots) const;
   void keep_lagged(OrdinateIndex m, const SweepOrder& order, TransportState& next,
-                   const SweepSlots& slots) const;
+                   const SweepSlotsOf<Real>& slots) const;
   void add_isotropic_source(std::int32_t first, std::int32_t last);
-  void add_angular_source(OrdinateIndex m, double* angular) const;
-  void add_input(OrdinateIndex m, CellIndex cell, std::vector<double>& values, double* right) const;
-  void add_angular_inflow(OrdinateIndex m, const SweepSlots& slots, std::span<double> exitance) const;
-  void read_meters(OrdinateIndex m, const double* angular, std::span<double> meters) const;
+  void add_angular_source(OrdinateIndex m, Real* angular) const;
+  void add_input(OrdinateIndex m, CellIndex cell, std::vector<double>& values, Real* right) const;
+  void add_angular_inflow(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<double> exitance) const;
+  void read_meters(OrdinateIndex m, const Real* angular, std::span<double> meters) const;
   void merge(std::int32_t first_batch, int batches, TransportState& next, SweepRecord* record);
   void merge_cells(std::int32_t first, std::int32_t last, int batches, TransportState& next,
                    SweepRecord* record);
   void merge_moments(std::size_t first, std::size_t last, std::int32_t batch, Workspace& work,
-                     TransportState& next) const;
+                     TransportState& next);
   std::vector<CellIndex> observed_cells() const;
   /// Whether the ordinates of a group pass together, tile by tile.
   bool is_tiled() const { return orders_->step_count() > 1; }
   /// Whether ordinates pass one after the other, because they share more than what visits add to.
   bool pass_alone(const SweepRecord* record) const;
-  std::size_t angular_length() const;  ///< doubles of the rows of one ordinate
-  double* angular_at(std::int32_t place, Workspace& work) const;
+  std::size_t angular_length() const;  ///< numbers of the rows of one ordinate
+  Real* angular_at(std::int32_t place, Workspace& work) const;
   /// [pair of opposite ordinates of a batch][2]
-  std::vector<double*> angular_rows(std::int32_t batch, Workspace& work) const;
+  std::vector<Real*> angular_rows(std::int32_t batch, Workspace& work) const;
   /// What the products of both ways between moments and the rows of a batch have in common.
-  MomentTask moment_task(const std::vector<double*>& rows) const;
+  MomentTaskOf<Real> moment_task(const std::vector<Real*>& rows) const;
   bool shines_by_direction() const;
   std::size_t fluence_size() const;
 
@@ -164,11 +175,14 @@ class TransportSweep {
   double order_seconds_ = 0;
   std::shared_ptr<const SweepOrders> orders_;
   WallExchange walls_;
-  SweepKernels kernels_;
-  AlignedArray records_;        ///< [cell + 1][record length], the source of the last sweep in them
-  AlignedArray inflow_;         ///< [boundary face][face node][stride] of the last sweep
-  AlignedArray passing_;        ///< what mirrors hand on within a sweep
-  AlignedArray moment_source_;  ///< [row][moment][node][stride]
+  SweepKernelsOf<Real> kernels_;
+  AlignedArrayOf<Real> records_;        ///< [cell + 1][record length], the source of the last sweep in them
+  AlignedArray inflow_;                 ///< [boundary face][face node][stride] of the last sweep
+  AlignedArray passing_;                ///< what mirrors hand on within a sweep
+  AlignedArrayOf<Real> moment_source_;  ///< [row][moment][node][stride]
+  AlignedArrayOf<Real> moment_sums_;    ///< likewise, of the next state; empty where it has them itself
+  std::vector<Real> evaluation_;        ///< of scattering_
+  std::vector<Real> integration_;
   std::vector<std::int32_t> all_cells_index_;  ///< [cell + 1] cell + 1, to keep an ordinate's whole radiance
   std::vector<std::unique_ptr<Workspace>> workspaces_;
   Fixup fixup_ = Fixup::rescale;
@@ -179,5 +193,11 @@ class TransportSweep {
   std::int64_t band_sweep_count_ = 0;
   double processor_seconds_ = 0;
 };
+
+extern template class TransportSweepOf<double>;
+extern template class TransportSweepOf<float>;
+
+using TransportSweep = TransportSweepOf<double>;
+using SingleTransportSweep = TransportSweepOf<float>;
 
 }  // namespace etendue

@@ -23,13 +23,14 @@ enum class Flux { skip, add };
 enum class Sign { free, positive };
 
 template <int Write>
-ETENDUE_KERNEL_INLINE void prefetch_lines(const double* from, std::size_t length) {
-  for (std::size_t i = 0; i < length; i += 8) __builtin_prefetch(from + i, Write);
+ETENDUE_KERNEL_INLINE void prefetch_lines(const Real* from, std::size_t length) {
+  constexpr std::size_t line = 64 / sizeof(Real);
+  for (std::size_t i = 0; i < length; i += line) __builtin_prefetch(from + i, Write);
 }
 
 /// `length` is that of a cell's radiance.
 template <Angular angular, Flux flux>
-ETENDUE_KERNEL_INLINE void prefetch_cell(const SweepTask& task, const SweepVisit& visit,
+ETENDUE_KERNEL_INLINE void prefetch_cell(const SweepTaskOf<Real>& task, const SweepVisit& visit,
                                          std::size_t record_length, std::size_t length) {
   const std::size_t cell = visited_cell(visit);
   prefetch_lines<0>(task.records + cell * record_length, record_length);
@@ -73,7 +74,8 @@ class Packet {
  public:
   static constexpr Sign sign = the_sign;
 
-  ETENDUE_KERNEL_MEMBER Packet(const SweepTask& task, const RecordLayout& layout, const SweepVisit* visits)
+  ETENDUE_KERNEL_MEMBER Packet(const SweepTaskOf<Real>& task, const RecordLayout& layout,
+                               const SweepVisit* visits)
       : task_(task), layout_(layout), visits_(visits) {
     ETENDUE_UNROLL
     for (int j = 0; j < C; ++j) cell_[j] = visited_cell(visits[j]);
@@ -81,33 +83,31 @@ class Packet {
 
   ETENDUE_KERNEL_MEMBER std::ptrdiff_t length() const { return nodes_per_cell(basis) * task_.stride; }
   ETENDUE_KERNEL_MEMBER const SweepVisit& visit(int j) const { return visits_[j]; }
-  ETENDUE_KERNEL_MEMBER const double* record(int j) const {
-    return task_.records + cell_[j] * layout_.length;
-  }
-  ETENDUE_KERNEL_MEMBER const double* source(int j) const {
+  ETENDUE_KERNEL_MEMBER const Real* record(int j) const { return task_.records + cell_[j] * layout_.length; }
+  ETENDUE_KERNEL_MEMBER const Real* source(int j) const {
     if constexpr (angular == Angular::present)
       if (task_.angular_index[cell_[j]] > 0) return radiance(j);
     return record(j) + layout_.source;
   }
-  ETENDUE_KERNEL_MEMBER double* slot(int j) const {
+  ETENDUE_KERNEL_MEMBER Real* slot(int j) const {
     return task_.slots + static_cast<std::ptrdiff_t>(visits_[j].slot) * length();
   }
   /// The radiance behind face f.
-  ETENDUE_KERNEL_MEMBER const double* behind(int j, int f) const {
+  ETENDUE_KERNEL_MEMBER const Real* behind(int j, int f) const {
     const std::uint32_t code = visits_[j].faces[f];
     // Four times the slot stands in the code as it is.
     if constexpr (basis == Basis::linear)
       return task_.slots + static_cast<std::ptrdiff_t>(code & ~opposite_bits) * task_.stride;
     return task_.slots + static_cast<std::ptrdiff_t>(unpacked(code).slot) * task_.stride;
   }
-  ETENDUE_KERNEL_MEMBER double* fluence(int j) const {
+  ETENDUE_KERNEL_MEMBER Real* fluence(int j) const {
     return task_.fluence + static_cast<std::ptrdiff_t>(cell_[j]) * length();
   }
   /// Kept for angular cells; the row of the others is the scratch row 0.
-  ETENDUE_KERNEL_MEMBER double* radiance(int j) const {
+  ETENDUE_KERNEL_MEMBER Real* radiance(int j) const {
     return task_.angular + task_.angular_index[cell_[j]] * length();
   }
-  ETENDUE_KERNEL_MEMBER double* net_flux(int j) const {
+  ETENDUE_KERNEL_MEMBER Real* net_flux(int j) const {
     return task_.net_flux + static_cast<std::ptrdiff_t>(cell_[j]) * 3 * length();
   }
 
@@ -115,13 +115,13 @@ class Packet {
   template <int B>
   ETENDUE_KERNEL_MEMBER void keep(int j, std::ptrdiff_t at, const Lanes<B>& u) const {
     const Lanes<B> weighted = task_.weight * u;
-    double* sum = fluence(j) + at;
+    Real* sum = fluence(j) + at;
     store_lanes<B>(slot(j) + at, u);
     store_lanes<B>(sum, load_lanes<B>(sum) + weighted);
     if constexpr (angular == Angular::present) store_lanes<B>(radiance(j) + at, u);
     if constexpr (flux == Flux::add)
       for (int axis = 0; axis < 3; ++axis) {
-        double* flow = net_flux(j) + axis * length() + at;
+        Real* flow = net_flux(j) + axis * length() + at;
         store_lanes<B>(flow, load_lanes<B>(flow) + task_.direction[axis] * weighted);
       }
   }
@@ -137,12 +137,12 @@ class Packet {
         if (values[0] >= 0 && values[1] >= 0 && values[2] >= 0 && values[3] >= 0) continue;
         const double own[4] = {weights[0][lane], weights[1][lane], weights[2][lane], weights[3][lane]};
         fix_values(task_.fixup, own, balance[lane], task_.volumes[cell_[j]], values, task_.census[band + b]);
-        for (int i = 0; i < 4; ++i) u[i][lane] = values[i];
+        for (int i = 0; i < 4; ++i) u[i][lane] = static_cast<Real>(values[i]);
       }
   }
 
  private:
-  const SweepTask& task_;
+  const SweepTaskOf<Real>& task_;
   const RecordLayout& layout_;
   const SweepVisit* visits_;
   std::size_t cell_[C];

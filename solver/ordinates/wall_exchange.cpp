@@ -198,15 +198,17 @@ void WallExchange::form_inflow(const TransportState& last, Emission emission, in
   }
 }
 
-void WallExchange::fill(std::span<const double> inflow, const SweepSlots& slots) const {
+template <class Real>
+void WallExchange::fill(std::span<const double> inflow, const SweepSlotsOf<Real>& slots) const {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const double* own = inflow.data() + f * face_length_;
     std::copy(own, own + face_length_, slots.slot(wall_slots_.inflow(static_cast<std::int32_t>(f))));
   }
 }
 
+template <class Real>
 void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::span<const double> passing,
-                           std::span<const double> inflow, const SweepSlots& slots) const {
+                           std::span<const double> inflow, const SweepSlotsOf<Real>& slots) const {
   for (const std::int32_t f : mirror_faces_) {
     const Face& face = faces_[static_cast<std::size_t>(f)];
     if (seen_area(face.area_normal, directions_.direction(m)) >= 0) continue;
@@ -216,7 +218,7 @@ void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::spa
         plane.turn == Turn::this_sweep ? passing : last.mirrors().subspan(glossy_.size());
     const double* mirrored = from.data() + mirror_at(by.row, plane.partner[m.at()]);
     const double* own = inflow.data() + static_cast<std::size_t>(f) * face_length_;
-    double* trace = slots.slot(wall_slots_.inflow(f));
+    Real* trace = slots.slot(wall_slots_.inflow(f));
     if (!plane.reflected.empty()) {
       const double part = plane.reflected[m.at()];
       for (std::size_t i = 0; i < face_length_; ++i) trace[i] = (1 - part) * own[i] + part * mirrored[i];
@@ -228,24 +230,27 @@ void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::spa
   glossy_.add_reflected(m, inflow, slots);
 }
 
-void WallExchange::add_exitance(OrdinateIndex m, const SweepSlots& slots, std::span<double> exitance) const {
+template <class Real>
+void WallExchange::add_exitance(OrdinateIndex m, const SweepSlotsOf<Real>& slots,
+                                std::span<double> exitance) const {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const double seen = seen_area(faces_[f].area_normal, directions_.direction(m));
     if (seen >= 0) continue;
     const double factor = -seen * faces_[f].by_area * directions_.weight(m);
-    const double* trace = slots.slot(wall_slots_.inflow(static_cast<std::int32_t>(f)));
+    const Real* trace = slots.slot(wall_slots_.inflow(static_cast<std::int32_t>(f)));
     for (std::size_t i = 0; i < face_length_; ++i) exitance[f * face_length_ + i] += factor * trace[i];
   }
 }
 
-void WallExchange::receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what,
+template <class Real>
+void WallExchange::receive(OrdinateIndex m, const SweepSlotsOf<Real>& slots, TakeUp what,
                            std::span<double> irradiance, std::span<double> mirrors,
                            std::span<double> passing) const {
   const std::span<const std::int32_t> faces = what == TakeUp::all ? all_ : reflecting_;
   if (stride_ == 1 && face_length_ == 3) {
-    add_irradiance<1>(m, slots, faces, irradiance);
+    add_irradiance<1, Real>(m, slots, faces, irradiance);
   } else {
-    add_irradiance<0>(m, slots, faces, irradiance);
+    add_irradiance<0, Real>(m, slots, faces, irradiance);
   }
   for (const std::int32_t f : mirror_faces_) {
     if (seen_area(faces_[static_cast<std::size_t>(f)].area_normal, directions_.direction(m)) <= 0) continue;
@@ -254,15 +259,15 @@ void WallExchange::receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what
         planes_[by.plane].turn == Turn::this_sweep ? passing : mirrors.subspan(glossy_.size());
     double* kept = to.data() + mirror_at(by.row, m.value());
     for (std::size_t i = 0; i < face_length_; i += stride_) {
-      const double* trace = slots.face_node(wall_slots_.inside(f), i / stride_);
+      const Real* trace = slots.face_node(wall_slots_.inside(f), i / stride_);
       std::copy(trace, trace + stride_, kept + i);
     }
   }
   glossy_.receive(m, slots, mirrors);
 }
 
-template <std::size_t LinearBands>
-void WallExchange::add_irradiance(OrdinateIndex m, const SweepSlots& slots,
+template <std::size_t LinearBands, class Real>
+void WallExchange::add_irradiance(OrdinateIndex m, const SweepSlotsOf<Real>& slots,
                                   std::span<const std::int32_t> faces, std::span<double> irradiance) const {
   const std::size_t stride = LinearBands > 0 ? LinearBands : stride_;
   const std::size_t length = LinearBands > 0 ? 3 * LinearBands : face_length_;
@@ -275,7 +280,7 @@ void WallExchange::add_irradiance(OrdinateIndex m, const SweepSlots& slots,
     const FaceCode inside = wall_slots_.inside(f);
     double* sum = irradiance.data() + at * length;
     for (std::size_t i = 0; i < length; i += stride) {
-      const double* trace = slots.face_node(inside, i / stride);
+      const Real* trace = slots.face_node(inside, i / stride);
       for (std::size_t b = 0; b < stride; ++b) sum[i + b] += factor * trace[b];
     }
   }
@@ -303,5 +308,19 @@ void WallExchange::add_leaving(FaceIndex face, std::size_t band, std::span<const
     }
   }
 }
+
+template void WallExchange::fill(std::span<const double>, const SweepSlotsOf<double>&) const;
+template void WallExchange::reflect(OrdinateIndex, const TransportState&, std::span<const double>,
+                                    std::span<const double>, const SweepSlotsOf<double>&) const;
+template void WallExchange::add_exitance(OrdinateIndex, const SweepSlotsOf<double>&, std::span<double>) const;
+template void WallExchange::receive(OrdinateIndex, const SweepSlotsOf<double>&, TakeUp, std::span<double>,
+                                    std::span<double>, std::span<double>) const;
+
+template void WallExchange::fill(std::span<const double>, const SweepSlotsOf<float>&) const;
+template void WallExchange::reflect(OrdinateIndex, const TransportState&, std::span<const double>,
+                                    std::span<const double>, const SweepSlotsOf<float>&) const;
+template void WallExchange::add_exitance(OrdinateIndex, const SweepSlotsOf<float>&, std::span<double>) const;
+template void WallExchange::receive(OrdinateIndex, const SweepSlotsOf<float>&, TakeUp, std::span<double>,
+                                    std::span<double>, std::span<double>) const;
 
 }  // namespace etendue

@@ -55,18 +55,22 @@ class WallExchange {
   /// transmit diffusely, [boundary face][face node][stride]. What is glossy is reflected too, and kept.
   void form_inflow(const TransportState& last, Emission emission, int threads, std::span<double> inflow);
   /// Writes all inflow slots. They keep their values until they are written again.
-  void fill(std::span<const double> inflow, const SweepSlots& slots) const;
+  template <class Real>
+  void fill(std::span<const double> inflow, const SweepSlotsOf<Real>& slots) const;
   /// Writes the inflow slots of mirrors and glossy walls along ordinate m: `inflow` and what they reflect of
   /// the last state or, where the schedule allows it, of this sweep (`passing`).
+  template <class Real>
   void reflect(OrdinateIndex m, const TransportState& last, std::span<const double> passing,
-               std::span<const double> inflow, const SweepSlots& slots) const;
+               std::span<const double> inflow, const SweepSlotsOf<Real>& slots) const;
   /// Adds what the inflow slots send along ordinate m to `exitance` [boundary face][face node][stride].
-  void add_exitance(OrdinateIndex m, const SweepSlots& slots, std::span<double> exitance) const;
+  template <class Real>
+  void add_exitance(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<double> exitance) const;
 
   /// Takes up what left along ordinate m, from the radiance of the cells at the walls: adds to `irradiance`,
   /// and writes the mirrors' part of `next`, or `passing`. What black walls receive matters for nothing but
   /// the results.
-  void receive(OrdinateIndex m, const SweepSlots& slots, TakeUp what, std::span<double> irradiance,
+  template <class Real>
+  void receive(OrdinateIndex m, const SweepSlotsOf<Real>& slots, TakeUp what, std::span<double> irradiance,
                std::span<double> mirrors, std::span<double> passing) const;
 
   /// Adds radiance that brings the irradiance `after` - `before` to one face, the same in all directions, to
@@ -102,8 +106,8 @@ class WallExchange {
 
   void find_mirrors(const OrdinateSchedule& schedule);
   /// Of linear elements with as many bands as `LinearBands` says, or 0 for any.
-  template <std::size_t LinearBands>
-  void add_irradiance(OrdinateIndex m, const SweepSlots& slots, std::span<const std::int32_t> faces,
+  template <std::size_t LinearBands, class Real>
+  void add_irradiance(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<const std::int32_t> faces,
                       std::span<double> irradiance) const;
   const Mirror* mirror(FaceIndex face) const {
     const std::int32_t at = mirror_of_[face.at()];

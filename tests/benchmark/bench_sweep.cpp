@@ -27,11 +27,12 @@ const TetrahedralMesh& cube(double max_volume) {
 const std::map<int, double> experiment = {{1, 8.5}, {8, 4.0}, {16, 2.6}};
 
 /// Bytes of record, fluence and slots that one visit reads and writes, for each band.
+template <class Real>
 double bytes_per_band(int bands) {
   const auto stride = static_cast<std::size_t>(lane_stride(bands));
-  const std::size_t record = record_layout(Basis::linear, static_cast<int>(stride)).length;
+  const std::size_t record = record_layout(Basis::linear, static_cast<int>(stride), scalar_of<Real>).length;
   const std::size_t fluence = 2 * 4 * stride, slots = (4 * 3 + 4) * stride;
-  return static_cast<double>((record + fluence + slots) * sizeof(double)) / bands;
+  return static_cast<double>((record + fluence + slots) * sizeof(Real)) / bands;
 }
 
 /// Additions, multiplications and divisions of a visit for each band: those of its flows are shared by all
@@ -45,7 +46,18 @@ PhaseFunction forward(int degree) {
   return phase;
 }
 
-void sweep(benchmark::State& bench, double max_volume, int degree) {
+/// Makes a sweep of double or float.
+template <class Real>
+TransportSweepOf<Real> make_sweep(const Problem& problem, const DirectionSet& directions,
+                                  std::span<const double> extinction, const SolveOptions& options) {
+  if constexpr (scalar_of<Real> == Scalar::double_precision)
+    return TransportSweep(problem, directions, extinction, options);
+  else
+    return TransportSweepOf<Real>(TransportSweep(problem, directions, extinction, options));
+}
+
+template <class Real>
+void sweep_of(benchmark::State& bench, double max_volume, int degree) {
   const int bands = static_cast<int>(bench.range(0));
   const TetrahedralMesh& mesh = cube(max_volume);
   const Problem problem = smoke(mesh, bands, forward(degree));
@@ -53,7 +65,7 @@ void sweep(benchmark::State& bench, double max_volume, int degree) {
   std::vector<double> extinction(static_cast<std::size_t>(mesh.cell_count() * bands), 1.5);
   SolveOptions options;
   options.threads = static_cast<int>(bench.range(1));
-  TransportSweep transport(problem, directions, extinction, options);
+  auto transport = make_sweep<Real>(problem, directions, extinction, options);
   TransportState last(transport.layout());
   TransportState next(transport.layout());
   transport.apply(last, next);
@@ -68,7 +80,7 @@ void sweep(benchmark::State& bench, double max_volume, int degree) {
   bench.counters["cpu_ns"] = ns;
   bench.counters["wall_ns"] = benchmark::Counter(
       visits * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-  bench.counters["bytes"] = bytes_per_band(bands);
+  bench.counters["bytes"] = bytes_per_band<Real>(bands);
   bench.counters["flops"] = flops_per_band(bands);
   bench.counters["orders_in_sweeps"] = transport.order_seconds() / (ns * 1e-9 * visits) * transport.threads();
   if (degree == 0 && experiment.contains(bands)) bench.counters["of_experiment"] = experiment.at(bands) / ns;
@@ -77,6 +89,14 @@ void sweep(benchmark::State& bench, double max_volume, int degree) {
     bench.counters["instructions"] = static_cast<double>(instructions) / sweeps / visits;
   }
   bench.SetLabel(transport.instruction_set());
+}
+
+void sweep(benchmark::State& bench, double max_volume, int degree) {
+  sweep_of<double>(bench, max_volume, degree);
+}
+
+void single_sweep(benchmark::State& bench, double max_volume, int degree) {
+  sweep_of<float>(bench, max_volume, degree);
 }
 
 void arguments(benchmark::internal::Benchmark* bench, const std::vector<int>& band_counts) {
@@ -95,6 +115,8 @@ BENCHMARK_CAPTURE(sweep, 60k_degree_3, 3.4e-5, 3)->Apply(few_bands);
 BENCHMARK_CAPTURE(sweep, 60k_degree_5, 3.4e-5, 5)->Apply(few_bands);
 BENCHMARK_CAPTURE(sweep, 200k, 1e-5, 0)->Apply(all_bands);
 BENCHMARK_CAPTURE(sweep, 1M, 2e-6, 0)->Apply(one_band);
+BENCHMARK_CAPTURE(single_sweep, 60k, 3.4e-5, 0)->Apply(all_bands);
+BENCHMARK_CAPTURE(single_sweep, 60k_degree_3, 3.4e-5, 3)->Apply(few_bands);
 
 }  // namespace
 }  // namespace etendue

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-//
+#pragma once
+
 // What a sweep takes in and gives out ordinate by ordinate: sources and inflow by direction, lagged faces,
 // meters, radiance that is kept.
+// Part of TransportSweep, for its source file alone.
 #include <algorithm>
 
 #include "solver/ordinates/sweep_order.h"
@@ -10,8 +12,9 @@
 namespace etendue {
 
 // Adds the input of one cell to its right-hand side [node][stride]; `values` [4][band] is scratch.
-void TransportSweep::add_input(OrdinateIndex m, CellIndex cell, std::vector<double>& values,
-                               double* right) const {
+template <class Real>
+void TransportSweepOf<Real>::add_input(OrdinateIndex m, CellIndex cell, std::vector<double>& values,
+                                       Real* right) const {
   const auto bands = static_cast<std::size_t>(cells_.bands());
   const auto stride = static_cast<std::size_t>(cells_.stride());
   const auto nodes = static_cast<std::size_t>(cells_.nodes());
@@ -28,7 +31,8 @@ void TransportSweep::add_input(OrdinateIndex m, CellIndex cell, std::vector<doub
   }
 }
 
-void TransportSweep::add_isotropic_source(std::int32_t first, std::int32_t last) {
+template <class Real>
+void TransportSweepOf<Real>::add_isotropic_source(std::int32_t first, std::int32_t last) {
   const RecordLayout& layout = cells_.layout();
   std::vector<double> values(4 * static_cast<std::size_t>(cells_.bands()));
   for (std::int32_t c = first; c < last; ++c) {
@@ -39,15 +43,17 @@ void TransportSweep::add_isotropic_source(std::int32_t first, std::int32_t last)
   }
 }
 
-void TransportSweep::add_angular_source(OrdinateIndex m, double* angular) const {
+template <class Real>
+void TransportSweepOf<Real>::add_angular_source(OrdinateIndex m, Real* angular) const {
   std::vector<double> values(4 * static_cast<std::size_t>(cells_.bands()));
   for (const std::int32_t c : scattering_.angular_cells())
     add_input(m, CellIndex(c), values,
               angular + static_cast<std::size_t>(scattering_.row(CellIndex(c))) * scattering_.row_length());
 }
 
-void TransportSweep::add_angular_inflow(OrdinateIndex m, const SweepSlots& slots,
-                                        std::span<double> exitance) const {
+template <class Real>
+void TransportSweepOf<Real>::add_angular_inflow(OrdinateIndex m, const SweepSlotsOf<Real>& slots,
+                                                std::span<double> exitance) const {
   const auto bands = static_cast<std::size_t>(cells_.bands());
   const auto stride = static_cast<std::size_t>(cells_.stride());
   const auto nodes = static_cast<std::size_t>(cells_.face_nodes());
@@ -69,7 +75,9 @@ void TransportSweep::add_angular_inflow(OrdinateIndex m, const SweepSlots& slots
   }
 }
 
-void TransportSweep::read_meters(OrdinateIndex m, const double* angular, std::span<double> meters) const {
+template <class Real>
+void TransportSweepOf<Real>::read_meters(OrdinateIndex m, const Real* angular,
+                                         std::span<double> meters) const {
   const auto stride = static_cast<std::size_t>(cells_.stride());
   for (std::size_t i = 0; i < options_.meters.size(); ++i) {
     const double cosine = directions_.direction(m).dot(options_.meters[i].normal);
@@ -78,7 +86,7 @@ void TransportSweep::read_meters(OrdinateIndex m, const double* angular, std::sp
     for (const CellPoint& point : options_.meters[i].cells) volume += problem_.mesh().volume(point.cell);
     for (const CellPoint& point : options_.meters[i].cells) {
       const double factor = -cosine * directions_.weight(m) * problem_.mesh().volume(point.cell) / volume;
-      const double* u =
+      const Real* u =
           angular + static_cast<std::size_t>(scattering_.row(point.cell)) * scattering_.row_length();
       for (std::size_t node = 0; node < static_cast<std::size_t>(cells_.nodes()); ++node) {
         const double share = cells_.nodes() == 1 ? 1 : point.barycentric[node];
@@ -90,18 +98,19 @@ void TransportSweep::read_meters(OrdinateIndex m, const double* angular, std::sp
 }
 
 // Every cell gets a row, so that the kernel leaves the radiance of all of them.
-void TransportSweep::sweep_and_keep(SweepTask task, OrdinateRadiance& kept,
-                                    std::span<double> whole_rows) const {
-  double* angular = task.angular;
+template <class Real>
+void TransportSweepOf<Real>::sweep_and_keep(SweepTaskOf<Real> task, OrdinateRadiance& kept,
+                                            std::span<Real> whole_rows) const {
+  Real* angular = task.angular;
   const std::size_t length = scattering_.row_length();
-  double* whole = whole_rows.data() + length;
+  Real* whole = whole_rows.data() + length;
   const RecordLayout layout = cells_.layout();
   for (std::size_t c = 0; c < static_cast<std::size_t>(problem_.mesh().cell_count()); ++c) {
-    const double* source = records_.data() + c * layout.length + layout.source;
+    const Real* source = records_.data() + c * layout.length + layout.source;
     std::copy(source, source + length, whole + c * length);
   }
   for (const std::int32_t cell : scattering_.angular_cells()) {
-    const double* row = angular + static_cast<std::size_t>(scattering_.row(CellIndex(cell))) * length;
+    const Real* row = angular + static_cast<std::size_t>(scattering_.row(CellIndex(cell))) * length;
     std::copy(row, row + length, whole + static_cast<std::size_t>(cell) * length);
   }
   task.angular_index = all_cells_index_.data();
@@ -109,15 +118,16 @@ void TransportSweep::sweep_and_keep(SweepTask task, OrdinateRadiance& kept,
   run_kernel(task);
   std::copy(whole, whole + fluence_size(), kept.values.begin());
   for (const std::int32_t cell : scattering_.angular_cells()) {
-    const double* row = whole + static_cast<std::size_t>(cell) * length;
+    const Real* row = whole + static_cast<std::size_t>(cell) * length;
     std::copy(row, row + length,
               angular + static_cast<std::size_t>(scattering_.row(CellIndex(cell))) * length);
   }
 }
 
 // The cell before a lagged face holds, until its turn comes, what it held in the last sweep.
-void TransportSweep::set_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
-                                const SweepSlots& slots) const {
+template <class Real>
+void TransportSweepOf<Real>::set_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
+                                        const SweepSlotsOf<Real>& slots) const {
   const auto stride = static_cast<std::size_t>(cells_.stride());
   const auto length = cells_.trace_length();
   const std::size_t parity = m.at() % 2;
@@ -130,8 +140,9 @@ void TransportSweep::set_lagged(OrdinateIndex m, const SweepOrder& order, const 
   }
 }
 
-void TransportSweep::keep_lagged(OrdinateIndex m, const SweepOrder& order, TransportState& next,
-                                 const SweepSlots& slots) const {
+template <class Real>
+void TransportSweepOf<Real>::keep_lagged(OrdinateIndex m, const SweepOrder& order, TransportState& next,
+                                         const SweepSlotsOf<Real>& slots) const {
   const auto stride = static_cast<std::size_t>(cells_.stride());
   const auto length = cells_.trace_length();
   const std::size_t parity = m.at() % 2;
@@ -139,7 +150,7 @@ void TransportSweep::keep_lagged(OrdinateIndex m, const SweepOrder& order, Trans
     const FaceCode before = parity == 0 ? order.lagged[i].upwind : order.lagged[i].downwind;
     double* value = next.lagged().data() + (2 * (orders_->lagged_start(m.value() / 2) + i) + parity) * length;
     for (std::size_t at = 0; at < length; at += stride) {
-      const double* node = slots.face_node(before, at / stride);
+      const Real* node = slots.face_node(before, at / stride);
       std::copy(node, node + stride, value + at);
     }
   }

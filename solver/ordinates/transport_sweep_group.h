@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-//
+#pragma once
+
 // The way of a batch of ordinates through the mesh, group by group.
+// Part of TransportSweep, for its source file alone.
 #include <algorithm>
 
 #include "solver/ordinates/sweep_workspace.h"
@@ -9,27 +11,34 @@
 namespace etendue {
 namespace {
 
-/// Doubles, rounded up to cache lines.
-std::size_t whole_lines(std::size_t length) { return (length + 7) / 8 * 8; }
+/// So many numbers, rounded up to cache lines.
+template <class Real>
+std::size_t whole_lines(std::size_t length) {
+  constexpr std::size_t line = 64 / sizeof(Real);
+  return (length + line - 1) / line * line;
+}
 
 }  // namespace
 
 // The scratch row ends with a cache line, so that wide lanes do not straddle two of them in the rows behind
 // it.
-std::size_t TransportSweep::angular_length() const {
+template <class Real>
+std::size_t TransportSweepOf<Real>::angular_length() const {
   if (scattering_.row_count() == 0) return 0;
-  return whole_lines(scattering_.row_length()) +
-         whole_lines(scattering_.row_count() * scattering_.row_length());
+  return whole_lines<Real>(scattering_.row_length()) +
+         whole_lines<Real>(scattering_.row_count() * scattering_.row_length());
 }
 
-double* TransportSweep::angular_at(std::int32_t place, Workspace& work) const {
+template <class Real>
+Real* TransportSweepOf<Real>::angular_at(std::int32_t place, Workspace& work) const {
   if (work.angular.size() == 0) return nullptr;
   return work.angular.data() + static_cast<std::size_t>(place % schedule_.batch()) * angular_length() +
-         whole_lines(scattering_.row_length()) - scattering_.row_length();
+         whole_lines<Real>(scattering_.row_length()) - scattering_.row_length();
 }
 
-std::vector<double*> TransportSweep::angular_rows(std::int32_t batch, Workspace& work) const {
-  std::vector<double*> rows;
+template <class Real>
+std::vector<Real*> TransportSweepOf<Real>::angular_rows(std::int32_t batch, Workspace& work) const {
+  std::vector<Real*> rows;
   for (std::int32_t place = batch * schedule_.batch(); place < schedule_.batch_end(batch); ++place) {
     const OrdinateIndex m = schedule_.ordinate(place);
     if (m.value() % 2 != 0) continue;
@@ -39,8 +48,9 @@ std::vector<double*> TransportSweep::angular_rows(std::int32_t batch, Workspace&
   return rows;
 }
 
-MomentTask TransportSweep::moment_task(const std::vector<double*>& rows) const {
-  MomentTask task;
+template <class Real>
+MomentTaskOf<Real> TransportSweepOf<Real>::moment_task(const std::vector<Real*>& rows) const {
+  MomentTaskOf<Real> task;
   task.row_length = scattering_.row_length();
   task.moments = scattering_.moment_count();
   task.even_moments = scattering_.even_moments();
@@ -50,16 +60,18 @@ MomentTask TransportSweep::moment_task(const std::vector<double*>& rows) const {
   return task;
 }
 
-bool TransportSweep::shines_by_direction() const {
+template <class Real>
+bool TransportSweepOf<Real>::shines_by_direction() const {
   return options_.angular_input != nullptr && emission_ == Emission::included;
 }
 
-void TransportSweep::form_angular_source(std::int32_t batch, Workspace& work) {
+template <class Real>
+void TransportSweepOf<Real>::form_angular_source(std::int32_t batch, Workspace& work) {
   const std::int32_t first = batch * schedule_.batch();
   const std::int32_t end = schedule_.batch_end(batch);
-  const std::vector<double*> rows = angular_rows(batch, work);
-  MomentTask task = moment_task(rows);
-  task.matrix = scattering_.evaluation(first / 2);
+  const std::vector<Real*> rows = angular_rows(batch, work);
+  MomentTaskOf<Real> task = moment_task(rows);
+  task.matrix = &evaluation_[static_cast<std::size_t>(first / 2 * task.moments)];
   task.moment_rows = moment_source_.data();
   task.last_row = scattering_.row_count();
   kernels_.moments_to_directions(task);
@@ -69,8 +81,9 @@ void TransportSweep::form_angular_source(std::int32_t batch, Workspace& work) {
     add_angular_source(schedule_.ordinate(place), angular_at(place, work));
 }
 
-void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last, TransportState& next,
-                                 SweepRecord* record, Workspace& work) {
+template <class Real>
+void TransportSweepOf<Real>::sweep_batch(std::int32_t batch, const TransportState& last, TransportState& next,
+                                         SweepRecord* record, Workspace& work) {
   if (scattering_.row_count() > 0) form_angular_source(batch, work);
   const std::int32_t end = schedule_.batch_end(batch);
   for (std::int32_t first = batch * schedule_.batch(); first < end;) {
@@ -78,7 +91,7 @@ void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last,
     std::vector<Passage> group;
     for (; first < group_end; ++first) {
       const OrdinateIndex m = schedule_.ordinate(first);
-      Workspace::Member& member = work.members[group.size()];
+      typename Workspace::Member& member = work.members[group.size()];
       group.push_back(
           {m, &orders_->of_pair(m.value() / 2, member.scratch_order), angular_at(first, work), &member});
     }
@@ -86,12 +99,14 @@ void TransportSweep::sweep_batch(std::int32_t batch, const TransportState& last,
   }
 }
 
-bool TransportSweep::pass_alone(const SweepRecord* record) const {
+template <class Real>
+bool TransportSweepOf<Real>::pass_alone(const SweepRecord* record) const {
   return !dense_.empty() || (record != nullptr && !options_.keep_ordinates.empty());
 }
 
-void TransportSweep::sweep_group(std::span<const Passage> group, const TransportState& last,
-                                 TransportState& next, SweepRecord* record, Workspace& work) {
+template <class Real>
+void TransportSweepOf<Real>::sweep_group(std::span<const Passage> group, const TransportState& last,
+                                         TransportState& next, SweepRecord* record, Workspace& work) {
   for (const Passage& passage : group) begin_passage(passage, last, record, work);
   if (pass_alone(record)) {
     for (const Passage& passage : group) run_alone(passage, record, work);
@@ -101,10 +116,11 @@ void TransportSweep::sweep_group(std::span<const Passage> group, const Transport
   for (const Passage& passage : group) end_passage(passage, next, record, work);
 }
 
-void TransportSweep::begin_passage(const Passage& passage, const TransportState& last, SweepRecord* record,
-                                   Workspace& work) {
+template <class Real>
+void TransportSweepOf<Real>::begin_passage(const Passage& passage, const TransportState& last,
+                                           SweepRecord* record, Workspace& work) {
   const OrdinateIndex m = passage.ordinate;
-  Workspace::Member& member = *passage.member;
+  typename Workspace::Member& member = *passage.member;
   // What comes in by direction is added to the slots, which then have to be filled again.
   const bool shines = shines_by_direction();
   if (shines || !member.is_filled) walls_.fill(inflow_.span(), member.slots);
@@ -115,10 +131,11 @@ void TransportSweep::begin_passage(const Passage& passage, const TransportState&
   set_lagged(m, *passage.order, last, member.slots);
 }
 
-void TransportSweep::end_passage(const Passage& passage, TransportState& next, SweepRecord* record,
-                                 Workspace& work) {
+template <class Real>
+void TransportSweepOf<Real>::end_passage(const Passage& passage, TransportState& next, SweepRecord* record,
+                                         Workspace& work) {
   const OrdinateIndex m = passage.ordinate;
-  const SweepSlots& slots = passage.member->slots;
+  const SweepSlotsOf<Real>& slots = passage.member->slots;
   if (!dense_.empty()) dense_.keep_radiance(m, scattering_.index(), passage.angular, next);
   if (record != nullptr && dense_.absorbs_by_direction())
     dense_.add_absorbed(m, scattering_.index(), passage.angular, work.absorbed);
@@ -128,9 +145,11 @@ void TransportSweep::end_passage(const Passage& passage, TransportState& next, S
   if (record != nullptr && !options_.meters.empty()) read_meters(m, passage.angular, work.meters);
 }
 
-SweepTask TransportSweep::make_task(const Passage& passage, SweepRecord* record, Workspace& work) {
+template <class Real>
+SweepTaskOf<Real> TransportSweepOf<Real>::make_task(const Passage& passage, SweepRecord* record,
+                                                    Workspace& work) {
   const OrdinateIndex m = passage.ordinate;
-  SweepTask task;
+  SweepTaskOf<Real> task;
   task.visits = passage.order->visits.data();
   task.levels = passage.order->levels.data();
   task.level_count = static_cast<std::int32_t>(passage.order->levels.size()) - 1;
@@ -158,7 +177,8 @@ SweepTask TransportSweep::make_task(const Passage& passage, SweepRecord* record,
   return task;
 }
 
-void TransportSweep::run_kernel(const SweepTask& task) const {
+template <class Real>
+void TransportSweepOf<Real>::run_kernel(const SweepTaskOf<Real>& task) const {
   if (task.census != nullptr) {
     kernels_.sweep_positive(task);
   } else {
@@ -166,8 +186,9 @@ void TransportSweep::run_kernel(const SweepTask& task) const {
   }
 }
 
-void TransportSweep::run_alone(const Passage& passage, SweepRecord* record, Workspace& work) {
-  const SweepTask task = make_task(passage, record, work);
+template <class Real>
+void TransportSweepOf<Real>::run_alone(const Passage& passage, SweepRecord* record, Workspace& work) {
+  const SweepTaskOf<Real> task = make_task(passage, record, work);
   const auto kept =
       std::find(options_.keep_ordinates.begin(), options_.keep_ordinates.end(), passage.ordinate.value());
   if (record == nullptr || kept == options_.keep_ordinates.end()) {
@@ -179,8 +200,10 @@ void TransportSweep::run_alone(const Passage& passage, SweepRecord* record, Work
 }
 
 // Tile by tile, so that what one ordinate has brought into the cache serves all of the group.
-void TransportSweep::run_together(std::span<const Passage> group, SweepRecord* record, Workspace& work) {
-  std::vector<SweepTask> tasks;
+template <class Real>
+void TransportSweepOf<Real>::run_together(std::span<const Passage> group, SweepRecord* record,
+                                          Workspace& work) {
+  std::vector<SweepTaskOf<Real>> tasks;
   for (const Passage& passage : group) tasks.push_back(make_task(passage, record, work));
   const std::int32_t steps = orders_->step_count();
   for (std::int32_t step = 0; step < steps; ++step)

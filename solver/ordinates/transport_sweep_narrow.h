@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-//
+#pragma once
+
 // Sweeps of those bands alone that are still iterated.
+// Part of TransportSweep, for its source file alone.
 #include <algorithm>
 #include <utility>
 
@@ -27,9 +29,13 @@ std::vector<int> list(std::span<const char> active) {
 
 }  // namespace
 
-int TransportSweep::lanes() const { return narrow_ ? narrow_->sweep.cells_.stride() : cells_.stride(); }
+template <class Real>
+int TransportSweepOf<Real>::lanes() const {
+  return narrow_ ? narrow_->sweep.cells_.stride() : cells_.stride();
+}
 
-TransportSweep::Narrow* TransportSweep::narrow(std::span<const char> active) {
+template <class Real>
+typename TransportSweepOf<Real>::Narrow* TransportSweepOf<Real>::narrow(std::span<const char> active) {
   std::vector<int> bands = list(active);
   const int lanes = lane_stride(static_cast<int>(bands.size()));
   if (!may_narrow_ || bands.empty() || lanes >= cells_.stride()) return nullptr;
@@ -45,8 +51,9 @@ TransportSweep::Narrow* TransportSweep::narrow(std::span<const char> active) {
   return narrow_.get();
 }
 
-void TransportSweep::apply_linear(const TransportState& last, TransportState& next,
-                                  std::span<const char> active) {
+template <class Real>
+void TransportSweepOf<Real>::apply_linear(const TransportState& last, TransportState& next,
+                                          std::span<const char> active) {
   Narrow* some = narrow(active);
   if (some == nullptr) {
     narrow_.reset();
