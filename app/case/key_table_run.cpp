@@ -131,6 +131,13 @@ std::vector<KeyDeclaration> run_keys() {
         .range = {.lowest = 0, .highest = largest_count},
         .help = "Chooses the random numbers."}},
       {"solve",
+       "precision",
+       text,
+       {.default_value = "\"double\"",
+        .choices = {"double", "mixed"},
+        .help = "Of the sweeps. mixed: single within the cycles of gmres, whose residual and solution stay "
+                "double; it saves time, and takes half as much memory again for what a sweep works on."}},
+      {"solve",
        "acceleration",
        text,
        {.default_value = "\"auto\"",

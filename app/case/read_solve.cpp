@@ -154,6 +154,9 @@ void read_solve(Section solve, const std::filesystem::path& case_folder, Case& r
                    : method == "source-iteration" ? Method::source_iteration
                                                   : Method::automatic;
   result.photons = read_photons(solve);
+  options.precision = solve.text("precision") == "mixed" ? Precision::mixed : Precision::full;
+  if (options.precision == Precision::mixed && options.method == Method::source_iteration)
+    solve.fault("precision", "source iteration has no cycles that double precision corrects; use gmres");
   const std::string acceleration = solve.text("acceleration");
   options.acceleration = acceleration == "diffusion" ? Acceleration::diffusion
                          : acceleration == "none"    ? Acceleration::none

@@ -16,6 +16,9 @@ inline constexpr std::size_t shortest_krylov_basis = 3;
 /// estimated as |P r| / |phi|, r = F(x) - x being the true residual. So it is without, where P only judges;
 /// and where there is no P, as |r| / (s |phi|) with s the smallest singular value of I - T seen on the Krylov
 /// spaces (1 - rho for source iteration).
+///
+/// With a sweep in single precision (IterationOptions::single) the cycles apply that one, and so correct a
+/// residual that is found in double precision: iterative refinement (Wilkinson 1963; Carson and Higham 2018).
 class Gmres : public Iteration {
  public:
   /// `memory` bounds the bytes of the basis and so the length between restarts.

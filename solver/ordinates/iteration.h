@@ -19,6 +19,8 @@ struct IterationOptions {
   /// What estimates the error where nothing is accelerated; null: what the iteration itself can tell, which
   /// in thick media is too little.
   DiffusionAcceleration* judge = nullptr;
+  /// The same sweep in single precision, for the cycles of GMRES. Null: none.
+  SingleTransportSweep* single = nullptr;
   /// Filled, where it is not null, by a sweep that is expected to be the last (IterationResult::recorded).
   SweepRecord* record = nullptr;
 };

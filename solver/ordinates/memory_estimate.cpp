@@ -133,10 +133,13 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   // A sweep of fewer bands, once others are done: half the lanes at most, and two states.
   const double narrower =
       problem.band_count() > 1 ? (workspaces + records + moments + radiance) / 2 + state : 0;
+  // The same sweep in single precision, but for what its matrices scatter.
+  const double single =
+      options.precision == Precision::mixed ? (workspaces + records) / 2 + moments + radiance : 0;
   const double orders =
       std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * sizeof(SweepVisit));
   return static_cast<std::size_t>(8 * ((2 + std::max(basis, positive)) * state + workspaces + records +
-                                       results + kept + low_order + narrower) +
+                                       results + kept + low_order + narrower + single) +
                                   orders);
 }
 

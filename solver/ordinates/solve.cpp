@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "solver/ordinates/diffusion_acceleration.h"
@@ -237,6 +238,11 @@ LowOrder make_low_order(const Problem& problem, TransportSweep& sweep, std::span
           reason.empty()};
 }
 
+std::string single_precision_note(const SingleTransportSweep& single) {
+  return fmt::format("{} sweeps of a band in single precision, within cycles that double precision corrects",
+                     single.band_sweep_count());
+}
+
 /// The solution is what a sweep gave and wrote down on its way.
 void read_out(TransportSweep& sweep, const TransportState& last_state, SweepRecord& record,
               Solution& solution) {
@@ -286,6 +292,10 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   solution.directions = directions.count();
 
   const auto start = std::chrono::steady_clock::now();
+  std::optional<SingleTransportSweep> single;
+  if (options.precision == Precision::mixed && options.method != Method::source_iteration &&
+      !sweep.is_direct())
+    single.emplace(sweep);
   const LowOrder low_order = make_low_order(problem, sweep, extinction, options, solution);
   SweepRecord record;
   bool recorded = false;
@@ -300,8 +310,9 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     // A sweep that measures is one of those that are allowed: the last of the iteration or one more.
     const bool records = iteration->records() && options.positivity == Positivity::none;
     if (!records) ++used;
-    const IterationOptions limits{options.tolerance, options.max_sweeps - used, low_order.acceleration(),
-                                  low_order.judge(), records ? &record : nullptr};
+    const IterationOptions limits{options.tolerance,           options.max_sweeps - used,
+                                  low_order.acceleration(),    low_order.judge(),
+                                  single ? &*single : nullptr, records ? &record : nullptr};
     IterationResult result = starts_positive(options) ? untouched(problem.band_count())
                                                       : iteration->run(sweep, state, limits, observer);
     solution.convergence = std::move(result.bands);
@@ -309,6 +320,7 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     solution.interrupted = result.interrupted;
     recorded = result.recorded;
     if (records && !recorded) ++used;
+    if (single) solution.notes.push_back(single_precision_note(*single));
     for (BandConvergence& band : solution.convergence) band.sweeps += used;
     used += result.sweeps;
     if (low_order.accelerates)
@@ -342,9 +354,10 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
   solution.fixups = fixups_of(sweep, directions);
   solution.lagged_faces = static_cast<int>(sweep.orders().lagged_total());
+  const double swept = sweep.processor_seconds() + (single ? single->processor_seconds() : 0);
+  const std::int64_t band_sweeps = sweep.band_sweep_count() + (single ? single->band_sweep_count() : 0);
   solution.sweep_cost =
-      1e9 * sweep.processor_seconds() /
-      (static_cast<double>(sweep.band_sweep_count()) * problem.mesh().cell_count() * directions.count());
+      1e9 * swept / (static_cast<double>(band_sweeps) * problem.mesh().cell_count() * directions.count());
   return solution;
 }
 

@@ -20,6 +20,10 @@ enum class SpaceOrder { constant = 0, linear = 1 };
 /// How the equations are iterated; automatic: GMRES.
 enum class Method { automatic, gmres, source_iteration };
 
+/// The numbers that sweeps compute with. Mixed: float within the cycles of GMRES, double where they begin and
+/// end, so that the residual that is judged, and the solution, are those of double.
+enum class Precision { full, mixed };
+
 /// What speeds the iteration up; automatic: diffusion with GMRES where it pays. With none diffusion still
 /// judges the error where residuals could not.
 enum class Acceleration { automatic, diffusion, none };
@@ -48,6 +52,7 @@ struct SolveOptions {
   Lumping lumping = Lumping::automatic;
   Positivity positivity = Positivity::none;
   Method method = Method::automatic;
+  Precision precision = Precision::full;  ///< of GMRES; other methods know only full
   Acceleration acceleration = Acceleration::automatic;
   DiffusionLength diffusion_length = DiffusionLength::automatic;
   double tolerance = 1e-6;  ///< estimated relative error of the iteration, per band

@@ -229,6 +229,9 @@ const Check values[] = {
      "slab.toml:8: space.lumping = \"all\": is not known; use \"none\", \"mass\" or \"auto\""},
     {"ToleranceIsZero", "[solve]\ntolerance = 0\n",
      "slab.toml:8: solve.tolerance = 0: out of range; use a number above 0 and below 1"},
+    {"MixedSourceIteration", "[solve]\nmethod = \"source-iteration\"\nprecision = \"mixed\"\n",
+     "slab.toml:9: solve.precision = \"mixed\": source iteration has no cycles that double precision "
+     "corrects; use gmres"},
     {"NoSweeps", "[solve]\nmax_sweeps = 0\n",
      "slab.toml:8: solve.max_sweeps = 0: out of range; use an integer from 1 to 1000000000"},
     {"NegativeThreads", "[solve]\nthreads = -1\n",

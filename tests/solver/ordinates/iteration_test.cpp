@@ -163,6 +163,9 @@ TEST(Memory, EstimateGrowsWithMomentsThreadsAndDirections) {
   EXPECT_GT(estimate_memory(clear, directions_ldfe_sq(2), options), least);
   options.threads = 4;
   EXPECT_GT(estimate_memory(clear, directions_ldfe_sq(1), options), least);
+  options.threads = tight_options().threads;
+  options.precision = Precision::mixed;
+  EXPECT_GT(estimate_memory(clear, directions_ldfe_sq(1), options), least);
 }
 
 TEST(Meters, AddUpToTheNetFlux) {
