@@ -22,10 +22,32 @@ enum class Angular { absent, present };
 enum class Flux { skip, add };
 enum class Sign { free, positive };
 
-template <int Write>
+/// Into the first level of the cache, or into the second beside it, for reading or for writing.
+enum class Fetch { first_read, first_write, second };
+
+template <Fetch fetch>
 ETENDUE_KERNEL_INLINE void prefetch_lines(const Real* from, std::size_t length) {
   constexpr std::size_t line = 64 / sizeof(Real);
-  for (std::size_t i = 0; i < length; i += line) __builtin_prefetch(from + i, Write);
+  for (std::size_t i = 0; i < length; i += line)
+    if constexpr (fetch == Fetch::second) {
+      __builtin_prefetch(from + i, 0, 2);
+    } else {
+      __builtin_prefetch(from + i, fetch == Fetch::first_write ? 1 : 0);
+    }
+}
+
+/// What passes once and what is added to. With one band the first level is left to the slots, and with
+/// sixteen doubles it cannot hold what is asked for ahead.
+ETENDUE_KERNEL_INLINE void prefetch_passing(const SweepTaskOf<Real>& task, const Real* read,
+                                            std::size_t read_length, const Real* added,
+                                            std::size_t added_length) {
+  if (task.stride == 1 || static_cast<std::size_t>(task.stride) * sizeof(Real) >= 128) {
+    prefetch_lines<Fetch::second>(read, read_length);
+    prefetch_lines<Fetch::second>(added, added_length);
+  } else {
+    prefetch_lines<Fetch::first_read>(read, read_length);
+    prefetch_lines<Fetch::first_write>(added, added_length);
+  }
 }
 
 /// `length` is that of a cell's radiance.
@@ -33,17 +55,19 @@ template <Angular angular, Flux flux>
 ETENDUE_KERNEL_INLINE void prefetch_cell(const SweepTaskOf<Real>& task, const SweepVisit& visit,
                                          std::size_t record_length, std::size_t length) {
   const std::size_t cell = visited_cell(visit);
-  prefetch_lines<0>(task.records + cell * record_length, record_length);
-  prefetch_lines<1>(task.fluence + cell * length, length);
+  prefetch_passing(task, task.records + cell * record_length, record_length, task.fluence + cell * length,
+                   length);
   if (task.fetches_slots) {
-    prefetch_lines<1>(task.slots + visit.slot * length, length);
+    prefetch_lines<Fetch::first_write>(task.slots + visit.slot * length, length);
     ETENDUE_UNROLL
     for (int f = 0; f < 4; ++f)
-      prefetch_lines<0>(task.slots + unpacked(visit.faces[f]).slot * length, length);
+      prefetch_lines<Fetch::first_read>(task.slots + unpacked(visit.faces[f]).slot * length, length);
   }
   if constexpr (angular == Angular::present)
-    prefetch_lines<1>(task.angular + static_cast<std::size_t>(task.angular_index[cell]) * length, length);
-  if constexpr (flux == Flux::add) prefetch_lines<1>(task.net_flux + cell * 3 * length, 3 * length);
+    prefetch_lines<Fetch::first_write>(
+        task.angular + static_cast<std::size_t>(task.angular_index[cell]) * length, length);
+  if constexpr (flux == Flux::add)
+    prefetch_lines<Fetch::first_write>(task.net_flux + cell * 3 * length, 3 * length);
 }
 
 /// Gives values that are not all positive a sign, and writes that down.
