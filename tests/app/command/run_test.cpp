@@ -49,7 +49,7 @@ TEST(Run, ClosesTheBalanceOfEachBand) {
 TEST(Run, SendsRaysThroughTheFlatCellsOfADuct) {
   // A ray along the planes of this duct met edges whose signs contradicted each other by rounding.
   const ScratchFolder folder;
-  const std::string file = std::string(ETENDUE_SOURCE_DIR) + "/cases/kobayashi-3/uncollided.toml";
+  const std::string file = std::string(ETENDUE_SOURCE_DIR) + "/cases/kobayashi-3/uncollided-ii.toml";
   const Outcome outcome =
       etendue_says({"run", file, "--output", (folder.path() / "duct").string(), "--set", "directions.order=1",
                     "--set", R"(mesh.max_volume={ "*" = 4000, source = 40 })"});
