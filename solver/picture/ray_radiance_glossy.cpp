@@ -95,8 +95,10 @@ void RayRadiance::add_glossy_rays(FaceIndex face, const Vec3& point, const Stret
   const double cosine = std::min(1.0, travel.dot(inwards));
   if (cosine <= 0) return;
   if (work.inner == nullptr) work.inner = std::make_unique<Workspace>(*this);
-  const RayView view{
-      .glossy = 0, .lights_shown = drawn.width() < narrow, .shadow_rays = stretch.view.shadow_rays};
+  // Many rays meet walls beyond: the steps of a penumbra that few rays leave are lost among them.
+  const RayView view{.glossy = 0,
+                     .lights_shown = drawn.width() < narrow,
+                     .shadow_rays = std::min(stretch.view.shadow_rays, quick_shadow_rays)};
   const int rays = stretch.view.glossy;
   const Shift shift = shift_at(point);
   std::vector<double> incoming(bands_);
