@@ -241,7 +241,8 @@ std::vector<KeyDeclaration> run_keys() {
        {.default_value = "1024",
         .range = {.lowest = 1, .highest = 1e6},
         .help = "From each patch and each of four points of a cell, followed over mirrors and glossy walls "
-                "where there are any; sixteen times as many from a probe."}},
+                "where there are any; sixteen times as many from a probe. More take longer, the field in the "
+                "cells most of all."}},
       {"radiosity",
        "passes",
        integer,

@@ -22,7 +22,7 @@ void FactorDisplay::show(const RadiosityStage& stage, double seconds) {
   const bool draws = style_ == ProgressStyle::bar;
   if (seconds < shown_at_ + (draws ? seconds_between_drawings : seconds_between_lines)) return;
   shown_at_ = seconds;
-  const std::string text = fmt::format("  form factors: {:.0f} %, about {:.0f} s left", 100 * stage.done,
+  const std::string text = fmt::format("  {}: {:.0f} %, about {:.0f} s left", what_, 100 * stage.done,
                                        (seconds - begun_at_) * (1 - stage.done) / stage.done);
   if (draws)
     out_ << "\r" << text << "\x1b[K" << std::flush;

@@ -2,18 +2,21 @@
 #pragma once
 
 #include <ostream>
+#include <string>
+#include <utility>
 
 #include "app/command/command_line.h"
 #include "solver/radiosity/solve_radiosity.h"
 
 namespace etendue {
 
-/// Shows how form factors are made, round by round: drawn over itself, or as lines at intervals. What each
-/// round takes is said before it begins.
+/// Shows how form factors are made, round by round, or the field in the cells: drawn over itself, or as lines
+/// at intervals. What each round takes is said before it begins.
 class FactorDisplay {
  public:
   /// `style` must not be automatic.
-  FactorDisplay(ProgressStyle style, std::ostream& out) : style_(style), out_(out) {}
+  FactorDisplay(ProgressStyle style, std::ostream& out, std::string what = "form factors")
+      : style_(style), out_(out), what_(std::move(what)) {}
 
   /// A stage, so many seconds after the first.
   void show(const RadiosityStage& stage, double seconds);
@@ -23,6 +26,7 @@ class FactorDisplay {
  private:
   ProgressStyle style_;
   std::ostream& out_;
+  std::string what_;
   double begun_at_ = 0, shown_at_ = 0;  ///< [s] this round, the last line
   bool drawn_ = false;
 };

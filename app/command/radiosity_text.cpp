@@ -25,10 +25,10 @@ std::string checks_text(const RadiosityReport& report) {
   add("F_jj = 0", checks.self);
   add("F to a patch = sum of F to its parts", checks.additivity);
   if (report.extended_entries > 0) {
-    add("with mirrors and glossy walls: all of a patch's light stays somewhere",
-        report.extended_closing.row_sum);
-    add("the same on the mean", report.extended_closing.row_sum_mean);
-    add("the same, closed", report.extended_closing.closed_row_sum);
+    const ExtendedClosing& closing = report.extended_closing;
+    add("over mirrors and glossy walls all light of a patch stays somewhere, as found", closing.row_sum);
+    add("the same, on the mean (more radiosity.path_rays bring it down)", closing.row_sum_mean);
+    add("the same, closed", closing.closed_row_sum);
   }
   return "\nform factors\n" + table.text();
 }
@@ -52,7 +52,9 @@ std::string passes_text(const RunResult& result) {
 std::string radiosity_text(const RunResult& result) {
   if (!result.radiosity) return "";
   const RadiosityReport& report = *result.radiosity;
-  std::string text = fmt::format(
+  std::string text;
+  for (const std::string& note : result.solution.notes) text += "  " + note + "\n";
+  text += fmt::format(
       "  {} patches of {:.3g} to {:.3g}; {}\n", report.patches, report.smallest_area, report.largest_area,
       report.convex ? "nothing can stand between them" : "what stands between them is found by rays");
   if (report.links > 0)
@@ -60,7 +62,7 @@ std::string radiosity_text(const RunResult& result) {
                         report.links, static_cast<double>(report.links) / static_cast<double>(report.patches),
                         report.link_rounds.size());
   if (report.extended_entries > 0)
-    text += fmt::format("  mirrors and glossy walls connect {:.3g} patches with each one\n",
+    text += fmt::format("  mirrors and glossy walls connect a patch with {:.3g} others, on the mean\n",
                         static_cast<double>(report.extended_entries) / static_cast<double>(report.patches));
   text += fmt::format(
       "  seconds: {:.3g} for form factors, {:.3g} for the solution, {:.3g} for the field in cells\n",

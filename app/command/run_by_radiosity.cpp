@@ -43,8 +43,15 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   display.finish();
   out << fmt::format("form factors in {:.3g} s\n", room.report().factor_seconds) << std::flush;
   run.interruption.note_the_first();
-  RadiosityRun found =
-      run_radiosity({run.input, lights, directions, locator}, room, [&] { return run.interruption.noted(); });
+  FactorDisplay of_cells(resolved_style(run.request.progress, out), out, "light in the cells");
+  std::optional<double> begun;
+  RadiosityRun found = run_radiosity(
+      {run.input, lights, directions, locator}, room, [&] { return run.interruption.noted(); },
+      [&](double done) {
+        if (!begun) of_cells.show({}, *(begun = watch.total()));
+        of_cells.show({.done = done}, watch.total());
+      });
+  of_cells.finish();
   run.interruption.note_all();
   SolveOptions options = run.input.solve;
   options.threads = threads;

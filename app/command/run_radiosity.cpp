@@ -100,21 +100,25 @@ std::string radiosity_memory_text(const RadiosityMemory& memory) {
 }
 
 RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room,
-                           const std::function<bool()>& interrupted) {
+                           const std::function<bool()>& interrupted, const FactorProgress& of_cells) {
   const Case& input = scene.input;
   const Problem& problem = scene.lights.problem();
   const bool finer = are_finer_than_faces(room.patches());
   RadiosityRun run;
-  run.solution = room.solve([&](const RadiosityState& state) {
-    if (run.passes.size() < static_cast<std::size_t>(input.radiosity->passes)) {
-      room.fields_on_walls(state, run.passes.emplace_back());
-      if (finer) run.pass_patches.push_back(light_on_patches(problem, room.patches(), state));
-    }
-    return !interrupted();
-  });
+  run.solution = room.solve(
+      [&](const RadiosityState& state) {
+        if (run.passes.size() < static_cast<std::size_t>(input.radiosity->passes)) {
+          room.fields_on_walls(state, run.passes.emplace_back());
+          if (finer) run.pass_patches.push_back(light_on_patches(problem, room.patches(), state));
+        }
+        return !interrupted();
+      },
+      of_cells);
   if (finer) run.patches = light_on_patches(problem, room.patches(), room.solved());
   run.solution.state = state_to_look_at(room, scene);
   run.report = room.report();
+  // Pictures and sensors follow these walls along rays.
+  if (!input.cameras.empty() || !input.sensors.empty()) run.solution.notes = scene.lights.notes();
   run.probes = probes_of(input, problem, scene.locator,
                          room.light(rays_to_a_patch, path_rays_of_probe * input.radiosity->path_rays));
   return run;

@@ -43,6 +43,6 @@ struct RadiosityScene {
 
 /// Solves a case in a room that is made for it. The state of the solution is that of RadiosityRoom.
 RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room,
-                           const std::function<bool()>& interrupted);
+                           const std::function<bool()>& interrupted, const FactorProgress& of_cells = {});
 
 }  // namespace etendue

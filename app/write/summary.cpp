@@ -42,6 +42,14 @@ Json as_json(const RunErrors& errors) {
           {"balance_error", array_of(errors.balances, [](const Balance& b) { return as_json(b); })}};
 }
 
+Json as_json(const ExtendedClosing& closing, std::size_t pairs) {
+  return {{"pairs", pairs},
+          {"row_sum_error", closing.row_sum},
+          {"row_sum_error_mean", closing.row_sum_mean},
+          {"row_sum_error_closed", closing.closed_row_sum},
+          {"closing_passes", closing.passes}};
+}
+
 Json as_json(const RadiosityReport& report) {
   const FactorChecks& checks = report.checks;
   return {{"patches", report.patches},
@@ -60,10 +68,7 @@ Json as_json(const RadiosityReport& report) {
           {"self_factor", checks.self},
           {"additivity_error", checks.additivity},
           {"extended",
-           {{"pairs", report.extended_entries},
-            {"row_sum_error", report.extended_closing.row_sum},
-            {"row_sum_error_mean", report.extended_closing.row_sum_mean},
-            {"row_sum_error_closed", report.extended_closing.closed_row_sum}}},
+           report.extended_entries > 0 ? as_json(report.extended_closing, report.extended_entries) : Json()},
           {"passes", report.passes},
           {"seconds",
            {{"factors", report.factor_seconds},

@@ -14,7 +14,8 @@ enum class RandomUse : std::uint32_t {
   reverse = 2,
   lattice = 3,
   form_factor = 4,
-  path = 5
+  path = 5,
+  path_start = 6
 };
 
 /// The random numbers of one history, four at a time: the same whichever thread walks it.

@@ -29,9 +29,10 @@ struct ExtendedClosing {
 ///
 ///     sum over k of (a_j G_jk + C_jk) B_k,                                                             (2)
 ///
-/// a_j of isotropic light, and C of the rays of patch j: a(cos) - a_j times what comes along them, zero where
-/// the redirected part is the same at all angles. The diagonal D makes what stays of the light of any patch
-/// all of it.
+/// a_j of isotropic light, and C of the angles at which the rays of both patches meet, zero where the
+/// redirected part is the same at all: what is redirected lies between nothing and all that arrives. The
+/// diagonal D makes what stays of the light of any patch all of it. That there is such a D is known where
+/// C = 0 (Sinkhorn 1964).
 class ExtendedExchange {
  public:
   /// `straight` must outlive it, and so must the others. `rays` leave each patch.
@@ -41,7 +42,6 @@ class ExtendedExchange {
   std::size_t size() const { return straight_.size(); }
   std::size_t bands() const { return paths_.bands(); }
   const ExtendedPaths& paths() const { return paths_; }
-  int rays() const { return rays_; }
   std::size_t entries() const { return found_.entries(); }  ///< of G_1
 
   /// [patch][band] G x of x [patch][band].
@@ -56,22 +56,15 @@ class ExtendedExchange {
   /// Takes D from another one of the same patches.
   void close_as(const ExtendedExchange& other) { scale_ = other.scale_; }
 
-  /// Bytes that it takes at most.
-  static std::size_t bytes_of(std::size_t patches, int rays, std::size_t bands);
-
  private:
-  struct RayRow;
-  struct TracedRow;
-  void trace(const Problem& problem, const WallPatches& patches);
-  TracedRow traced_row(std::size_t patch, const Problem& problem, const WallPatches& patches, RayRow& found,
-                       RayRow& change) const;
+  void weigh_straight_change(const SparseRows& light);
 
   const Exchange& straight_;
   ExtendedPaths paths_;
-  int rays_;
   std::size_t stored_;             ///< bands that differ: all, or one for all
   SparseRows found_;               ///< G_1
-  SparseRows change_;              ///< C
+  SparseRows change_;              ///< C of G_1
+  SparseRows straight_change_;     ///< C of G_0
   std::vector<double> redirects_;  ///< a [patch][band]
   std::vector<double> scale_;      ///< D [patch][band]
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <typeinfo>
 
 #include "solver/problem/mirror.h"
 
@@ -12,11 +13,12 @@ namespace {
 
 // A path with less weight than this goes on by lot.
 constexpr double light_path = 0.05;
-// Lobes of the same shape are wide by the same, but for what a Fresnel factor changes.
+// Lobes of one model and the same shape are wide by the same, but for what a Fresnel factor changes.
 constexpr double same_width = 0.1;
 
 bool are_alike(const Reflectance& a, const Reflectance& b) {
-  return &a == &b || std::abs(a.width() - b.width()) <= same_width * std::max(a.width(), b.width());
+  return &a == &b || (typeid(a) == typeid(b) &&
+                      std::abs(a.width() - b.width()) <= same_width * std::max(a.width(), b.width()));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -49,6 +50,7 @@ class ExtendedPaths {
   struct Meeting {
     std::size_t patch;
     bool first;                         ///< straight from where the path began
+    double cosine;                      ///< of the ray to the patch's normal
     const std::vector<double>& weight;  ///< [band] of what was sent, or seen backwards
   };
   /// Calls look(Meeting) at each patch that the ray meets. By reciprocity a path is light that goes along it,
@@ -60,7 +62,7 @@ class ExtendedPaths {
       const auto hit = scene_.first_hit(from, towards);
       if (!hit) return;  // between the triangles of an edge, by rounding
       const std::size_t patch = patch_of_[hit->triangle];
-      look(Meeting{patch, turn == 0, weight});
+      look(Meeting{patch, turn == 0, std::min(1.0, -towards.dot(patches_.patches[patch].normal())), weight});
       from += hit->distance * towards;
       if (!turn_on(patch, numbers, towards, weight)) return;
     }
@@ -70,7 +72,7 @@ class ExtendedPaths {
   Redirection by() const { return by_; }
 
  private:
-  // Between perfect mirrors a path has no end.
+  // Between perfect mirrors a path has no end: there what is farther away is left out.
   static constexpr int most_turns = 1000;
 
   bool turn_on(std::size_t patch, PathNumbers& numbers, Vec3& towards, std::vector<double>& weight) const;

@@ -68,12 +68,16 @@ class RadiosityRoom {
   RadiosityRoom(const Problem& problem, const RadiosityOptions& options,
                 const RadiosityWatcher& watcher = {});
 
+  RadiosityRoom(const RadiosityRoom&) = delete;
+  RadiosityRoom& operator=(const RadiosityRoom&) = delete;
+
   const WallPatches& patches() const { return patches_; }
   const Exchange& exchange() const { return *exchange_; }
   const RadiosityReport& report() const { return report_; }
 
-  /// Solves; the observer gets states on the way, to be made fields of by fields_on_walls().
-  Solution solve(const RadiosityObserver& observer = {});
+  /// Solves; the observer gets states on the way, to be made fields of by fields_on_walls(). Then the field
+  /// in the cells is found.
+  Solution solve(const RadiosityObserver& observer = {}, const FactorProgress& of_cells = {});
   /// The state that was solved last.
   const RadiosityState& solved() const { return solved_; }
   const std::vector<double>& irradiance() const { return solved_.irradiance; }
@@ -99,8 +103,9 @@ class RadiosityRoom {
   void close();
   RadiosityEquation equation() const;
   RadiosityState solve(const RadiosityEquation& equation, const RadiosityObserver& observer) const;
-  void fill_cells(Solution& fields) const;
-  std::vector<double> straight_irradiance(const std::vector<bool>& walls) const;
+  void fill_cells(Solution& fields, const FactorProgress& progress) const;
+  std::vector<double> straight_irradiance(const RadiosityLimits& limits) const;
+  std::vector<double> irradiance_by_rays(const std::vector<bool>& walls) const;
 
   const Problem& problem_;
   RadiosityOptions options_;

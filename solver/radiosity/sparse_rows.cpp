@@ -28,23 +28,24 @@ SparseRows SparseRows::transposed() const {
   return result;
 }
 
-SparseRows SparseRows::symmetric_part() const {
-  const SparseRows other = transposed();
-  SparseRows result(stored_);
+SparseRows SparseRows::half_sum(const SparseRows& rows, const SparseRows& to_transpose) {
+  const SparseRows other = to_transpose.transposed();
+  const std::size_t stored = rows.stored_;
+  SparseRows result(stored);
   std::vector<std::uint32_t> columns;
   std::vector<float> values;
-  for (std::size_t r = 0; r < rows(); ++r) {
+  for (std::size_t r = 0; r < rows.rows(); ++r) {
     columns.clear();
     values.clear();
-    std::size_t a = begin_[r], b = other.begin_[r];
+    std::size_t a = rows.begin_[r], b = other.begin_[r];
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    while (a < begin_[r + 1] || b < other.begin_[r + 1]) {
-      const std::uint32_t left = a < begin_[r + 1] ? column_[a] : none,
+    while (a < rows.begin_[r + 1] || b < other.begin_[r + 1]) {
+      const std::uint32_t left = a < rows.begin_[r + 1] ? rows.column_[a] : none,
                           right = b < other.begin_[r + 1] ? other.column_[b] : none;
       columns.push_back(std::min(left, right));
-      for (std::size_t i = 0; i < stored_; ++i)
-        values.push_back(((left <= right ? value_[a * stored_ + i] : 0.0F) +
-                          (right <= left ? other.value_[b * stored_ + i] : 0.0F)) /
+      for (std::size_t i = 0; i < stored; ++i)
+        values.push_back(((left <= right ? rows.value_[a * stored + i] : 0.0F) +
+                          (right <= left ? other.value_[b * stored + i] : 0.0F)) /
                          2);
       if (left <= right) ++a;
       if (right <= left) ++b;

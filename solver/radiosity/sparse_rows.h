@@ -16,11 +16,19 @@ class SparseRows {
 
   /// The next row; columns ascend, `values` are [entry][stored].
   void add_row(std::span<const std::uint32_t> columns, std::span<const float> values);
-  /// (R + R^T)/2, exactly symmetric.
-  SparseRows symmetric_part() const;
+  /// (R + S^T)/2 of two of as many rows and numbers: of R with itself exactly symmetric.
+  static SparseRows half_sum(const SparseRows& rows, const SparseRows& to_transpose);
+  /// Replaces each number of a row, new = change(column, band stored, old).
+  template <class Change>
+  void change_row(std::size_t row, Change change) {
+    for (std::size_t e = begin_[row]; e < begin_[row + 1]; ++e)
+      for (std::size_t b = 0; b < stored_; ++b)
+        value_[e * stored_ + b] = static_cast<float>(change(column_[e], b, at(e, b)));
+  }
 
   std::size_t rows() const { return begin_.size() - 1; }
   std::size_t entries() const { return column_.size(); }
+  std::size_t entries_of(std::size_t row) const { return begin_[row + 1] - begin_[row]; }
   /// Adds R x to y, both [row][band].
   void add_product(std::span<const double> x, std::size_t bands, std::span<double> y, int threads) const;
   /// Adds R^T x.

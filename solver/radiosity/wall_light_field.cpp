@@ -42,7 +42,7 @@ void WallLightField::look(const Vec3& point, Add add) const {
   std::uint64_t place = 0;
   for (int axis = 0; axis < 3; ++axis)
     place = place * 0x9E3779B97F4A7C15ULL + std::bit_cast<std::uint64_t>(point[axis]);
-  EvenPoints<5> points(place, RandomUse::path);
+  EvenPoints<5> points(place, RandomUse::path_start);
   std::vector<double> weight;
   const double part = 4 * pi / path_rays_;
   for (int i = 0; i < path_rays_; ++i) {

@@ -98,7 +98,7 @@ TEST(RunRadiosity, SensorsAndProbesSeeTheSameByWayOfAMirror) {
                     "--set", "probe=[{name=\"p\",points=[[0.6,0.4,0.5]],normal=[-1,0,0]}]", "--set",
                     "sensor=[{name=\"s\",kind=\"irradiance\",position=[0.6,0.4,0.5],normal=[-1,0,0]}]"});
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
-  EXPECT_TRUE(has(outcome.out, "mirrors and glossy walls connect")) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "mirrors and glossy walls connect a patch with")) << outcome.out;
   const json summary = summary_in(folder.results());
   EXPECT_LT(summary["radiosity"]["extended"]["row_sum_error_closed"].get<double>(), 1e-11);
   for (const json& balance : summary["balance"]) EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-5);

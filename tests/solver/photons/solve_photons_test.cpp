@@ -54,6 +54,9 @@ TEST(SolvePhotons, InstructionSetsDoNotChangeABit) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   const Problem problem = uniform_problem(mesh, uniform_medium(2, 0.5, 2, 1, PhaseHenyeyGreenstein{0.4}),
                                           uniform_wall(2, 0.1, 0.5, 0.3));
+  struct AnyAfterwards {
+    ~AnyAfterwards() { unsetenv("ETENDUE_ISA"); }
+  } any_afterwards;
   setenv("ETENDUE_ISA", "baseline", 1);
   const PhotonSolution plain = solved(problem, 3000);
   for (const char* isa : {"avx2", "avx512"}) {
@@ -64,7 +67,6 @@ TEST(SolvePhotons, InstructionSetsDoNotChangeABit) {
   }
   setenv("ETENDUE_ISA", "mmx", 1);
   EXPECT_THROW(solved(problem, 10), InputError);
-  unsetenv("ETENDUE_ISA");
 }
 
 // A beam that enters by z = 0 into a medium that only absorbs: fluence E exp(-a z) on every depth, its mean
