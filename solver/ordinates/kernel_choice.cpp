@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <cstdlib>
+#include <array>
 #include <string_view>
 
-#include "mesh/base/errors.h"
 #include "solver/ordinates/sweep_kernel.h"
+#include "solver/parallel/instruction_set.h"
 
 namespace etendue {
 
@@ -15,26 +15,6 @@ void choose_avx2(Basis basis, int stride, SweepKernelsOf<float>& kernels);
 void choose_avx512(Basis basis, int stride, SweepKernelsOf<double>& kernels);
 void choose_avx512(Basis basis, int stride, SweepKernelsOf<float>& kernels);
 #endif
-
-namespace {
-
-template <class Real>
-struct Choice {
-  std::string_view name;
-  bool available;
-  void (*choose)(Basis, int, SweepKernelsOf<Real>&);
-};
-
-#ifdef ETENDUE_X86_KERNELS
-bool has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
-bool has_avx512() {
-  return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-         __builtin_cpu_supports("avx512cd");
-}
-#endif
-
-}  // namespace
 
 int lane_stride(int bands) {
   if (bands <= 2) return bands;
@@ -48,25 +28,17 @@ bool skips_faces(int stride) { return stride >= 4; }
 
 template <class Real>
 SweepKernelsOf<Real> choose_kernels(Basis basis, int stride) {
-  const Choice<Real> choices[] = {
+  using Choose = void (*)(Basis, int, SweepKernelsOf<Real>&);
 #ifdef ETENDUE_X86_KERNELS
-      {"avx512", has_avx512(), choose_avx512},
-      {"avx2", has_avx2(), choose_avx2},
+  constexpr std::array<std::string_view, 3> built = {"avx512", "avx2", "baseline"};
+  constexpr std::array<Choose, 3> choose = {choose_avx512, choose_avx2, choose_baseline};
+#else
+  constexpr std::array<std::string_view, 1> built = {"baseline"};
+  constexpr std::array<Choose, 1> choose = {choose_baseline};
 #endif
-      {"baseline", true, choose_baseline},
-  };
-  const char* wanted = std::getenv("ETENDUE_ISA");
-  for (const Choice<Real>& choice : choices) {
-    if (wanted != nullptr && choice.name != wanted) continue;
-    if (choice.available) {
-      SweepKernelsOf<Real> kernels;
-      choice.choose(basis, stride, kernels);
-      return kernels;
-    }
-    if (wanted != nullptr)
-      throw InputError(std::string("ETENDUE_ISA = ") + wanted + ": this machine does not have it");
-  }
-  throw InputError(std::string("ETENDUE_ISA = ") + wanted + ": unknown; use baseline, avx2 or avx512");
+  SweepKernelsOf<Real> kernels;
+  choose[choose_instruction_set(built)](basis, stride, kernels);
+  return kernels;
 }
 
 template SweepKernelsOf<double> choose_kernels(Basis, int);
