@@ -31,6 +31,7 @@ ExtendedExchange::ExtendedExchange(const Exchange& straight, const Problem& prob
       stored_(bands_are_alike(problem) ? 1 : paths_.bands()),
       found_(stored_),
       change_(stored_),
+      straight_share_(stored_),
       straight_change_(stored_),
       scale_(straight.size() * paths_.bands(), 1) {
   for (const int wall : patches.walls)
@@ -39,22 +40,27 @@ ExtendedExchange::ExtendedExchange(const Exchange& straight, const Problem& prob
   const TracedRays traced = trace_rays(problem, patches, paths_, rays, stored_, straight.threads());
   found_ = SparseRows::half_sum(traced.extended.light, traced.extended.light);
   change_ = SparseRows::half_sum(traced.extended.more_where_left, traced.extended.more_where_met);
-  straight_change_ = SparseRows::half_sum(traced.straight.more_where_left, traced.straight.more_where_met);
-  weigh_straight_change(SparseRows::half_sum(traced.straight.light, traced.straight.light));
+  straight_share_ = SparseRows::half_sum(traced.straight.more_where_left, traced.straight.more_where_met);
+  const SparseRows light = SparseRows::half_sum(traced.straight.light, traced.straight.light);
+  std::vector<double> sums(size() * stored_, 0);
+  for (std::size_t j = 0; j < size(); ++j) {
+    if (straight_share_.entries_of(j) == 0) continue;
+    light.add_row_to(j, stored_, sums);
+    straight_share_.change_row(
+        j, [&](std::size_t k, std::size_t b, double more) { return more / sums[k * stored_ + b]; });
+    std::fill(sums.begin(), sums.end(), 0.0);
+  }
 }
 
 // Of straight ways the rays say at which angles they meet, and G_0 how much is exchanged. Their mean lies
 // between the most and the least that a wall redirects, so no more is redirected than arrives.
-void ExtendedExchange::weigh_straight_change(const SparseRows& light) {
-  std::vector<double> sums(size() * stored_, 0);
+void ExtendedExchange::weigh_straight_change() {
+  straight_change_ = straight_share_;
   for (std::size_t j = 0; j < size(); ++j) {
     if (straight_change_.entries_of(j) == 0) continue;
-    light.add_row_to(j, stored_, sums);
     const std::vector<double> exchanged = straight_.row(j);
-    straight_change_.change_row(j, [&](std::size_t k, std::size_t b, double more) {
-      return more / sums[k * stored_ + b] * exchanged[k];
-    });
-    std::fill(sums.begin(), sums.end(), 0.0);
+    straight_change_.change_row(
+        j, [&](std::size_t k, std::size_t, double share) { return share * exchanged[k]; });
   }
 }
 
@@ -90,6 +96,7 @@ std::vector<double> ExtendedExchange::redirected(std::span<const double> x,
 // Of light that patch k sends, d_k sum over j of ((1 - a_j) G_jk - C_jk) d_j stays; see Exchange::close().
 ExtendedClosing ExtendedExchange::close(double tolerance) {
   std::fill(scale_.begin(), scale_.end(), 1.0);
+  weigh_straight_change();
   ExtendedClosing closing;
   std::vector<double> stays(redirects_.size());
   for (std::size_t i = 0; i < stays.size(); ++i) stays[i] = 1 - redirects_[i];

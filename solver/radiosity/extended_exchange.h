@@ -48,7 +48,7 @@ class ExtendedExchange {
   std::vector<double> times(std::span<const double> x) const;
   /// [patch][band] of G_jk.
   std::vector<double> row(std::size_t j) const;
-  /// [patch][band] power that walls redirect of light x, of which times(x) arrives.
+  /// [patch][band] power that walls redirect of light x, of which times(x) arrives. After close().
   std::vector<double> redirected(std::span<const double> x, std::span<const double> arriving) const;
 
   /// Finds D, for straight exchange as it is now.
@@ -57,14 +57,15 @@ class ExtendedExchange {
   void close_as(const ExtendedExchange& other) { scale_ = other.scale_; }
 
  private:
-  void weigh_straight_change(const SparseRows& light);
+  void weigh_straight_change();
 
   const Exchange& straight_;
   ExtendedPaths paths_;
   std::size_t stored_;             ///< bands that differ: all, or one for all
   SparseRows found_;               ///< G_1
   SparseRows change_;              ///< C of G_1
-  SparseRows straight_change_;     ///< C of G_0
+  SparseRows straight_share_;      ///< C of G_0, of what is exchanged
+  SparseRows straight_change_;     ///< C of G_0, for straight exchange as it was when closed
   std::vector<double> redirects_;  ///< a [patch][band]
   std::vector<double> scale_;      ///< D [patch][band]
 };
