@@ -58,7 +58,6 @@ class OrderedWalk {
         states_(graph.cell_count()),
         free_(states_.size() + 2),
         done_waiting_(states_.size() + 1),
-        visits_(states_.size()),
         ready_(states_.size(), tiles) {}
 
   /// Before each walk. `lagged` is [face], or empty where none is.
@@ -91,15 +90,15 @@ class OrderedWalk {
     return states_[cell].slot;
   }
 
-  /// Fewer visits than cells where cycles are left.
-  void run(const Vec3& direction, SweepOrder& order) {
+  /// `visits` [cells]; fewer of them are used where cycles are left.
+  void run(const Vec3& direction, std::span<SweepVisit> visits, SweepOrder& order) {
     order.levels.assign(1, 0);
     order.steps.assign(1, 0);
     // One before the stack and one behind it are read and written where nothing is taken or given back.
     for (std::size_t i = 0; i < states_.size(); ++i)
       free_[1 + i] = first_recycled_ + static_cast<std::uint32_t>(states_.size() - 1 - i);
     free_end_ = free_.data() + 1 + states_.size();
-    next_visit_ = visits_.data();
+    next_visit_ = visits.data();
     largest_slot_ = first_recycled_ - 1;
     ready_.begin(direction);
     for (std::size_t c = 0; c < states_.size(); ++c)
@@ -112,12 +111,12 @@ class OrderedWalk {
             level.size() < largest_packet ? level.size() : level.size() / largest_packet * largest_packet;
         if (levels_ == LevelOrder::alike) sort_by_passage(std::span(level).first(size));
         visit_level(std::span(level).first(size));
-        order.levels.push_back(static_cast<std::int32_t>(next_visit_ - visits_.data()));
+        order.levels.push_back(static_cast<std::int32_t>(next_visit_ - visits.data()));
         level.erase(level.begin(), level.begin() + static_cast<std::ptrdiff_t>(size));
       }
       order.steps.push_back(static_cast<std::int32_t>(order.levels.size()) - 1);
     }
-    order.visits.assign(visits_.data(), next_visit_);
+    order.visits = {visits.data(), next_visit_};
     order.slot_count = largest_slot_ + 1;
   }
 
@@ -204,8 +203,7 @@ class OrderedWalk {
   std::uint32_t* free_end_ = nullptr;
   std::vector<std::uint32_t> done_waiting_;  ///< scratch: what becomes ready in one level
   std::vector<std::uint32_t> unsorted_;      ///< scratch: a level
-  std::vector<SweepVisit> visits_;  ///< as many as there are cells, and those before the next are done
-  SweepVisit* next_visit_ = nullptr;
+  SweepVisit* next_visit_ = nullptr;         ///< those before are done
   ReadyCells ready_;
 };
 
@@ -247,14 +245,14 @@ SweepOrderMaker::SweepOrderMaker(const SweepGraph& graph, const SweepTiles& tile
 
 SweepOrderMaker::~SweepOrderMaker() = default;
 
-SweepOrder SweepOrderMaker::make(const Vec3& direction) {
+SweepOrder SweepOrderMaker::make(const Vec3& direction, std::span<SweepVisit> visits) {
   OrderedWalk& walk = memory_->walk;
   std::vector<Passage>& passage = memory_->passage;
   find_passages(mesh_, direction, passage);
   SweepOrder order;
   std::vector<char> lagged;
   walk.prepare(passage, lagged);
-  walk.run(direction, order);
+  walk.run(direction, visits, order);
   if (order.visits.size() == static_cast<std::size_t>(mesh_.cell_count())) return order;
   const std::vector<std::int32_t> faces = faces_to_lag(mesh_, direction, passage, walk);
   lagged.assign(passage.size(), 0);
@@ -262,7 +260,7 @@ SweepOrder SweepOrderMaker::make(const Vec3& direction) {
   walk.prepare(passage, lagged);
   for (const std::int32_t f : faces)
     order.lagged.push_back(lagged_face(mesh_, FaceIndex(f), passage[static_cast<std::size_t>(f)], walk));
-  walk.run(direction, order);
+  walk.run(direction, visits, order);
   return order;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
@@ -24,9 +25,9 @@ struct LaggedFace {
 
 /// The order in which one direction visits the cells. The opposite direction uses the same order backwards.
 struct SweepOrder {
-  std::vector<SweepVisit> visits;    ///< [position]
-  std::vector<std::int32_t> levels;  ///< first position of each level of independent cells, and the end
-  std::vector<std::int32_t> steps;   ///< first level of each step, in which one tile is opened, and the end
+  std::span<const SweepVisit> visits;  ///< [position], in memory of whoever asked for the order
+  std::vector<std::int32_t> levels;    ///< first position of each level of independent cells, and the end
+  std::vector<std::int32_t> steps;     ///< first level of each step, in which one tile is opened, and the end
   std::vector<LaggedFace> lagged;
   std::uint32_t slot_count = 0;
 };
@@ -45,7 +46,7 @@ inline double seen_area(const Vec3& area_normal, const Vec3& direction) {
 /// the same way, for kernels that leave out the faces through which none enters.
 enum class LevelOrder { neighbours, alike };
 
-/// Makes the orders of one direction after the other, each in the memory that the last one needed.
+/// Makes the orders of one direction after the other, with the same scratch memory.
 class SweepOrderMaker {
  public:
   /// The arguments must outlive it.
@@ -54,7 +55,8 @@ class SweepOrderMaker {
 
   /// The order for one direction. Every cell stands behind all cells that send light into it, but for lagged
   /// faces (Tarjan's components, then a greedy feedback arc set; none is expected on Delaunay meshes).
-  SweepOrder make(const Vec3& direction);
+  /// `visits` has room for one of each cell, and becomes part of the order.
+  SweepOrder make(const Vec3& direction, std::span<SweepVisit> visits);
 
  private:
   struct Memory;

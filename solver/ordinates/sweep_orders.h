@@ -3,13 +3,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <new>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "solver/angle/direction_set.h"
 #include "solver/ordinates/sweep_order.h"
 
 namespace etendue {
+
+/// An order, and the memory of its visits.
+struct OwnedOrder {
+  std::vector<SweepVisit> visits;
+  SweepOrder order;
+};
 
 /// The sweep orders of a direction set, one for each pair of opposite ordinates. As many are kept as fit into
 /// the memory that is allowed; the others are made again whenever they are needed.
@@ -19,8 +28,10 @@ class SweepOrders {
   SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t cells_per_tile,
               LevelOrder levels, std::size_t bytes, int threads);
 
-  /// The order of ordinate 2 `pair`; 2 `pair` + 1 walks it backwards. `scratch` holds it if it was not kept.
-  const SweepOrder& of_pair(std::int32_t pair, SweepOrder& scratch) const;
+  /// The order of ordinate 2 `pair`; 2 `pair` + 1 walks it backwards. `remade` holds it if it was not kept;
+  /// `maker`, null at first, is one of the calling thread.
+  const SweepOrder& of_pair(std::int32_t pair, std::unique_ptr<SweepOrderMaker>& maker,
+                            OwnedOrder& remade) const;
 
   int kept_count() const { return kept_count_; }
   int pair_count() const { return static_cast<int>(orders_.size()); }
@@ -36,12 +47,19 @@ class SweepOrders {
   const WallSlots& walls() const { return graph_.walls(); }
 
  private:
+  /// Visits are written for the first time where their order is made.
+  struct Unwritten {
+    void operator()(SweepVisit* memory) const { ::operator delete(memory); }
+  };
+
   const Vec3& direction(std::int32_t pair) const;  ///< of its first ordinate
+  std::span<SweepVisit> kept_visits(std::int32_t pair) const;
 
   SweepGraph graph_;
   SweepTiles tiles_;
   const DirectionSet& directions_;
   LevelOrder levels_;
+  std::unique_ptr<SweepVisit[], Unwritten> visits_;  ///< [kept pair][cell]
   std::vector<std::optional<SweepOrder>> orders_;
   std::vector<std::size_t> lagged_start_;
   std::uint32_t largest_slot_count_ = 0;

@@ -16,12 +16,13 @@ struct TransportSweepOf<Real>::Workspace {
   struct Member {
     SweepSlotsOf<Real> slots;
     bool is_filled = false;  ///< with what walls send in, the same for all ordinates of a sweep
-    SweepOrder scratch_order;
+    OwnedOrder remade_order;
   };
 
   AlignedArrayOf<Real> radiance;  ///< of all slots
   std::vector<Member> members;
-  AlignedArrayOf<Real> fluence;  ///< [cell + 1][node][stride]
+  std::unique_ptr<SweepOrderMaker> order_maker;  ///< null while none was made again
+  AlignedArrayOf<Real> fluence;                  ///< [cell + 1][node][stride]
   AlignedArray irradiance;
   AlignedArrayOf<Real> angular;  ///< [ordinate of the batch][1 + row][node][stride]
   AlignedArrayOf<Real> net_flux;

@@ -92,8 +92,8 @@ void TransportSweepOf<Real>::sweep_batch(std::int32_t batch, const TransportStat
     for (; first < group_end; ++first) {
       const OrdinateIndex m = schedule_.ordinate(first);
       typename Workspace::Member& member = work.members[group.size()];
-      group.push_back(
-          {m, &orders_->of_pair(m.value() / 2, member.scratch_order), angular_at(first, work), &member});
+      group.push_back({m, &orders_->of_pair(m.value() / 2, work.order_maker, member.remade_order),
+                       angular_at(first, work), &member});
     }
     sweep_group(group, last, next, record, work);
   }

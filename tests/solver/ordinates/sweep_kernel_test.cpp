@@ -79,7 +79,8 @@ std::vector<double> swept_plainly(const Problem& problem, const Vec3& direction,
   std::vector<double> radiance(4 * static_cast<std::size_t>(mesh.cell_count()));
   const SweepTiles tiles(mesh, static_cast<std::size_t>(mesh.cell_count()));
   const SweepGraph graph(mesh);
-  const SweepOrder order = SweepOrderMaker(graph, tiles, LevelOrder::neighbours).make(direction);
+  std::vector<SweepVisit> visits(graph.cell_count());
+  const SweepOrder order = SweepOrderMaker(graph, tiles, LevelOrder::neighbours).make(direction, visits);
   for (const SweepVisit& visit : order.visits) {
     const CellIndex cell(visited_cell(visit));
     double a[4], right[4], u[4];

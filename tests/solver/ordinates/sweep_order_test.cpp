@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/ordinates/sweep_order.h"
+#include "solver/ordinates/sweep_orders.h"
 
 #include <gtest/gtest.h>
 
@@ -27,18 +27,20 @@ std::set<std::uint32_t> visited_cells(const SweepOrder& order) {
 }
 
 /// With all cells in one tile, or some in each.
-SweepOrder order_along(const TetrahedralMesh& mesh, const Vec3& direction, int cells_per_tile = 1 << 30,
+OwnedOrder order_along(const TetrahedralMesh& mesh, const Vec3& direction, int cells_per_tile = 1 << 30,
                        LevelOrder levels = LevelOrder::neighbours) {
   const SweepGraph graph(mesh);
   const SweepTiles tiles(mesh, static_cast<std::size_t>(cells_per_tile));
-  return SweepOrderMaker(graph, tiles, levels).make(direction);
+  OwnedOrder result{std::vector<SweepVisit>(graph.cell_count()), {}};
+  result.order = SweepOrderMaker(graph, tiles, levels).make(direction, result.visits);
+  return result;
 }
 
 void expect_cells_after_upwind_cells(const TetrahedralMesh& mesh, int cells_per_tile,
                                      LevelOrder levels = LevelOrder::neighbours) {
   const DirectionSet directions = directions_triangular(4);
   for (const Vec3& direction : directions.directions()) {
-    const SweepOrder order = order_along(mesh, direction, cells_per_tile, levels);
+    const auto [visits, order] = order_along(mesh, direction, cells_per_tile, levels);
     ASSERT_EQ(visited_cells(order).size(), static_cast<std::size_t>(mesh.cell_count()));
     EXPECT_TRUE(order.lagged.empty());
     const std::vector<std::int32_t> position = positions(order);
@@ -64,7 +66,7 @@ TEST(SweepOrder, LevelsOfAlikeCellsHoldRunsThroughWhoseFacesLightGoesTheSameWay)
   const TetrahedralMesh mesh = cube_mesh(2e-3);
   const Vec3 direction = Vec3(0.3, -0.5, 0.8).normalized();
   const auto changes = [&](LevelOrder levels) {
-    const SweepOrder order = order_along(mesh, direction, 1 << 30, levels);
+    const auto [visits, order] = order_along(mesh, direction, 1 << 30, levels);
     const auto leaving = [&](std::int32_t position) {
       const CellIndex cell(visited_cell(order.visits[static_cast<std::size_t>(position)]));
       unsigned bits = 0;
@@ -95,7 +97,8 @@ TEST(SweepOrder, VisitsACellAsSoonAsItsTileIsOpenAndItsUpwindCellsAreVisited) {
   ASSERT_GT(tiles.count(), 4);
   const Vec3 direction = Vec3(0.3, -0.5, 0.8).normalized();
   const SweepGraph graph(mesh);
-  const SweepOrder order = SweepOrderMaker(graph, tiles, LevelOrder::neighbours).make(direction);
+  std::vector<SweepVisit> visits(graph.cell_count());
+  const SweepOrder order = SweepOrderMaker(graph, tiles, LevelOrder::neighbours).make(direction, visits);
   ASSERT_EQ(order.steps.size(), static_cast<std::size_t>(tiles.count()) + 1);
   std::vector<std::int32_t> step(order.visits.size());
   for (std::size_t s = 0; s + 1 < order.steps.size(); ++s)
@@ -144,7 +147,7 @@ TEST(SweepTiles, AreBoxesOfFewCellsInTheOrderOfTheLight) {
 
 TEST(SweepOrder, CellsOfOneLevelDoNotWaitForEachOther) {
   const TetrahedralMesh mesh = cube_mesh(5e-3);
-  const SweepOrder order = order_along(mesh, Vec3(0.3, 0.5, 0.8).normalized());
+  const auto [visits, order] = order_along(mesh, Vec3(0.3, 0.5, 0.8).normalized());
   const std::vector<std::int32_t> position = positions(order);
   const auto level = [&](CellIndex cell) {
     return std::upper_bound(order.levels.begin(), order.levels.end(), position[cell.at()]) -
@@ -159,7 +162,7 @@ TEST(SweepOrder, CellsOfOneLevelDoNotWaitForEachOther) {
 TEST(SweepOrder, BothSidesAgreeOnParallelFaces) {
   const TetrahedralMesh mesh = cube_mesh(2e-3);
   for (const Vec3& direction : {Vec3(0.3, 0.5, 0.8), Vec3(0, 0, 1), Vec3(1, 1, 0)}) {
-    const SweepOrder order = order_along(mesh, direction.normalized());
+    const auto [visits, order] = order_along(mesh, direction.normalized());
     for (const SweepVisit& visit : order.visits)
       for (std::size_t k = 0; k < 4; ++k) {
         const FaceIndex face(mesh.faces(CellIndex(visited_cell(visit)))[k]);
@@ -172,7 +175,7 @@ TEST(SweepOrder, BothSidesAgreeOnParallelFaces) {
 TEST(SweepOrder, LevelsFillWholePackets) {
   const TetrahedralMesh mesh = cube_mesh(2e-3);
   for (const int cells_per_tile : {1 << 30, 100}) {
-    const SweepOrder order = order_along(mesh, Vec3(0.3, 0.5, 0.8).normalized(), cells_per_tile);
+    const auto [visits, order] = order_along(mesh, Vec3(0.3, 0.5, 0.8).normalized(), cells_per_tile);
     for (std::size_t l = 0; l + 1 < order.levels.size(); ++l) {
       const std::int32_t size = order.levels[l + 1] - order.levels[l];
       EXPECT_TRUE(size < 8 || size % 8 == 0) << size;
@@ -219,7 +222,7 @@ TEST(SweepOrder, SlotsDeliverWhatTheUpwindCellLeft) {
   const TetrahedralMesh mesh = cube_mesh(2e-3);
   for (const Vec3& direction : {Vec3(0.3, 0.5, 0.8), Vec3(-0.9, 0.1, 0.2), Vec3(0, 0, 1)}) {
     for (const int cells_per_tile : {1 << 30, 50}) {
-      const SweepOrder order = order_along(mesh, direction.normalized(), cells_per_tile);
+      const auto [visits, order] = order_along(mesh, direction.normalized(), cells_per_tile);
       expect_slots_deliver(mesh, order, direction.normalized(), false);
       expect_slots_deliver(mesh, order, -direction.normalized(), true);
     }
@@ -229,7 +232,7 @@ TEST(SweepOrder, SlotsDeliverWhatTheUpwindCellLeft) {
 TEST(SweepOrder, RecyclesSlots) {
   const TetrahedralMesh mesh = cube_mesh(2.25e-4);
   const WallSlots walls(mesh);
-  const SweepOrder order = order_along(mesh, Vec3(0.3, 0.5, 0.8).normalized());
+  const auto [visits, order] = order_along(mesh, Vec3(0.3, 0.5, 0.8).normalized());
   EXPECT_LT(order.slot_count - walls.count(), static_cast<std::uint32_t>(mesh.cell_count() / 4));
 }
 
@@ -246,7 +249,7 @@ void expect_lagged_slots(const TetrahedralMesh& mesh, const SweepOrder& order) {
 
 TEST(SweepOrder, BreaksTheCycleOfATwistedRing) {
   const TetrahedralMesh mesh = cyclic_ring();
-  const SweepOrder order = order_along(mesh, Vec3::UnitZ(), 20);
+  const auto [visits, order] = order_along(mesh, Vec3::UnitZ(), 20);
   ASSERT_FALSE(order.lagged.empty());
   EXPECT_EQ(visited_cells(order).size(), static_cast<std::size_t>(mesh.cell_count()));
   // Only what must be is lagged: one face for each blade's cycle at most, of the ring's many.
@@ -255,7 +258,7 @@ TEST(SweepOrder, BreaksTheCycleOfATwistedRing) {
   expect_slots_deliver(mesh, order, Vec3::UnitZ(), false);
   expect_slots_deliver(mesh, order, -Vec3::UnitZ(), true);
   expect_lagged_slots(mesh, order);
-  EXPECT_TRUE(order_along(mesh, Vec3::UnitX()).lagged.empty());
+  EXPECT_TRUE(order_along(mesh, Vec3::UnitX()).order.lagged.empty());
 }
 
 }  // namespace
