@@ -11,12 +11,6 @@
 namespace etendue {
 namespace {
 
-int highest_degree(const std::vector<ScatteringTreatment>& plan) {
-  int degree = 0;
-  for (const ScatteringTreatment& treatment : plan) degree = std::max(degree, treatment.degree);
-  return degree;
-}
-
 [[noreturn]] void refuse(const Vec3& point, const Vec3& direction) {
   char text[240];
   std::snprintf(

@@ -113,7 +113,7 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
   // Cells at the boundary keep their slots; besides, a front through the mesh is live at a time.
   const double slots = (2 * s.faces + 8 * std::pow(s.cells, 2.0 / 3)) * s.cell_length;
-  const double batch = OrdinateSchedule(problem, directions).batch();
+  const double batch = OrdinateSchedule(problem, directions, Batches::of_neighbours).batch();
   const bool is_tiled =
       8 * s.cells * (s.record_length + s.cell_length) > static_cast<double>(options.cache_bytes);
   const double workspaces = std::min<double>(threads, std::ceil(s.ordinates / batch)) *

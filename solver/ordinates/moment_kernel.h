@@ -11,11 +11,12 @@
 namespace etendue {
 namespace {
 
-/// Whether a moment's harmonic has the same value in opposite directions, or the opposite one.
-enum class Parity { even, odd };
-
-/// Sums that are kept in registers while their factors run by.
-constexpr int moment_block = 4;
+/// Numbers of a row that are kept in registers for each direction of some orbits.
+#ifdef __AVX512F__
+constexpr int held_directions = 16;
+#else
+constexpr int held_directions = 8;
+#endif
 
 /// Rows ahead whose radiance is asked for: one from each direction's array is more than the machine foresees.
 constexpr std::size_t radiance_ahead = 4;
@@ -40,8 +41,26 @@ ETENDUE_KERNEL_INLINE void store_rows(Real* to, std::size_t step, const Lanes<W>
   }
 }
 
-/// W numbers of the moments of `Rows` rows, and those of the directions' rows that belong to them.
-template <int Rows, int W>
+/// From the values at the directions of an orbit to the sums over it with the signs of each class, or from
+/// sums over each class to the values at the directions: Walsh and Hadamard's transformation, by halves. Bit
+/// a of a class and of a direction stand for mirror a.
+template <int Size, int W>
+ETENDUE_KERNEL_INLINE void change_signs(Lanes<W> (&values)[Size]) {
+  ETENDUE_UNROLL
+  for (int half = 1; half < Size; half *= 2) {
+    ETENDUE_UNROLL
+    for (int i = 0; i < Size / 2; ++i) {
+      const int at = i / half * 2 * half + i % half;
+      const Lanes<W> same = values[at], turned = values[at + half];
+      values[at] = same + turned;
+      values[at + half] = same - turned;
+    }
+  }
+}
+
+/// W numbers of the moments of `Rows` rows, and those of the directions' rows that belong to them. Orbits
+/// have `Size` directions.
+template <int Size, int Rows, int W>
 class MomentRows {
  public:
   ETENDUE_KERNEL_MEMBER MomentRows(const MomentTaskOf<Real>& task, std::size_t row, std::size_t x)
@@ -50,57 +69,56 @@ class MomentRows {
         moments_(task.moment_rows + row * row_step_ + x),
         at_(row * task.row_length + x) {}
 
-  /// Pairs first ... first + Count - 1 from all moments.
+  /// Orbits first ... first + Count - 1 from all moments.
   template <int Count>
   ETENDUE_KERNEL_MEMBER void expand(int first) const {
-    Lanes<W> even[Count] = {}, odd[Count] = {};
-    add_moments<Count>(first, 0, task_.even_moments, even);
-    add_moments<Count>(first, task_.even_moments, task_.moments, odd);
+    Lanes<W> values[Count][Size] = {};
     ETENDUE_UNROLL
-    for (int p = 0; p < Count; ++p) {
-      store_lanes<W>(direction(first + p) + at_, even[p] + odd[p]);
-      store_lanes<W>(opposite(first + p) + at_, even[p] - odd[p]);
+    for (int c = 0; c < Size; ++c)
+      for (int k = task_.class_begin[c]; k < task_.class_begin[c + 1]; ++k) {
+        const Lanes<W> moment = load_rows<Rows, W>(this->moment(k), row_step_);
+        ETENDUE_UNROLL
+        for (int o = 0; o < Count; ++o) values[o][c] += factor(first + o, k) * moment;
+      }
+    ETENDUE_UNROLL
+    for (int o = 0; o < Count; ++o) {
+      change_signs<Size, W>(values[o]);
+      ETENDUE_UNROLL
+      for (int r = 0; r < Size; ++r) store_lanes<W>(direction(first + o, r) + at_, values[o][r]);
     }
   }
 
-  /// Moments first ... first + Count - 1 of the order, all of one parity, gain from all directions.
-  template <Parity parity, int Count>
+  /// All moments gain from orbits first ... first + Count - 1.
+  template <int Count>
   ETENDUE_KERNEL_MEMBER void collect(int first) const {
-    Lanes<W> sum[Count];
+    Lanes<W> values[Count][Size];
     ETENDUE_UNROLL
-    for (int k = 0; k < Count; ++k) sum[k] = load_rows<Rows, W>(moment(first + k), row_step_);
-    for (int p = 0; p < task_.pairs; ++p) {
-      const Lanes<W> there = load_lanes<W>(direction(p) + at_);
-      const Lanes<W> back = load_lanes<W>(opposite(p) + at_);
-      const Lanes<W> radiance = parity == Parity::even ? there + back : there - back;
+    for (int o = 0; o < Count; ++o) {
       ETENDUE_UNROLL
-      for (int k = 0; k < Count; ++k) sum[k] += factor(p, first + k) * radiance;
+      for (int r = 0; r < Size; ++r) values[o][r] = load_lanes<W>(direction(first + o, r) + at_);
+      change_signs<Size, W>(values[o]);
     }
     ETENDUE_UNROLL
-    for (int k = 0; k < Count; ++k) store_rows<Rows, W>(moment(first + k), row_step_, sum[k]);
+    for (int c = 0; c < Size; ++c)
+      for (int k = task_.class_begin[c]; k < task_.class_begin[c + 1]; ++k) {
+        Lanes<W> sum = load_rows<Rows, W>(moment(k), row_step_);
+        ETENDUE_UNROLL
+        for (int o = 0; o < Count; ++o) sum += factor(first + o, k) * values[o][c];
+        store_rows<Rows, W>(moment(k), row_step_, sum);
+      }
   }
 
   ETENDUE_KERNEL_MEMBER void fetch_radiance_ahead() const {
-    for (int p = 0; p < task_.pairs; ++p) {
-      __builtin_prefetch(direction(p) + at_ + radiance_ahead * task_.row_length);
-      __builtin_prefetch(opposite(p) + at_ + radiance_ahead * task_.row_length);
-    }
+    for (int d = 0; d < task_.orbits * Size; ++d)
+      __builtin_prefetch(task_.direction_rows[d] + at_ + radiance_ahead * task_.row_length);
   }
 
  private:
-  template <int Count>
-  ETENDUE_KERNEL_MEMBER void add_moments(int first, int begin, int end, Lanes<W> (&sum)[Count]) const {
-    for (int k = begin; k < end; ++k) {
-      const Lanes<W> values = load_rows<Rows, W>(moment(k), row_step_);
-      ETENDUE_UNROLL
-      for (int p = 0; p < Count; ++p) sum[p] += factor(first + p, k) * values;
-    }
+  ETENDUE_KERNEL_MEMBER Real* direction(int orbit, int r) const {
+    return task_.direction_rows[Size * orbit + r];
   }
-
-  ETENDUE_KERNEL_MEMBER Real* direction(int pair) const { return task_.direction_rows[2 * pair]; }
-  ETENDUE_KERNEL_MEMBER Real* opposite(int pair) const { return task_.direction_rows[2 * pair + 1]; }
-  ETENDUE_KERNEL_MEMBER Real factor(int pair, int k) const {
-    return task_.matrix[static_cast<std::ptrdiff_t>(pair) * task_.moments + k];
+  ETENDUE_KERNEL_MEMBER Real factor(int orbit, int k) const {
+    return task_.matrix[static_cast<std::ptrdiff_t>(k) * task_.orbits + orbit];
   }
   ETENDUE_KERNEL_MEMBER Real* moment(int k) const {
     return moments_ + static_cast<std::size_t>(task_.order[k]) * task_.row_length;
@@ -112,52 +130,54 @@ class MomentRows {
   std::size_t at_;
 };
 
-template <int Rows, int W>
+template <int Size, int Rows, int W>
 ETENDUE_KERNEL_INLINE void expand_rows(const MomentTaskOf<Real>& task, std::size_t row) {
+  constexpr int block = held_directions / Size;
   for (std::size_t x = 0; x < task.row_length; x += W / Rows) {
-    const MomentRows<Rows, W> rows(task, row, x);
-    int p = 0;
-    for (; p + moment_block <= task.pairs; p += moment_block) rows.template expand<moment_block>(p);
-    for (; p < task.pairs; ++p) rows.template expand<1>(p);
+    const MomentRows<Size, Rows, W> rows(task, row, x);
+    int orbit = 0;
+    for (; orbit + block <= task.orbits; orbit += block) rows.template expand<block>(orbit);
+    for (; orbit < task.orbits; ++orbit) rows.template expand<1>(orbit);
   }
 }
 
-template <Parity parity, int Rows, int W>
-ETENDUE_KERNEL_INLINE void collect_parity(const MomentRows<Rows, W>& rows, int first, int end) {
-  for (; first + moment_block <= end; first += moment_block)
-    rows.template collect<parity, moment_block>(first);
-  if (first + 2 <= end) {
-    rows.template collect<parity, 2>(first);
-    first += 2;
-  }
-  if (first < end) rows.template collect<parity, 1>(first);
-}
-
-template <int Rows, int W>
+template <int Size, int Rows, int W>
 ETENDUE_KERNEL_INLINE void collect_rows(const MomentTaskOf<Real>& task, std::size_t row) {
+  constexpr int block = held_directions / Size;
   for (std::size_t x = 0; x < task.row_length; x += W / Rows) {
-    const MomentRows<Rows, W> rows(task, row, x);
+    const MomentRows<Size, Rows, W> rows(task, row, x);
     rows.fetch_radiance_ahead();
-    collect_parity<Parity::even>(rows, 0, task.even_moments);
-    collect_parity<Parity::odd>(rows, task.even_moments, task.moments);
+    int orbit = 0;
+    for (; orbit + block <= task.orbits; orbit += block) rows.template collect<block>(orbit);
+    for (; orbit < task.orbits; ++orbit) rows.template collect<1>(orbit);
   }
 }
 
 /// Rows of W numbers or more, or half as long.
+template <int Size, int Rows, int W>
+void expand_orbits(const MomentTaskOf<Real>& task) {
+  std::size_t row = task.first_row;
+  for (; row + Rows <= task.last_row; row += Rows) expand_rows<Size, Rows, W>(task, row);
+  for (; row < task.last_row; ++row) expand_rows<Size, 1, W / Rows>(task, row);
+}
+
+template <int Size, int Rows, int W>
+void collect_orbits(const MomentTaskOf<Real>& task) {
+  std::size_t row = task.first_row;
+  for (; row + Rows <= task.last_row; row += Rows) collect_rows<Size, Rows, W>(task, row);
+  for (; row < task.last_row; ++row) collect_rows<Size, 1, W / Rows>(task, row);
+}
+
 template <int Rows, int W>
 void moments_to_directions(const MomentTaskOf<Real>& task) {
   [[maybe_unused]] const TinyAsZero<Real> mode;
-  std::size_t row = task.first_row;
-  for (; row + Rows <= task.last_row; row += Rows) expand_rows<Rows, W>(task, row);
-  for (; row < task.last_row; ++row) expand_rows<1, W / Rows>(task, row);
+  task.orbit_size == 8 ? expand_orbits<8, Rows, W>(task) : expand_orbits<2, Rows, W>(task);
 }
 
 template <int Rows, int W>
 void directions_to_moments(const MomentTaskOf<Real>& task) {
   [[maybe_unused]] const TinyAsZero<Real> mode;
-  std::size_t row = task.first_row;
-  for (; row + Rows <= task.last_row; row += Rows) collect_rows<Rows, W>(task, row);
-  for (; row < task.last_row; ++row) collect_rows<1, W / Rows>(task, row);
+  task.orbit_size == 8 ? collect_orbits<8, Rows, W>(task) : collect_orbits<2, Rows, W>(task);
 }
 
 template <int Rows, int W>

@@ -28,7 +28,7 @@ std::int32_t ordinates_per_batch(int ordinates) { return ordinates <= 32 ? 8 : o
 /// What ordinates become at mirrors across some axes, and their opposites, which share their sweep order.
 class Orbits {
  public:
-  Orbits(const DirectionSet& directions, const std::array<int, 3>& axes)
+  Orbits(const DirectionSet& directions, const std::array<bool, 3>& axes)
       : directions_(directions), axes_(axes), seen_(static_cast<std::size_t>(directions.count()), 0) {
     for (std::int32_t m = 0; m < directions.count(); ++m)
       if (!seen_[static_cast<std::size_t>(m)]) orbits_.push_back(orbit_of(m));
@@ -46,7 +46,7 @@ class Orbits {
       const std::int32_t k = orbit[i];
       add(k ^ 1, orbit);
       for (int axis = 0; axis < 3; ++axis)
-        if (axes_[static_cast<std::size_t>(axis)] != 0)
+        if (axes_[static_cast<std::size_t>(axis)])
           add(directions_.mirrored(OrdinateIndex(k), Vec3::Unit(axis)), orbit);
     }
     return orbit;
@@ -59,21 +59,33 @@ class Orbits {
   }
 
   const DirectionSet& directions_;
-  const std::array<int, 3>& axes_;
+  const std::array<bool, 3>& axes_;
   std::vector<char> seen_;
   std::vector<std::vector<std::int32_t>> orbits_;
 };
 
+bool every_ordinate_has_images(const DirectionSet& directions) {
+  for (std::int32_t m = 0; m < directions.count(); ++m)
+    for (int axis = 0; axis < 3; ++axis) {
+      const int image = directions.mirrored(OrdinateIndex(m), Vec3::Unit(axis));
+      if (image < 0 || image == m) return false;
+    }
+  return true;
+}
+
 }  // namespace
 
-OrdinateSchedule::OrdinateSchedule(const Problem& problem, const DirectionSet& directions)
-    : batch_(ordinates_per_batch(directions.count())) {
+OrdinateSchedule::OrdinateSchedule(const Problem& problem, const DirectionSet& directions, Batches batches)
+    : batch_(ordinates_per_batch(directions.count())),
+      keeps_images_together_(batches == Batches::of_images && every_ordinate_has_images(directions)) {
   find_axes(problem);
   ordinates_.resize(static_cast<std::size_t>(directions.count()));
   std::iota(ordinates_.begin(), ordinates_.end(), 0);
-  if (later_ != std::array<int, 3>{}) {
+  std::array<bool, 3> axes;
+  for (std::size_t a = 0; a < 3; ++a) axes[a] = keeps_images_together_ || later_[a] != 0;
+  if (axes != std::array<bool, 3>{}) {
     ordinates_.clear();
-    const Orbits orbits(directions, later_);
+    const Orbits orbits(directions, axes);
     for (const auto& orbit : orbits.orbits()) ordinates_.insert(ordinates_.end(), orbit.begin(), orbit.end());
   }
   for (std::int32_t batch = 0; batch < batch_count(); ++batch)

@@ -19,6 +19,10 @@ inline unsigned octant(const Vec3& direction) {
 /// The most ordinates of a group.
 inline constexpr std::int32_t largest_group = 8;
 
+/// Which ordinates share a batch: neighbours, or those that mirrors across all axes turn into each other, be
+/// there such mirrors or not, so that their moments are found together (moment_orbits.h).
+enum class Batches { of_neighbours, of_images };
+
 /// The order in which a sweep takes the ordinates, batch by batch. Among mirrors across the axes a batch
 /// holds all that its ordinates become there, and takes first those whose reflections others wait for: so one
 /// mirror, or mirrors at right angles, need nothing from the last sweep, and of two that face each other only
@@ -26,7 +30,7 @@ inline constexpr std::int32_t largest_group = 8;
 /// together, in groups that go through the mesh tile by tile at the same time.
 class OrdinateSchedule {
  public:
-  OrdinateSchedule(const Problem& problem, const DirectionSet& directions);
+  OrdinateSchedule(const Problem& problem, const DirectionSet& directions, Batches batches);
 
   OrdinateIndex ordinate(std::int32_t place) const {
     return OrdinateIndex(ordinates_[static_cast<std::size_t>(place)]);
@@ -40,6 +44,9 @@ class OrdinateSchedule {
   std::int32_t batch_end(std::int32_t batch) const { return std::min(place_count(), (batch + 1) * batch_); }
   /// The place behind the last of the group that begins at `place`.
   std::int32_t group_end(std::int32_t place) const { return group_end_[static_cast<std::size_t>(place)]; }
+  /// Whether every ordinate has seven images across the axes, all in its batch; only where that was asked
+  /// for.
+  bool keeps_images_together() const { return keeps_images_together_; }
   /// Whether an ordinate comes after those that a mirror with this normal, out of the domain, turns into it.
   bool knows_reflections(const Vec3& normal) const;
 
@@ -55,6 +62,7 @@ class OrdinateSchedule {
   /// [axis] the sign of the component of ordinates that come after their mirror images; 0: there is no
   /// mirror.
   std::array<int, 3> later_{};
+  bool keeps_images_together_;
 };
 
 }  // namespace etendue

@@ -2,19 +2,8 @@
 #include "solver/ordinates/scattering_moments.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace etendue {
-namespace {
-
-int highest_degree(const std::vector<ScatteringTreatment>& plan) {
-  int degree = 0;
-  for (const ScatteringTreatment& treatment : plan) degree = std::max(degree, treatment.degree);
-  return degree;
-}
-
-}  // namespace
-
 ScatteringMoments::ScatteringMoments(const Problem& problem, const DirectionSet& directions,
                                      const CellCoefficients& cells,
                                      const std::vector<ScatteringTreatment>& plan,
@@ -24,9 +13,10 @@ ScatteringMoments::ScatteringMoments(const Problem& problem, const DirectionSet&
       cells_(cells),
       plan_(plan),
       harmonics_(directions, highest_degree(plan)),
+      orbits_(directions, harmonics_, schedule),
       row_length_(cells.cell_length()) {
   find_angular_cells(observed);
-  fill_factors(schedule);
+  fill_phase_moments();
 }
 
 void ScatteringMoments::find_angular_cells(std::span<const CellIndex> observed) {
@@ -45,20 +35,7 @@ void ScatteringMoments::find_angular_cells(std::span<const CellIndex> observed) 
   }
 }
 
-void ScatteringMoments::fill_factors(const OrdinateSchedule& schedule) {
-  order_.resize(count());
-  std::iota(order_.begin(), order_.end(), 0);
-  const auto odd = std::stable_partition(order_.begin(), order_.end(),
-                                         [&](int k) { return harmonics_.degree_of(k) % 2 == 0; });
-  even_moments_ = static_cast<int>(odd - order_.begin());
-  for (std::int32_t place = 0; place < directions_.count(); ++place) {
-    const OrdinateIndex m = schedule.ordinate(place);
-    for (const int k : order_) {
-      if (m.value() % 2 != 0) break;
-      evaluation_.push_back(harmonics_.value(k, m));
-      integration_.push_back(harmonics_.value(k, m) * directions_.weight(m));
-    }
-  }
+void ScatteringMoments::fill_phase_moments() {
   const auto stride = static_cast<std::size_t>(cells_.stride());
   phase_moments_.assign(problem_.media().size() * count() * stride, 0);
   for (std::size_t region = 0; region < problem_.media().size(); ++region)

@@ -8,7 +8,7 @@
 #include "solver/angle/direction_set.h"
 #include "solver/angle/harmonics.h"
 #include "solver/ordinates/cell_coefficients.h"
-#include "solver/ordinates/ordinate_schedule.h"
+#include "solver/ordinates/moment_orbits.h"
 #include "solver/ordinates/scattering_plan.h"
 #include "solver/ordinates/transport_state.h"
 #include "solver/problem/problem.h"
@@ -41,14 +41,7 @@ class ScatteringMoments {
   const std::int32_t* index() const { return angular_cells_.empty() ? nullptr : index_.data(); }
   std::int32_t row(CellIndex cell) const { return index_[cell.at()]; }
   std::span<const std::int32_t> angular_cells() const { return angular_cells_; }
-  /// The moments, those of even degree first, as the factors of opposite ordinates have them.
-  const std::vector<int>& order() const { return order_; }
-  int even_moments() const { return even_moments_; }
-  /// [pair of opposite ordinates, as they come in the schedule][moment in that order] Y_k of the even
-  /// ordinate
-  std::span<const double> evaluation() const { return evaluation_; }
-  /// w_m Y_k, likewise
-  std::span<const double> integration() const { return integration_; }
+  const MomentOrbits& orbits() const { return orbits_; }
 
   /// Right-hand sides of emission and scattering of a state, for cells first … last - 1: the isotropic part
   /// into the source of the cells' records, and moments [row][moment][node][stride] for angular cells.
@@ -66,20 +59,17 @@ class ScatteringMoments {
     return plan_[static_cast<std::size_t>(region * problem_.band_count() + band)];
   }
   void find_angular_cells(std::span<const CellIndex> observed);
-  void fill_factors(const OrdinateSchedule& schedule);
+  void fill_phase_moments();
 
   const Problem& problem_;
   const DirectionSet& directions_;
   const CellCoefficients& cells_;
   const std::vector<ScatteringTreatment>& plan_;
   DiscreteHarmonics harmonics_;
+  MomentOrbits orbits_;
   std::size_t row_length_;
   std::vector<std::int32_t> index_;
   std::vector<std::int32_t> angular_cells_;
-  std::vector<int> order_;
-  int even_moments_ = 0;
-  std::vector<double> evaluation_;
-  std::vector<double> integration_;
   std::vector<double> phase_moments_;  ///< [region][moment][stride]
 };
 

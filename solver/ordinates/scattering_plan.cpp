@@ -100,6 +100,12 @@ std::vector<ScatteringTreatment> plan_scattering(const Problem& problem, const D
   return plan;
 }
 
+int highest_degree(const std::vector<ScatteringTreatment>& plan) {
+  int degree = 0;
+  for (const ScatteringTreatment& treatment : plan) degree = std::max(degree, treatment.degree);
+  return degree;
+}
+
 std::vector<CellIndex> dense_cells(const Problem& problem, const std::vector<ScatteringTreatment>& plan) {
   std::vector<CellIndex> cells;
   const int bands = problem.band_count();

@@ -32,6 +32,9 @@ double matrix_bytes(const DirectionSet& directions);
 /// [region * bands + band].
 std::vector<ScatteringTreatment> plan_scattering(const Problem& problem, const DirectionSet& directions);
 
+/// Of all media and bands.
+int highest_degree(const std::vector<ScatteringTreatment>& plan);
+
 /// Cells that keep their angular solution: some band in their medium scatters by a matrix.
 std::vector<CellIndex> dense_cells(const Problem& problem, const std::vector<ScatteringTreatment>& plan);
 

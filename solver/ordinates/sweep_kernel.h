@@ -49,18 +49,19 @@ struct SweepTaskOf {
 using SweepTask = SweepTaskOf<double>;
 
 /// A small dense product between moments and directions, row by row, for the angular cells. Directions come
-/// in pairs of opposites, where harmonics of even degree have the same value and those of odd degree the
-/// opposite one, so that sums over either kind serve both.
+/// in orbits (moment_orbits.h): harmonics of one class have the same values but for known signs at all
+/// directions of an orbit, so that sums over a class serve all of them.
 template <class Real>
 struct MomentTaskOf {
   std::size_t row_length = 0;  ///< numbers of one row: nodes times stride
   int moments = 0;
-  int even_moments = 0;        ///< of them, those of even degree
-  const int* order = nullptr;  ///< [moment] the even ones first
-  int pairs = 0;
-  const Real* matrix = nullptr;           ///< [pair][moment, in that order] of the first direction
+  int orbit_size = 2;                ///< 2 or 8
+  const int* class_begin = nullptr;  ///< [class], and the end: places in `order`
+  const int* order = nullptr;        ///< the moments, class by class
+  int orbits = 0;
+  const Real* matrix = nullptr;           ///< [moment, in that order][orbit] at its first direction
   Real* moment_rows = nullptr;            ///< [row][moment][row_length]
-  Real* const* direction_rows = nullptr;  ///< [pair][direction, opposite] -> [row][row_length]
+  Real* const* direction_rows = nullptr;  ///< [orbit][direction] -> [row][row_length]
   std::size_t first_row = 0;              ///< work on rows first_row … last_row - 1
   std::size_t last_row = 0;
 };

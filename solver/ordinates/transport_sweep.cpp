@@ -22,6 +22,13 @@ namespace {
 /// Visits of cells in a batch from which on threads share the batches.
 constexpr std::int64_t smallest_shared_batch = 4096;
 
+/// From this degree on products of moments cost more than groups of neighbours save in the visits.
+constexpr int smallest_degree_of_images = 4;
+
+Batches batches_for(int degree) {
+  return degree < smallest_degree_of_images ? Batches::of_neighbours : Batches::of_images;
+}
+
 /// Cells that one thread adds up at a time.
 constexpr std::int32_t merge_block = 1024;
 
@@ -111,7 +118,7 @@ TransportSweepOf<Real>::TransportSweepOf(const Problem& problem, const Direction
       dense_groups_(std::move(scattering.groups)),
       cells_(problem.mesh(), effective_extinction(problem, extinction, plan_, dense_groups_),
              problem.band_count(), basis_of(options), options.lumping, scalar_of<Real>),
-      schedule_(problem, directions),
+      schedule_(problem, directions, batches_for(highest_degree(plan_))),
       scattering_(problem, directions, cells_, plan_, schedule_, observed_cells()),
       dense_(problem, directions, cells_, extinction, plan_, dense_groups_),
       orders_(orders ? std::move(orders)
@@ -122,8 +129,8 @@ TransportSweepOf<Real>::TransportSweepOf(const Problem& problem, const Direction
       inflow_(walls_.irradiance_size()),
       passing_(walls_.passing_size()),
       moment_source_(scattering_.moments_size()),
-      evaluation_(scattering_.evaluation().begin(), scattering_.evaluation().end()),
-      integration_(scattering_.integration().begin(), scattering_.integration().end()) {
+      evaluation_(scattering_.orbits().evaluation().begin(), scattering_.orbits().evaluation().end()),
+      integration_(scattering_.orbits().integration().begin(), scattering_.orbits().integration().end()) {
   if constexpr (!adds_in_place) moment_sums_ = AlignedArrayOf<Real>(scattering_.moments_size());
   make_workspaces();
 }
@@ -332,7 +339,7 @@ void TransportSweepOf<Real>::merge_moments(std::size_t first, std::size_t last, 
                                            Workspace& work, TransportState& next) {
   const std::vector<Real*> rows = angular_rows(batch, work);
   MomentTaskOf<Real> task = moment_task(rows);
-  task.matrix = &integration_[static_cast<std::size_t>(batch * schedule_.batch() / 2 * task.moments)];
+  task.matrix = integration_.data() + factors_begin(batch);
   if constexpr (adds_in_place) {
     task.moment_rows = next.moments().data();
   } else {

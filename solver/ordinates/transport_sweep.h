@@ -154,7 +154,14 @@ class TransportSweepOf {
   bool pass_alone(const SweepRecord* record) const;
   std::size_t angular_length() const;  ///< numbers of the rows of one ordinate
   Real* angular_at(std::int32_t place, Workspace& work) const;
-  /// [pair of opposite ordinates of a batch][2]
+  int first_orbit(std::int32_t batch) const {
+    return batch * schedule_.batch() / scattering_.orbits().size();
+  }
+  std::size_t factors_begin(std::int32_t batch) const {
+    return static_cast<std::size_t>(first_orbit(batch)) *
+           static_cast<std::size_t>(scattering_.moment_count());
+  }
+  /// [orbit of a batch][direction]
   std::vector<Real*> angular_rows(std::int32_t batch, Workspace& work) const;
   /// What the products of both ways between moments and the rows of a batch have in common.
   MomentTaskOf<Real> moment_task(const std::vector<Real*>& rows) const;

@@ -39,12 +39,11 @@ Real* TransportSweepOf<Real>::angular_at(std::int32_t place, Workspace& work) co
 template <class Real>
 std::vector<Real*> TransportSweepOf<Real>::angular_rows(std::int32_t batch, Workspace& work) const {
   std::vector<Real*> rows;
-  for (std::int32_t place = batch * schedule_.batch(); place < schedule_.batch_end(batch); ++place) {
-    const OrdinateIndex m = schedule_.ordinate(place);
-    if (m.value() % 2 != 0) continue;
-    for (const std::int32_t at : {place, schedule_.place_of(OrdinateIndex(m.value() + 1))})
-      rows.push_back(angular_at(at, work) + scattering_.row_length());
-  }
+  const MomentOrbits& orbits = scattering_.orbits();
+  const int end = std::min(orbits.count(), first_orbit(batch + 1));
+  for (int orbit = first_orbit(batch); orbit < end; ++orbit)
+    for (const OrdinateIndex m : orbits.ordinates(orbit))
+      rows.push_back(angular_at(schedule_.place_of(m), work) + scattering_.row_length());
   return rows;
 }
 
@@ -53,9 +52,10 @@ MomentTaskOf<Real> TransportSweepOf<Real>::moment_task(const std::vector<Real*>&
   MomentTaskOf<Real> task;
   task.row_length = scattering_.row_length();
   task.moments = scattering_.moment_count();
-  task.even_moments = scattering_.even_moments();
-  task.order = scattering_.order().data();
-  task.pairs = static_cast<int>(rows.size() / 2);
+  task.orbit_size = scattering_.orbits().size();
+  task.class_begin = scattering_.orbits().class_begin().data();
+  task.order = scattering_.orbits().order().data();
+  task.orbits = static_cast<int>(rows.size()) / task.orbit_size;
   task.direction_rows = rows.data();
   return task;
 }
@@ -71,7 +71,7 @@ void TransportSweepOf<Real>::form_angular_source(std::int32_t batch, Workspace& 
   const std::int32_t end = schedule_.batch_end(batch);
   const std::vector<Real*> rows = angular_rows(batch, work);
   MomentTaskOf<Real> task = moment_task(rows);
-  task.matrix = &evaluation_[static_cast<std::size_t>(first / 2 * task.moments)];
+  task.matrix = evaluation_.data() + factors_begin(batch);
   task.moment_rows = moment_source_.data();
   task.last_row = scattering_.row_count();
   kernels_.moments_to_directions(task);

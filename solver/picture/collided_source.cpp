@@ -9,12 +9,6 @@
 namespace etendue {
 namespace {
 
-int highest_degree(const std::vector<ScatteringTreatment>& plan) {
-  int degree = 0;
-  for (const ScatteringTreatment& treatment : plan) degree = std::max(degree, treatment.degree);
-  return degree;
-}
-
 /// Values that a cell has in each band.
 std::size_t nodes_of(const SolveOptions& options, const SavedState& state, std::size_t cells_and_bands) {
   if (options.order != SpaceOrder::linear) return 1;

@@ -31,7 +31,7 @@ std::vector<int> places(const OrdinateSchedule& schedule, int count) {
 
 TEST(OrdinateSchedule, KeepsTheBatchesOfTheSetWithoutMirrors) {
   const TetrahedralMesh mesh = cube_mesh(0.1);
-  const OrdinateSchedule schedule(cube_with_mirrors(mesh, {}), directions_ldfe_sq(1));
+  const OrdinateSchedule schedule(cube_with_mirrors(mesh, {}), directions_ldfe_sq(1), Batches::of_neighbours);
   EXPECT_EQ(schedule.batch(), 16);
   EXPECT_EQ(schedule.batch_count(), 6);
   for (int place = 0; place < 96; ++place) EXPECT_EQ(schedule.ordinate(place).value() / 16, place / 16);
@@ -47,7 +47,7 @@ TEST(OrdinateSchedule, GroupsHoldOrdinatesOfOneOctantAndEveryOneOnce) {
   for (const std::set<std::string>& mirrors : {std::set<std::string>{}, {"xmin", "zmax"}})
     for (const DirectionSet& set :
          {directions_product(8), directions_ldfe_sq(1), directions_level_symmetric(8)}) {
-      const OrdinateSchedule schedule(cube_with_mirrors(mesh, mirrors), set);
+      const OrdinateSchedule schedule(cube_with_mirrors(mesh, mirrors), set, Batches::of_neighbours);
       std::set<std::int32_t> seen;
       for (std::int32_t first = 0; first < schedule.place_count(); first = schedule.group_end(first)) {
         const std::int32_t end = schedule.group_end(first);
@@ -66,7 +66,7 @@ TEST(OrdinateSchedule, GroupsHoldOrdinatesOfOneOctantAndEveryOneOnce) {
       EXPECT_EQ(seen.size(), static_cast<std::size_t>(set.count()));
     }
   // Sixteen pairs of an octant are two batches, each of them one group and its opposite.
-  const OrdinateSchedule schedule(cube_with_mirrors(mesh, {}), directions_product(8));
+  const OrdinateSchedule schedule(cube_with_mirrors(mesh, {}), directions_product(8), Batches::of_neighbours);
   for (std::int32_t place = 0; place < 128; ++place)
     EXPECT_EQ(schedule.group_end(place), (place / 8 + 1) * 8);
 }
@@ -75,7 +75,7 @@ TEST(OrdinateSchedule, OrdinatesFollowInTheirBatchWhatMirrorsTurnIntoThem) {
   const TetrahedralMesh mesh = cube_mesh(0.1);
   const Problem problem = cube_with_mirrors(mesh, {"xmin", "xmax", "ymax", "zmin"});
   for (const DirectionSet& set : {directions_ldfe_sq(1), directions_triangular(4), directions_lebedev(17)}) {
-    const OrdinateSchedule schedule(problem, set);
+    const OrdinateSchedule schedule(problem, set, Batches::of_neighbours);
     const int batch = schedule.batch();
     const std::vector<int> place = places(schedule, set.count());
     EXPECT_EQ(std::count(place.begin(), place.end(), -1), 0);
