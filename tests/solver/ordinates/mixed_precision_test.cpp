@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 
 #include "mesh/base/errors.h"
 #include "solver/measure/balance.h"
 #include "solver/ordinates/residual.h"
 #include "solver/ordinates/transport_sweep.h"
+#include "solver/surfaces/phong.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
@@ -144,6 +146,16 @@ struct Named {
   DirectionSet directions;
 };
 
+/// Walls across z are mirrors, as they have to be in the plane.
+Problem plane_problem(const TetrahedralMesh& mesh, const Medium& medium, const Wall& wall) {
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    walls.push_back(name[0] == 'z' ? uniform_wall(1, 0, 0, 1) : wall);
+    walls.back().name = name;
+  }
+  return Problem(mesh, Bands{}, {medium}, walls, AngularSpace::plane);
+}
+
 /// What sweeps, walls and media can have.
 std::vector<Named> varied_problems(const TetrahedralMesh& mesh) {
   Medium forward = uniform_medium(3, 0.1, 0, 0.2, PhaseHenyeyGreenstein{0.5});
@@ -162,6 +174,20 @@ std::vector<Named> varied_problems(const TetrahedralMesh& mesh) {
   problems.push_back({"thick and bright",
                       uniform_problem(mesh, uniform_medium(1, 0.001, 50, 1), uniform_wall(1, 0, 0, 0)),
                       directions_triangular(4)});
+  Medium leaves = uniform_medium(1, 0.1, 2, 0.5);
+  leaves.directional = {LeafCanopy{LeafAngles::horizontal, 0.6, 0.3}};
+  problems.push_back(
+      {"leaves", uniform_problem(mesh, leaves, uniform_wall(1, 0.3, 0.4, 0)), directions_ldfe_sq(1)});
+  Medium flame = uniform_medium(1, 0.5, 1, 0, PhaseHenyeyGreenstein{0.5});
+  flame.emission_by_direction = {AngularFormula("1 + 0.5*wz")};
+  Wall polished = uniform_wall(1, 0.3, 0.1, 0);
+  polished.glossy = {std::make_shared<Phong>(0.7, 20)};
+  problems.push_back(
+      {"glossy walls, emission by direction", uniform_problem(mesh, flame, polished), directions_ldfe_sq(1)});
+  problems.push_back({"plane",
+                      plane_problem(mesh, uniform_medium(1, 0.1, 3, 1, PhaseHenyeyGreenstein{0.6}),
+                                    uniform_wall(1, 0.2, 0.5, 0)),
+                      directions_flatland(16)});
   return problems;
 }
 
