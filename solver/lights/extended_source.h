@@ -11,7 +11,8 @@
 #include "solver/lights/emitter_tree.h"
 #include "solver/lights/even_light.h"
 #include "solver/lights/flat_shape.h"
-#include "solver/lights/solid_shape.h"
+#include "solver/lights/light_piece.h"
+#include "solver/lights/unfolded_body.h"
 #include "solver/lights/wide_source.h"
 
 namespace etendue {
@@ -25,12 +26,14 @@ class ExtendedSource : public WideSource {
   ExtendedSource(std::string name, std::vector<double> power, EmitterTree tree, const LightPaths& paths);
 
   void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
+  /// The light as beams, more of them where matter takes unlike much of those beside each other.
+  void look(const PointInCell& at, LightDetail detail, SeenBeams& beams) const;
   bool is_near(const Vec3& place, double size) const override;
   std::span<const EmitterPart> flat_parts() const override { return flat_parts_; }
   const ExtendedSource* as_extended() const override { return this; }
   /// Whether light through even matter is added up from many parts of it, emitting each in its own way: slow,
   /// and without steps.
-  bool is_in_parts() const { return bodies_.empty() && tree_.shape() == EmitterShape::tetrahedra; }
+  bool is_in_parts() const { return body_.shapes.empty() && tree_.shape() == EmitterShape::tetrahedra; }
   /// The sides of its rim that a place lies on but for a distance.
   std::bitset<32> rim_sides_at(const Vec3& place, double distance) const;
   /// What would arrive through matter of this extinction [band] and nothing opaque, by way of mirrors too,
@@ -40,35 +43,52 @@ class ExtendedSource : public WideSource {
                  LightBeams& beams, EvenLight& light) const;
 
  private:
-  struct View;
-  bool is_far(const Vec3& eye) const;
-  void add_view(const View& view, LightBeams& beams) const;
-  void add_node(const View& view, const EmitterTree::Node& node, LightBeams& beams) const;
+  class Looker;
+  void unfold();
+  /// The images behind mirrors that do not belong to the body, without those behind this plane.
+  std::vector<MirrorSet> images_of(const UnfoldedBody& body, std::optional<int> without = {}) const;
+  std::vector<LightPiece> cut(const Vec3& place, LightDetail detail) const;
+  void cut(const LightView& view, LightDetail detail, std::vector<LightPiece>& pieces) const;
+  void cut_node(const LightView& view, LightDetail detail, int index, std::vector<LightPiece>& pieces) const;
+  /// False, and nothing added, where creases are too many.
+  bool cut_along_creases(const LightView& view, LightDetail detail, std::vector<LightPiece>& pieces) const;
+  void cut_triangle(const LightView& view, LightDetail detail, const EmitterPart& part,
+                    std::span<const CreasePlane> planes, std::vector<LightPiece>& pieces) const;
+  void cut_tetrahedron(const LightView& view, LightDetail detail, const EmitterPart& part,
+                       std::vector<LightPiece>& pieces) const;
+  void cut_body(const LightView& view, LightDetail detail, std::vector<LightPiece>& pieces) const;
+  void cut_wedge(const LightView& view, LightDetail detail, const EmitterPart& part, Wedge wedge,
+                 std::vector<LightPiece>& pieces) const;
+  std::vector<LightPiece> parts_of(const LightPiece& piece) const;
+
+  std::vector<LightPoint> points_of(const LightPiece& piece) const;
+  const std::vector<double>& brightness(const LightPiece& piece) const;
+  void add_clear(const LightPiece& piece, LightBeams& beams) const;
+  /// Transmittance [band] of the way up to a point of the light; false where it is closed.
+  bool pass(const PointInCell& at, const LightPiece& piece, const LightPoint& point, const Vec3& direction,
+            std::span<double> passed) const;
+  /// Makes the fluence that arrives of what is left on the way.
+  void scale(const LightPiece& piece, const LightPoint& point, const Vec3& direction,
+             std::span<double> fluence) const;
+
   void add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,
                   EvenLight& light) const;
   /// The bands in which too little arrives to be told this way: nothing has been added to them.
-  std::vector<std::size_t> add_bodies(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,
+  std::vector<std::size_t> add_bodies(const LightView& view, std::span<const double> extinction,
                                       EvenLight& light) const;
-  void add_parts(MirrorSet mirrors, const PointInCell& here, std::span<const double> extinction,
+  void add_parts(const LightView& view, std::span<const double> extinction,
                  std::span<const std::size_t> bands, LightBeams& beams, EvenLight& light) const;
-  void add_points(const View& view, const EmitterTree::Node& node, LightBeams& beams) const;
-  void add_triangle(const View& view, const EmitterPart& part, std::span<const CreasePlane> planes,
-                    LightBeams& beams) const;
-  /// False, and nothing added, where they are too many.
-  bool add_parted(const View& view, LightBeams& beams) const;
-  void add_tetrahedron(const View& view, const EmitterPart& part, LightBeams& beams) const;
-  void add_wedge(const View& view, const Wedge& wedge, const EmitterPart& part, LightBeams& beams) const;
-  void add_body(const View& view, LightBeams& beams) const;
 
   EmitterTree tree_;
   const LightPaths& paths_;
   std::vector<MirrorSet> images_;
+  std::vector<MirrorSet> views_;  ///< of the unfolded body
   std::vector<std::size_t> all_bands_;
   std::vector<EmitterPart> flat_parts_;
-  /// With their radiance or emission [band]; both empty: use the tree.
-  std::vector<std::pair<FlatShape, std::vector<double>>> shapes_;
-  std::vector<std::pair<SolidShape, std::vector<double>>> bodies_;
-  std::vector<ConvexFace> convex_;  ///< of the body if there is one, of the same extinction everywhere
+  std::vector<std::pair<FlatShape, std::vector<double>>> shapes_;  ///< with their radiance [band]
+  /// Convex only where its extinction is the same everywhere. Of triangles nothing but the box.
+  UnfoldedBody body_;
+  std::vector<UnfoldedBody> bodies_before_;  ///< [mirror] without the images behind it, if it has such
 };
 
 }  // namespace etendue

@@ -69,6 +69,14 @@ bool MirrorPlanes::touches(MirrorSet set, const Vec3& point, double distance) co
   return true;
 }
 
+MirrorSet MirrorPlanes::behind(MirrorSet set, const Vec3& point, double distance) const {
+  MirrorSet found = 0;
+  for (std::size_t i = 0; i < planes_.size(); ++i)
+    if ((set >> i & 1) != 0 && planes_[i].normal.dot(point) - planes_[i].offset > distance)
+      found |= MirrorSet{1} << i;
+  return found;
+}
+
 Vec3 MirrorPlanes::image(MirrorSet set, Vec3 point) const {
   for (std::size_t i = 0; i < planes_.size(); ++i)
     if ((set >> i & 1) != 0)

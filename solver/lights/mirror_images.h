@@ -30,6 +30,8 @@ class MirrorPlanes {
   Vec3 reflected(int plane, const Vec3& direction) const;
   /// Whether a point lies on all planes of a set to within a distance.
   bool touches(MirrorSet mirrors, const Vec3& point, double distance) const;
+  /// Those of a set that a point lies behind by more than a distance.
+  MirrorSet behind(MirrorSet mirrors, const Vec3& point, double distance) const;
   /// The point behind the mirrors of a set: for planes at right angles their order does not matter.
   Vec3 image(MirrorSet mirrors, Vec3 point) const;
   Vec3 image_direction(MirrorSet mirrors, Vec3 direction) const;

@@ -21,20 +21,15 @@ std::span<const FacePointWeight> points_of(TriangleRule rule) {
   return seven_point_rule();
 }
 
-void append_unit(const SphericalTriangle& t, double largest_side, TriangleRule rule,
-                 std::vector<SolidAnglePoint>& points) {
+void append_unit_parts(const SphericalTriangle& t, double largest_side,
+                       std::vector<SphericalTriangle>& parts) {
   const double side =
       std::max({(t[0] - t[1]).squaredNorm(), (t[1] - t[2]).squaredNorm(), (t[2] - t[0]).squaredNorm()});
   if (side > largest_side * largest_side) {
-    for (const SphericalTriangle& part : quarters(t)) append_unit(part, largest_side, rule, points);
+    for (const SphericalTriangle& part : quarters(t)) append_unit_parts(part, largest_side, parts);
     return;
   }
-  const double half_determinant = std::abs(t[0].dot(t[1].cross(t[2]))) / 2;
-  for (const FacePointWeight& point : points_of(rule)) {
-    const Vec3 y = point.barycentric[0] * t[0] + point.barycentric[1] * t[1] + point.barycentric[2] * t[2];
-    const double length = y.norm();
-    points.push_back({y / length, point.weight * half_determinant / (length * length * length)});
-  }
+  parts.push_back(t);
 }
 
 /// A face and its plane normal.x = offset; where that is positive light leaves the body here.
@@ -76,9 +71,25 @@ std::array<SphericalTriangle, 4> quarters(const SphericalTriangle& t) {
   return {{{t[0], ab, ca}, {ab, t[1], bc}, {ca, bc, t[2]}, {ab, bc, ca}}};
 }
 
+void append_parts(const SphericalTriangle& triangle, double largest_side,
+                  std::vector<SphericalTriangle>& parts) {
+  if (const auto unit = on_sphere(triangle)) append_unit_parts(*unit, largest_side, parts);
+}
+
+void append_points(const SphericalTriangle& t, TriangleRule rule, std::vector<SolidAnglePoint>& points) {
+  const double half_determinant = std::abs(t[0].dot(t[1].cross(t[2]))) / 2;
+  for (const FacePointWeight& point : points_of(rule)) {
+    const Vec3 y = point.barycentric[0] * t[0] + point.barycentric[1] * t[1] + point.barycentric[2] * t[2];
+    const double length = y.norm();
+    points.push_back({y / length, point.weight * half_determinant / (length * length * length)});
+  }
+}
+
 void append_points(const SphericalTriangle& triangle, double largest_side, TriangleRule rule,
                    std::vector<SolidAnglePoint>& points) {
-  if (const auto unit = on_sphere(triangle)) append_unit(*unit, largest_side, rule, points);
+  std::vector<SphericalTriangle> parts;
+  append_parts(triangle, largest_side, parts);
+  for (const SphericalTriangle& part : parts) append_points(part, rule, points);
 }
 
 std::vector<Wedge> wedges_of(std::span<const ConvexFace> faces) {

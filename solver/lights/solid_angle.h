@@ -27,9 +27,15 @@ std::array<SphericalTriangle, 4> quarters(const SphericalTriangle& triangle);
 /// Points of a rule in a triangle: degree 1, 2 or 5.
 enum class TriangleRule { one_point, three_points, seven_points };
 
-/// Appends points of a rule for the solid angle of the triangle: it is split in four until its sides are at
-/// most `largest_side` (chords of the unit sphere), and each part has the points of the rule in the flat
-/// triangle of its corners, y, with dw = det(a, b, c) / |y|^3.
+/// Appends the parts of a triangle that is split in four until its sides are at most `largest_side` (chords
+/// of the unit sphere), with unit corners.
+void append_parts(const SphericalTriangle& triangle, double largest_side,
+                  std::vector<SphericalTriangle>& parts);
+/// Appends points of a rule for the solid angle of a triangle with unit corners: those of the rule in the
+/// flat triangle of its corners, y, with dw = det(a, b, c) / |y|^3.
+void append_points(const SphericalTriangle& triangle, TriangleRule rule,
+                   std::vector<SolidAnglePoint>& points);
+/// Of the parts of a triangle.
 void append_points(const SphericalTriangle& triangle, double largest_side, TriangleRule rule,
                    std::vector<SolidAnglePoint>& points);
 
@@ -42,11 +48,11 @@ struct ConvexFace {
 /// A convex body seen from the origin falls into wedges: directions that come in by one plane and go out by
 /// another, so that all that is integrated over a wedge is smooth.
 struct Wedge {
-  SphericalTriangle directions;
+  SphericalTriangle directions = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   Vec3 entry_normal = Vec3::Zero();  ///< of the plane n.x = entry; zero where the origin is inside
   double entry = 0;
-  Vec3 exit_normal;
-  double exit;
+  Vec3 exit_normal = Vec3::Zero();
+  double exit = 0;
 
   double way_in(const Vec3& direction) const {
     return entry_normal.isZero() ? 0 : entry / entry_normal.dot(direction);

@@ -51,15 +51,16 @@ double even_extinction(const LightBeams& clear, std::size_t band, double left) {
 
 Seen look(const ExtendedSource& source, const PointInCell& here, LightDetail detail, LightBeams& beams,
           std::span<WayLoss> loss) {
-  LightBeams clear(loss.size());
-  source.add_beams(here, Sight::clear, detail, clear);
-  beams.clear();
-  source.add_beams(here, Sight::attenuated, detail, beams);
-  // The same beams in the same order, without those that something stands before.
+  SeenBeams seen(loss.size());
+  source.look(here, detail, seen);
+  const LightBeams& clear = seen.clear;
   LightBeams open(loss.size());
-  for (std::size_t i = 0; i < clear.size() && open.size() < beams.size(); ++i)
-    if (clear.direction(i) == beams.direction(open.size()))
-      std::ranges::copy(clear.fluence(i), open.add(clear.direction(i), clear.way(i)).begin());
+  beams.clear();
+  for (std::size_t i = 0; i < clear.size(); ++i) {
+    if (!seen.is_open(i)) continue;
+    std::ranges::copy(clear.fluence(i), open.add(clear.direction(i), clear.way(i)).begin());
+    std::copy_n(&seen.arriving[i * loss.size()], loss.size(), beams.add(clear.direction(i)).begin());
+  }
   bool any_light = false;
   for (std::size_t b = 0; b < loss.size(); ++b) {
     loss[b] = {};
