@@ -53,28 +53,48 @@ ETENDUE_KERNEL_INLINE void add_inflow(const FaceFlows<T>& flows, int f, const T*
   }
 }
 
+/// What the nodal values need of the matrix: the only division, which takes long, and no light. So it is
+/// begun before the light that enters is read.
+template <class T>
+struct CellInverse {
+  T alpha_mass;
+  T beta;
+  T first;  ///< alpha + 4 beta - P
+  T beta_total;
+  T by_alpha;
+  T by_determinant;
+};
+
+template <class T>
+ETENDUE_KERNEL_INLINE CellInverse<T> invert_cell(const FaceFlows<T>& flows, const T& alpha_mass,
+                                                 const T& beta_mass) {
+  CellInverse<T> cell;
+  cell.alpha_mass = alpha_mass;
+  cell.beta = beta_mass + flows.total;
+  cell.first = alpha_mass + 4.0 * cell.beta;
+  cell.beta_total = cell.beta * flows.total;
+  const T alpha = alpha_mass + flows.total;
+  const T determinant = cell.first * alpha_mass + 4.0 * cell.beta_total;
+  // One division serves both the determinant and alpha.
+  const T inverse = 1.0 / (determinant * alpha);
+  cell.by_determinant = inverse * alpha;
+  cell.by_alpha = inverse * determinant;
+  return cell;
+}
+
 /// The nodal values from 12 times the right-hand side, in closed form: with S the sum of the values and
 /// T = p . u, two equations in two unknowns whose determinant is positive, in vacuum too.
 template <class T>
-ETENDUE_KERNEL_INLINE void solve_cell(const FaceFlows<T>& flows, const T& alpha_mass, const T& beta_mass,
+ETENDUE_KERNEL_INLINE void solve_cell(const FaceFlows<T>& flows, const CellInverse<T>& cell,
                                       const T (&right)[4], T (&u)[4]) {
   const T sum_right = (right[0] + right[1]) + (right[2] + right[3]);
   const T weighted_right = (flows.leaving[0] * right[0] + flows.leaving[1] * right[1]) +
                            (flows.leaving[2] * right[2] + flows.leaving[3] * right[3]);
-  const T alpha = alpha_mass + flows.total;
-  const T beta = beta_mass + flows.total;
-  const T first = alpha_mass + 4.0 * beta;  // alpha + 4 beta - P
-  const T beta_total = beta * flows.total;
-  const T determinant = first * alpha_mass + 4.0 * beta_total;
-  // One division serves both the determinant and alpha.
-  const T inverse = 1.0 / (determinant * alpha);
-  const T by_determinant = inverse * alpha;
-  const T by_alpha = inverse * determinant;
-  const T sum = (alpha_mass * sum_right + 4.0 * weighted_right) * by_determinant;
-  const T weighted = (first * weighted_right - beta_total * sum_right) * by_determinant;
-  const T common = weighted - beta * sum;
+  const T sum = (cell.alpha_mass * sum_right + 4.0 * weighted_right) * cell.by_determinant;
+  const T weighted = (cell.first * weighted_right - cell.beta_total * sum_right) * cell.by_determinant;
+  const T common = weighted - cell.beta * sum;
   ETENDUE_UNROLL
-  for (int i = 0; i < 4; ++i) u[i] = (right[i] + common + flows.entering[i] * sum) * by_alpha;
+  for (int i = 0; i < 4; ++i) u[i] = (right[i] + common + flows.entering[i] * sum) * cell.by_alpha;
 }
 
 }  // namespace etendue

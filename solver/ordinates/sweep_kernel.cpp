@@ -92,6 +92,10 @@ template <int C, int B, class Cells>
 ETENDUE_KERNEL_INLINE void balance_linear(const Cells& packet, std::ptrdiff_t stride, std::ptrdiff_t mass_at,
                                           const FaceFlows<Lanes<C * B>>& flows, std::ptrdiff_t band) {
   using T = Lanes<C * B>;
+  const T mass = gather_from<C, B>([&](int j) { return packet.record(j); }, mass_at + band);
+  const T alpha_mass = mass < 0 ? -mass : mass;
+  const T beta_mass = mass < 0 ? T{} : mass;
+  const CellInverse<T> inverse = invert_cell(flows, alpha_mass, beta_mass);
   T right[4];
   load_source<C, B>(packet, stride, band, right);
   ETENDUE_UNROLL
@@ -101,11 +105,8 @@ ETENDUE_KERNEL_INLINE void balance_linear(const Cells& packet, std::ptrdiff_t st
     load_face<C, B>(packet, f, stride, band, inflow);
     add_inflow(flows, f, inflow, right);
   }
-  const T mass = gather_from<C, B>([&](int j) { return packet.record(j); }, mass_at + band);
-  const T alpha_mass = mass < 0 ? -mass : mass;
-  const T beta_mass = mass < 0 ? T{} : mass;
   T u[4];
-  solve_cell(flows, alpha_mass, beta_mass, right, u);
+  solve_cell(flows, inverse, right, u);
   if constexpr (Cells::sign == Sign::positive) {
     T weights[4];
     balance_weights(flows, alpha_mass, beta_mass, weights);

@@ -35,7 +35,7 @@ class Cells {
     Cell cell{};
     balance_weights(flows, alpha, beta, cell.weights);
     cell.balance = right[0] + right[1] + right[2] + right[3];
-    solve_cell(flows, alpha, beta, right, cell.values);
+    solve_cell(flows, invert_cell(flows, alpha, beta), right, cell.values);
     return cell;
   }
   double bright() {

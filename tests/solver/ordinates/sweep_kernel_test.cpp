@@ -109,7 +109,7 @@ std::vector<double> swept_plainly(const Problem& problem, const Vec3& direction,
       add_inflow(flows, f, inflow, right);
     }
     const double mass = cells.mass(cell, 0);
-    solve_cell(flows, std::abs(mass), std::max(mass, 0.0), right, u);
+    solve_cell(flows, invert_cell(flows, std::abs(mass), std::max(mass, 0.0)), right, u);
     std::copy(u, u + 4, &radiance[4 * cell.at()]);
   }
   return radiance;
