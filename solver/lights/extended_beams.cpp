@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
-#include <utility>
 
 #include "solver/lights/attenuation.h"
 #include "solver/lights/even_pieces.h"
@@ -15,9 +14,8 @@ namespace {
 constexpr double before_mirror = 1e-10;
 /// Triangles up to which each is cut along creases.
 constexpr std::size_t most_parted = 500;
-/// How finely a body is looked at, and the radius in distances and in free paths below which three points of
-/// a part do.
-constexpr double largest_side_of_body = 0.5, small_body = 0.25, thin_body = 1;
+/// How finely a body is looked at, and the radius in distances below which three points of a part do.
+constexpr double largest_side_of_body = 0.5, small_body = 0.25;
 
 std::span<const Vec3> triangle(const EmitterPart& part) { return std::span(part.corners).first<3>(); }
 
@@ -183,11 +181,11 @@ bool ExtendedSource::pass(const PointInCell& at, const LightPiece& piece, const 
   return paths_.transmit(at, direction, point.distance, mirrors, passed);
 }
 
-// A volume takes a part of what it emits itself.
-void ExtendedSource::scale(const LightPiece& piece, const LightPoint& point, const Vec3& direction,
+// A volume takes a part of what it emits itself; the light goes the way it has there, before all mirrors.
+void ExtendedSource::scale(const LightPiece& piece, const LightPoint& point,
                            std::span<double> fluence) const {
   const bool inside = point.length > 0;
-  const RayMatter::View light = inside ? paths_.matter().view(-direction) : RayMatter::View{};
+  const RayMatter::View light = inside ? paths_.matter().view(-point.looking) : RayMatter::View{};
   for (std::size_t b = 0; b < fluence.size(); ++b) {
     if (inside) {
       double extinction = piece.part->extinction[b];
@@ -210,7 +208,7 @@ void ExtendedSource::add_beams(const PointInCell& at, Sight sight, LightDetail d
       const Vec3 direction = paths_.mirrors().image_direction(piece.view.mirrors, point.looking);
       const std::span<double> fluence = beams.add(-direction, {point.distance, point.length});
       if (pass(at, piece, point, direction, fluence))
-        scale(piece, point, direction, fluence);
+        scale(piece, point, fluence);
       else
         beams.drop();
     }

@@ -68,8 +68,7 @@ class ExtendedSource : public WideSource {
   bool pass(const PointInCell& at, const LightPiece& piece, const LightPoint& point, const Vec3& direction,
             std::span<double> passed) const;
   /// Makes the fluence that arrives of what is left on the way.
-  void scale(const LightPiece& piece, const LightPoint& point, const Vec3& direction,
-             std::span<double> fluence) const;
+  void scale(const LightPiece& piece, const LightPoint& point, std::span<double> fluence) const;
 
   void add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,
                   EvenLight& light) const;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "solver/lights/emitter_tree.h"

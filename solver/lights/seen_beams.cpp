@@ -16,26 +16,45 @@ constexpr std::array<double, 2> uneven_volume = {0.005, 0.01};
 /// Its logarithm is a number.
 constexpr double least_transmittance = std::numeric_limits<double>::min();
 
-/// By how much what arrives from these points, as far as they are seen, differs in a band from what would
-/// through even matter that takes as much from them in the mean.
-double unevenness(const SeenBeams& beams, std::size_t first, std::size_t last, std::size_t band) {
-  const std::size_t bands = beams.clear.bands();
-  const auto depth = [&](std::size_t i) {
-    return -std::log(std::max(beams.passed[i * bands + band], least_transmittance));
-  };
-  double depths = 0, ways = 0, sum = 0;
+/// Optical depth of the way up to the light, mirrors left out.
+double depth(const SeenBeams& beams, std::size_t i, std::size_t band, double reflectance) {
+  if (!(reflectance > 0)) return 0;
+  return -std::log(std::max(beams.passed[i * beams.clear.bands() + band] / reflectance, least_transmittance));
+}
+
+/// Of even matter that takes in the mean as much from these beams, as far as they are open [1/length].
+double mean_extinction(const SeenBeams& beams, std::size_t first, std::size_t last, std::size_t band,
+                       double reflectance) {
+  double depths = 0, ways = 0;
   for (std::size_t i = first; i < last; ++i) {
-    if (!beams.is_open(i)) continue;
-    depths += beams.clear.fluence(i)[band] * depth(i);
+    if (!beams.is_open(i) || !(beams.clear.way(i).distance > 0)) continue;
+    depths += beams.clear.fluence(i)[band] * depth(beams, i, band, reflectance);
     ways += beams.clear.fluence(i)[band] * beams.clear.way(i).distance;
   }
-  if (!(ways > 0)) return 0;
-  for (std::size_t i = first; i < last; ++i)
-    if (beams.is_open(i))
-      sum += beams.arriving[i * bands + band] *
-             std::abs(1 - std::exp(depth(i) - depths / ways * beams.clear.way(i).distance));
-  return sum;
+  return ways > 0 ? depths / ways : 0;
 }
+
+/// What arrives from these points through even matter that takes as much from them in the mean, in all, and
+/// by how much what comes from each differs from it.
+struct EvenPart {
+  double extinction = 0;  ///< of that matter [1/length]
+  double arriving = 0;
+  double difference = 0;
+
+  EvenPart(const SeenBeams& beams, std::size_t first, std::size_t last, std::size_t band, double reflectance)
+      : extinction(mean_extinction(beams, first, last, band, reflectance)) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (!beams.is_open(i)) continue;
+      const double arrives = beams.arriving[i * beams.clear.bands() + band];
+      const double distance = beams.clear.way(i).distance;
+      const double even = distance > 0
+                              ? arrives * std::exp(depth(beams, i, band, reflectance) - extinction * distance)
+                              : arrives;
+      arriving += even;
+      difference += std::abs(arrives - even);
+    }
+  }
+};
 
 }  // namespace
 
@@ -77,33 +96,11 @@ class ExtendedSource::Looker {
   }
 
  private:
-  /// What a volume would bring through nothing but itself, [band].
-  std::vector<double> before_way(const LightPiece& piece) const {
-    std::vector<double> sum(whole_.size(), 0), one(whole_.size());
-    for (const LightPoint& point : source_.points_of(piece)) {
-      std::ranges::fill(one, 1.0);
-      const Vec3 direction = source_.paths_.mirrors().image_direction(piece.view.mirrors, point.looking);
-      source_.scale(piece, point, direction, one);
-      for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += one[b];
-    }
-    return sum;
+  double reflectance(const LightPiece& piece, std::size_t band) const {
+    return source_.paths_.mirrors().reflectance(piece.view.mirrors, band);
   }
 
-  // What a thick volume takes of its own light needs no rays, and so is integrated more finely.
   void look(const LightPiece& piece, SeenBeams& beams) const {
-    const std::size_t before = beams.arriving.size();
-    look_along_rays(piece, beams);
-    if (piece.group >= 0 || piece.rule != TriangleRule::three_points ||
-        source_.tree_.shape() == EmitterShape::triangles)
-      return;
-    LightPiece finer = piece;
-    finer.rule = TriangleRule::seven_points;
-    const std::vector<double> coarse = before_way(piece), fine = before_way(finer);
-    for (std::size_t i = before; i < beams.arriving.size(); ++i)
-      if (const std::size_t b = i % whole_.size(); coarse[b] > 0) beams.arriving[i] *= fine[b] / coarse[b];
-  }
-
-  void look_along_rays(const LightPiece& piece, SeenBeams& beams) const {
     source_.add_clear(piece, beams.clear);
     const std::size_t bands = beams.clear.bands();
     for (const LightPoint& point : source_.points_of(piece)) {
@@ -114,7 +111,7 @@ class ExtendedSource::Looker {
       beams.arriving.insert(beams.arriving.end(), passed.begin(), passed.end());
       const std::span<double> arriving = std::span(beams.arriving).last(bands);
       if (open) {
-        source_.scale(piece, point, direction, arriving);
+        source_.scale(piece, point, arriving);
       } else {
         std::ranges::fill(passed, -1.0);
         std::ranges::fill(arriving, 0.0);
@@ -126,12 +123,42 @@ class ExtendedSource::Looker {
                    std::span<const double> uneven) {
     bool even = true;
     for (std::size_t b = 0; b < whole_.size() && !uneven.empty(); ++b)
-      even = even && unevenness(seen, first, last, b) <= uneven[0] * whole_[b];
-    if (even) return beams_.append(seen, first, last);
+      even =
+          even && EvenPart(seen, first, last, b, reflectance(piece, b)).difference <= uneven[0] * whole_[b];
+    if (even) return keep(piece, seen, first, last);
     for (const LightPiece& part : source_.parts_of(piece)) {
       SeenBeams closer(whole_.size());
       look(part, closer);
       keep_or_cut(part, closer, 0, closer.clear.size(), uneven.subspan(1));
+    }
+  }
+
+  // What a thick volume takes of its own light needs no rays, and so is integrated more finely, behind even
+  // matter that takes as much as rays say: where that is the volume's own, the points are as good as others.
+  void keep(const LightPiece& piece, const SeenBeams& seen, std::size_t first, std::size_t last) {
+    bool open = true;
+    for (std::size_t i = first; i < last; ++i) open = open && seen.is_open(i);
+    if (!open || piece.group >= 0 || piece.rule != TriangleRule::three_points ||
+        source_.tree_.shape() == EmitterShape::triangles)
+      return beams_.append(seen, first, last);
+    const std::size_t bands = whole_.size();
+    std::vector<double> extinction(bands), left(bands);
+    for (std::size_t b = 0; b < bands; ++b) {
+      const EvenPart even(seen, first, last, b, reflectance(piece, b));
+      double arriving = 0;
+      for (std::size_t i = first; i < last; ++i) arriving += seen.arriving[i * bands + b];
+      extinction[b] = even.extinction;
+      left[b] = reflectance(piece, b) * (even.arriving > 0 ? arriving / even.arriving : 1);
+    }
+    LightPiece finer = piece;
+    finer.rule = TriangleRule::seven_points;
+    source_.add_clear(finer, beams_.clear);
+    for (const LightPoint& point : source_.points_of(finer)) {
+      for (std::size_t b = 0; b < bands; ++b)
+        beams_.passed.push_back(left[b] * std::exp(-extinction[b] * point.distance));
+      const std::span<const double> passed = std::span(beams_.passed).last(bands);
+      beams_.arriving.insert(beams_.arriving.end(), passed.begin(), passed.end());
+      source_.scale(finer, point, std::span(beams_.arriving).last(bands));
     }
   }
 
@@ -157,7 +184,9 @@ std::vector<LightPiece> ExtendedSource::parts_of(const LightPiece& piece) const 
   }
   const EmitterTree::Node& node = tree_.node(piece.group);
   if (node.part < 0) {
-    for (const int child : node.children) parts.push_back({piece.view, child});
+    LightDetail detail = coarse_light;
+    detail.single = 0;
+    for (const int child : node.children) cut_node(piece.view, detail, child, parts);
   } else if (tree_.shape() == EmitterShape::triangles) {
     cut_triangle(piece.view, coarse_light, tree_.part(node.part), {}, parts);
   } else {

@@ -2,6 +2,7 @@
 #include "solver/lights/unfolded_body.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace etendue {
@@ -9,6 +10,9 @@ namespace {
 
 /// More faces make too many pairs of a face in front and one behind.
 constexpr std::size_t most_faces = 12;
+
+/// Corners so near to a plane, in sizes of the body, lie in it.
+constexpr double in_plane = 1e-9;
 
 /// Of each vertex of the mesh, whether it is in the plane of a mirror.
 std::vector<char> vertices_of(const LightPaths& paths, int plane) {
@@ -28,20 +32,26 @@ bool sends_all_back(const LightPaths& paths, std::int32_t face, int plane) {
   return std::ranges::all_of(specular, [](double r) { return r == 1; });
 }
 
+/// Whether the cells have faces in a plane, nothing behind it, and all of those faces send all light back.
 bool touches_whole(const LightPaths& paths, std::span<const EmitterPart> cells, int plane) {
-  const TetrahedralMesh& mesh = paths.problem().mesh();
-  const std::vector<char> on_plane = vertices_of(paths, plane);
-  bool any = false;
+  const MirrorSet mirror = MirrorSet{1} << plane;
+  Eigen::AlignedBox3d box;
   for (const EmitterPart& cell : cells)
-    for (std::size_t k = 0; k < 4; ++k) {
-      bool lies_on_it = true;
-      for (std::size_t i = 0; i < 4; ++i)
-        lies_on_it =
-            lies_on_it && (i == k || on_plane[static_cast<std::size_t>(mesh.vertices(*cell.cell)[i])] != 0);
-      if (!lies_on_it) continue;
-      if (!sends_all_back(paths, mesh.faces(*cell.cell)[k], plane)) return false;
-      any = true;
+    for (const Vec3& corner : cell.corners) box.extend(corner);
+  const double distance = in_plane * box.diagonal().norm();
+  bool any = false;
+  for (const EmitterPart& cell : cells) {
+    unsigned off = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (paths.mirrors().behind(mirror, cell.corners[i], distance) != 0) return false;
+      if (!paths.mirrors().touches(mirror, cell.corners[i], distance)) off |= 1U << i;
     }
+    // The face opposite the only corner that does not lie in the plane.
+    if (std::popcount(off) != 1) continue;
+    const auto k = static_cast<std::size_t>(std::countr_zero(off));
+    if (!sends_all_back(paths, paths.problem().mesh().faces(*cell.cell)[k], plane)) return false;
+    any = true;
+  }
   return any;
 }
 

@@ -2,6 +2,7 @@
 #include "solver/ordinates/moment_orbits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -13,15 +14,19 @@ constexpr double rounding = 1e-9;
 
 constexpr int no_class = -1;
 
+/// [axis][ordinate]
+using Images = std::array<std::vector<OrdinateIndex>, 3>;
+
 /// Bit a where a harmonic is odd across axis a; no_class where it is neither odd nor even.
-int class_of(const DirectionSet& directions, const DiscreteHarmonics& harmonics, int k) {
+int class_of(const Images& images, const DiscreteHarmonics& harmonics, int k) {
   int result = 0;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     bool is_even = true, is_odd = true;
-    for (std::int32_t m = 0; m < directions.count(); ++m) {
-      const OrdinateIndex here(m), there(directions.mirrored(here, Vec3::Unit(axis)));
-      is_even = is_even && std::abs(harmonics.value(k, there) - harmonics.value(k, here)) < rounding;
-      is_odd = is_odd && std::abs(harmonics.value(k, there) + harmonics.value(k, here)) < rounding;
+    for (std::size_t m = 0; m < images[axis].size() && (is_even || is_odd); ++m) {
+      const double here = harmonics.value(k, OrdinateIndex(static_cast<std::int64_t>(m)));
+      const double there = harmonics.value(k, images[axis][m]);
+      is_even = is_even && std::abs(there - here) < rounding;
+      is_odd = is_odd && std::abs(there + here) < rounding;
     }
     if (!is_even && !is_odd) return no_class;
     result |= (is_odd ? 1 : 0) << axis;
@@ -31,8 +36,13 @@ int class_of(const DirectionSet& directions, const DiscreteHarmonics& harmonics,
 
 /// [moment]
 std::vector<int> classes_of_mirrors(const DirectionSet& directions, const DiscreteHarmonics& harmonics) {
+  Images images;
+  for (int axis = 0; axis < 3; ++axis)
+    for (std::int32_t m = 0; m < directions.count(); ++m)
+      images[static_cast<std::size_t>(axis)].emplace_back(
+          directions.mirrored(OrdinateIndex(m), Vec3::Unit(axis)));
   std::vector<int> classes;
-  for (int k = 0; k < harmonics.count(); ++k) classes.push_back(class_of(directions, harmonics, k));
+  for (int k = 0; k < harmonics.count(); ++k) classes.push_back(class_of(images, harmonics, k));
   return classes;
 }
 

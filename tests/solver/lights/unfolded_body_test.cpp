@@ -16,6 +16,21 @@
 namespace etendue {
 namespace {
 
+/// The cells of the region "source" as parts of a light.
+std::vector<EmitterPart> source_cells(const TetrahedralMesh& mesh) {
+  std::vector<EmitterPart> parts;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const CellIndex cell(c);
+    if (mesh.region_names()[static_cast<std::size_t>(mesh.region(cell))] != "source") continue;
+    EmitterPart& part = parts.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i) part.corners[i] = mesh.point(VertexIndex(mesh.vertices(cell)[i]));
+    part.brightness = {1};
+    part.extinction = {1.5};
+    part.cell = cell;
+  }
+  return parts;
+}
+
 /// A box of matter that emits in a cube of other matter, in the corner of three sides that are mirrors; or
 /// what these show, the whole of it.
 class Scene {
@@ -39,19 +54,7 @@ class Scene {
     source().look_even(point, std::vector<double>{0.7}, without, beams, light);
     return light;
   }
-  std::vector<EmitterPart> cells() const {
-    std::vector<EmitterPart> parts;
-    for (std::int32_t c = 0; c < mesh_.cell_count(); ++c) {
-      const CellIndex cell(c);
-      if (mesh_.region_names()[static_cast<std::size_t>(mesh_.region(cell))] != "source") continue;
-      EmitterPart& part = parts.emplace_back();
-      for (std::size_t i = 0; i < 4; ++i) part.corners[i] = mesh_.point(VertexIndex(mesh_.vertices(cell)[i]));
-      part.brightness = {1};
-      part.extinction = {1.5};
-      part.cell = cell;
-    }
-    return parts;
-  }
+  std::vector<EmitterPart> cells() const { return source_cells(mesh_); }
 
  private:
   static TetrahedralMesh mesh(double from) {
@@ -101,6 +104,33 @@ TEST(UnfoldedBody, IsOneBoxAboutTheCornerOfThreeMirrors) {
 TEST(UnfoldedBody, IsAloneWhereMirrorsKeepLight) {
   const Scene corner(0, 0.9);
   EXPECT_EQ(mirrors_touched(corner.paths(), corner.cells()), 0);
+}
+
+// Light would come through the black half of the floor otherwise.
+TEST(UnfoldedBody, IsAloneWhereAMirrorEndsBelowIt) {
+  Geometry geometry;
+  for (const std::string region : {"room", "source"})
+    for (const std::string half : {"left", "right"}) {
+      BoxPrimitive box;
+      box.region = region;
+      box.min = {half == "left" ? 0.0 : 0.5, 0, 0};
+      box.max = {half == "left" ? 0.5 : 1.0, 1, 1};
+      if (region == "source") box.min[half == "left" ? 0 : 1] = 0.2;
+      if (region == "source") box.max = {half == "left" ? 0.5 : 0.8, 0.7, 0.3};
+      box.walls["zmin"] = half;
+      geometry.primitives.emplace_back(box);
+    }
+  const TetrahedralMesh mesh(tetrahedralize(arrange(geometry), {{0.02, 0.02}, 1.4, {}}));
+  for (const double right : {0.0, 1.0}) {
+    std::vector<Medium> media(mesh.region_names().size(), uniform_medium(1, 0.4, 0, 1));
+    for (Medium& medium : media) medium.uncollided = Uncollided::yes;
+    std::vector<Wall> walls;
+    for (const std::string& name : mesh.wall_names())
+      walls.push_back(uniform_wall(1, 0, 0, name == "left" ? 1 : name == "right" ? right : 0));
+    const Problem problem(mesh, {}, media, walls);
+    const LightSetup lights(problem);
+    EXPECT_EQ(std::popcount(mirrors_touched(lights.paths(), source_cells(mesh))), right == 1 ? 1 : 0);
+  }
 }
 
 TEST(UnfoldedBody, BringsWhatTheWholeBringsWithoutMirrors) {

@@ -66,7 +66,7 @@ TEST(MomentOrbits, ArePairsOfOppositesWhereMirrorsTurnOrdinatesIntoNoOthers) {
 /// Moments and radiance of some rows at orbits of ordinates, with factors that mean nothing.
 class MomentProduct : public testing::TestWithParam<int> {
  protected:
-  static constexpr int moments = 11, orbits = 3, rows = 5;
+  static constexpr int moments = 11, orbits = 11, rows = 5;
 
   MomentProduct() {
     std::mt19937 random(5);

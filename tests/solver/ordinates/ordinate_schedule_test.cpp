@@ -44,10 +44,13 @@ std::array<bool, 3> signs(const Vec3& direction) {
 
 TEST(OrdinateSchedule, GroupsHoldOrdinatesOfOneOctantAndEveryOneOnce) {
   const TetrahedralMesh mesh = cube_mesh(0.1);
-  for (const std::set<std::string>& mirrors : {std::set<std::string>{}, {"xmin", "zmax"}})
+  for (const auto& [mirrors, batches] : {std::pair(std::set<std::string>{}, Batches::of_neighbours),
+                                         {{"xmin", "zmax"}, Batches::of_neighbours},
+                                         {{}, Batches::of_images},
+                                         {{"xmin", "zmax"}, Batches::of_images}})
     for (const DirectionSet& set :
          {directions_product(8), directions_ldfe_sq(1), directions_level_symmetric(8)}) {
-      const OrdinateSchedule schedule(cube_with_mirrors(mesh, mirrors), set, Batches::of_neighbours);
+      const OrdinateSchedule schedule(cube_with_mirrors(mesh, mirrors), set, batches);
       std::set<std::int32_t> seen;
       for (std::int32_t first = 0; first < schedule.place_count(); first = schedule.group_end(first)) {
         const std::int32_t end = schedule.group_end(first);
@@ -74,8 +77,11 @@ TEST(OrdinateSchedule, GroupsHoldOrdinatesOfOneOctantAndEveryOneOnce) {
 TEST(OrdinateSchedule, OrdinatesFollowInTheirBatchWhatMirrorsTurnIntoThem) {
   const TetrahedralMesh mesh = cube_mesh(0.1);
   const Problem problem = cube_with_mirrors(mesh, {"xmin", "xmax", "ymax", "zmin"});
-  for (const DirectionSet& set : {directions_ldfe_sq(1), directions_triangular(4), directions_lebedev(17)}) {
-    const OrdinateSchedule schedule(problem, set, Batches::of_neighbours);
+  for (const auto& [set, batches] : {std::pair(directions_ldfe_sq(1), Batches::of_neighbours),
+                                     std::pair(directions_triangular(4), Batches::of_neighbours),
+                                     std::pair(directions_lebedev(17), Batches::of_neighbours),
+                                     std::pair(directions_ldfe_sq(1), Batches::of_images)}) {
+    const OrdinateSchedule schedule(problem, set, batches);
     const int batch = schedule.batch();
     const std::vector<int> place = places(schedule, set.count());
     EXPECT_EQ(std::count(place.begin(), place.end(), -1), 0);
