@@ -17,6 +17,13 @@ constexpr double far_in_sizes = 8. / 3, thin = 0.3, even_factor = 1.2;
 /// How often a cell with a shadow's edge is divided in eight.
 constexpr int most_divisions = 2;
 
+/// Moments of the same kind.
+NodalMoments none_of(const NodalMoments& moments) {
+  NodalMoments none = moments;
+  none.clear();
+  return none;
+}
+
 class PointsOfCell {
  public:
   PointsOfCell(const LightPaths& paths, const LightSource& source, const LitCell& cell, LightBeams& beams,
@@ -33,7 +40,7 @@ class PointsOfCell {
   /// False, and nothing is added, where the light is so uneven that four points see it badly, unless any will
   /// do.
   bool add(bool any) {
-    NodalMoments sum(4, moments_.components(), beams_.bands());
+    NodalMoments sum = none_of(moments_);
     const Seen seen = add_points(whole_cell(), cell_.volume, sum);
     if (seen.in_part)
       add_parts(whole_cell(), cell_.volume, most_divisions);
@@ -59,7 +66,7 @@ class PointsOfCell {
   }
   void add_parts(const SubTetrahedron& whole, double measure, int divisions) {
     for (const SubTetrahedron& part : equal_parts(whole)) {
-      NodalMoments sum(4, moments_.components(), beams_.bands());
+      NodalMoments sum = none_of(moments_);
       if (add_points(part, measure / 8, sum).in_part && divisions > 1)
         add_parts(part, measure / 8, divisions - 1);
       else
@@ -72,7 +79,7 @@ class PointsOfCell {
     source_.add_beams({cell_.index, cell_.position(barycentric)}, Sight::attenuated, coarse_light, beams_);
     for (std::size_t i = 0; i < beams_.size(); ++i) {
       sum.add(barycentric, measure, beams_.direction(i), beams_.fluence(i));
-      if (sum.components() > NodalMoments::collided) add_losses_of(i, barycentric, measure, sum);
+      add_losses_of(i, barycentric, measure, sum);
     }
     add_transmittance(cell_.position(barycentric));
     return beams_.size();
@@ -91,10 +98,15 @@ class PointsOfCell {
   }
   void add_losses_of(std::size_t beam, const std::array<double, 4>& barycentric, double measure,
                      NodalMoments& sum) {
-    const RayMatter::View view = matter_.view(beams_.direction(beam));
-    for (std::size_t b = 0; b < beams_.bands(); ++b)
-      add_losses(barycentric, measure, matter_.at(cell_.index, b, view, cell_.position(barycentric)), b,
-                 beams_.fluence(beam)[b], sum);
+    if (sum.components() <= NodalMoments::collided && sum.by_direction() == nullptr) return;
+    const Vec3& direction = beams_.direction(beam);
+    const RayMatter::View view = matter_.empty() ? RayMatter::View{} : matter_.view(direction);
+    for (std::size_t b = 0; b < beams_.bands(); ++b) {
+      const PathCoefficients here = matter_.at(cell_.index, b, view, cell_.position(barycentric));
+      const double fluence = beams_.fluence(beam)[b];
+      add_losses(barycentric, measure, here, b, fluence, sum);
+      sum.add_scattered(direction, barycentric, b, measure * here.scattering * fluence);
+    }
   }
 
   const RayMatter& matter_;

@@ -10,14 +10,17 @@
 namespace etendue {
 namespace {
 
-/// Adds the integrals of the shape functions over the way of light of a power per solid angle.
-void add_values(const CellWay& way, const std::array<double, 4>& value, std::size_t band,
-                NodalMoments& moments) {
+/// Adds the integrals of the shape functions over the way of light of a power per solid angle, of which
+/// matter of these coefficients takes its part.
+void add_values(const CellWay& way, const std::array<double, 4>& value, const PathCoefficients& coefficients,
+                std::size_t band, NodalMoments& moments) {
   for (std::size_t i = 0; i < 4; ++i) {
     moments.at(i, 0, band) += value[i];
     for (std::size_t axis = 0; axis < 3; ++axis)
       moments.at(i, 1 + axis, band) += value[i] * way.direction[static_cast<Eigen::Index>(axis)];
   }
+  moments.add_scattered(way.direction, value, band, coefficients.scattering);
+  add_losses(value, 1, coefficients, band, 1, moments);
 }
 
 void add_even_way(const CellWay& way, const PathCoefficients& coefficients, std::size_t band, double sent,
@@ -26,8 +29,7 @@ void add_even_way(const CellWay& way, const PathCoefficients& coefficients, std:
   std::array<double, 4> value;
   for (std::size_t i = 0; i < 4; ++i)
     value[i] = sent * (way.shape[i] * attenuated.constant + way.rise[i] * attenuated.linear);
-  add_values(way, value, band, moments);
-  add_losses(value, 1, coefficients, band, 1, moments);
+  add_values(way, value, coefficients, band, moments);
 }
 
 /// Optical thickness over which five nodes integrate what falls off exponentially to 1e-9.
@@ -48,11 +50,10 @@ void add_uneven_way(const CellWay& way, const PathCoefficients& from, const Path
           sent * rule.weights[k] * way.length / panels * std::exp(-s * (first + t * rise / 2));
       std::array<double, 4> value;
       for (std::size_t i = 0; i < 4; ++i) value[i] = arrives * (way.shape[i] + way.rise[i] * s);
-      add_values(way, value, band, moments);
-      add_losses(value, 1,
+      add_values(way, value,
                  {from.absorption + t * (to.absorption - from.absorption),
                   from.scattering + t * (to.scattering - from.scattering)},
-                 band, 1, moments);
+                 band, moments);
     }
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "solver/lights/directional_moments.h"
 #include "solver/lights/light_beams.h"
 
 namespace etendue {
@@ -21,9 +23,26 @@ class NodalMoments {
   static constexpr std::size_t absorbed = 4, collided = 5;
   std::size_t components() const { return components_; }
 
-  void clear() { values_.assign(values_.size(), 0); }
+  /// What scatters by the direction of the light; null where nobody asks.
+  DirectionalMoments* by_direction() { return by_direction_ ? &*by_direction_ : nullptr; }
+  const DirectionalMoments* by_direction() const { return by_direction_ ? &*by_direction_ : nullptr; }
+  void keep_directions(const IncidentDirections& directions, AngularDetail detail) {
+    by_direction_.emplace(directions, bands_);
+    by_direction_->set_detail(detail);
+  }
+  void leave_out_directions() { by_direction_.reset(); }
+
+  void clear() {
+    values_.assign(values_.size(), 0);
+    if (by_direction_) by_direction_->clear();
+  }
   void add(const NodalMoments& other) {
     for (std::size_t i = 0; i < values_.size(); ++i) values_[i] += other.values_[i];
+    if (by_direction_ && other.by_direction_) by_direction_->add(*other.by_direction_);
+  }
+  /// Adds to what scatters by direction, where that is asked for.
+  void add_scattered(const Vec3& direction, std::span<const double> shape, std::size_t band, double power) {
+    if (by_direction_) by_direction_->add(direction, shape, band, power);
   }
   double& at(std::size_t node, std::size_t component, std::size_t band) {
     return values_[(node * components_ + component) * bands_ + band];
@@ -53,6 +72,7 @@ class NodalMoments {
  private:
   std::size_t nodes_, components_, bands_;
   std::vector<double> values_;  ///< [node][component][band]
+  std::optional<DirectionalMoments> by_direction_;
 };
 
 }  // namespace etendue

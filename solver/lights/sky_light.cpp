@@ -191,7 +191,7 @@ class BeamGroup {
     const bool with_losses = moments.components() > NodalMoments::collided;
     const bool varies = with_losses && paths_.matter().varies(cell.index);
     PathCoefficients here;
-    if (with_losses && !varies) here = paths_.matter().at(cell.index, b, views_[beam.k]);
+    if (!varies) here = paths_.matter().at(cell.index, b, views_[beam.k]);
     std::array<double, 4> fluence{};
     for (const auto& [shape, measure] : points) {
       for (std::size_t i = 0; i < 4; ++i) fluence[i] += irradiance * measure * shape[i];
@@ -199,7 +199,9 @@ class BeamGroup {
       here = paths_.matter().at(cell.index, b, views_[beam.k], cell.position(shape));
       moments.add(shape, measure, b, irradiance * here.absorption, NodalMoments::absorbed);
       moments.add(shape, measure, b, irradiance * here.scattering, NodalMoments::collided);
+      moments.add_scattered(direction, shape, b, measure * irradiance * here.scattering);
     }
+    if (!varies) moments.add_scattered(direction, fluence, b, here.scattering);
     for (std::size_t i = 0; i < 4; ++i) {
       moments.at(i, 0, b) += fluence[i];
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -221,6 +223,7 @@ class BeamGroup {
 }  // namespace
 
 void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads,
+                   const std::function<void(const LitCell&, NodalMoments&)>& begin,
                    const std::function<void(const LitCell&, const NodalMoments&)>& add) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   Beginnings beginnings{planes_of_faces(mesh), cells_of_vertices(mesh), {}};
@@ -235,6 +238,7 @@ void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads,
       for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
         const LitCell cell(paths, CellIndex(c));
         moments.clear();
+        begin(cell, moments);
         beams.add(cell, moments);
         add(cell, moments);
       }

@@ -13,10 +13,12 @@ namespace etendue {
 /// that it comes to. Cells at sheets, whose vertices see another light from each side, are looked at from
 /// points.
 ///
-/// `add` is called with the integrals over a cell (with what is absorbed and scatters where some matter
-/// depends on directions or varies in cells), several times for each cell, each of several beams, and by
-/// several threads at a time for different cells.
+/// `begin` is called with the moments of a cell before light is added to them. `add` is called with the
+/// integrals over a cell (with what is absorbed and scatters where some matter depends on directions or
+/// varies in cells), several times for each cell, each of several beams, and by several threads at a time for
+/// different cells.
 void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads,
+                   const std::function<void(const LitCell&, NodalMoments&)>& begin,
                    const std::function<void(const LitCell&, const NodalMoments&)>& add);
 
 }  // namespace etendue

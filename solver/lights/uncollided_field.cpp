@@ -6,6 +6,7 @@
 
 #include "solver/lights/cell_light.h"
 #include "solver/lights/directional_losses.h"
+#include "solver/lights/extended_collisions.h"
 #include "solver/lights/extended_light.h"
 #include "solver/lights/face_light.h"
 #include "solver/lights/sky_light.h"
@@ -29,6 +30,59 @@ void add_varying_losses(const LightPaths& paths, const LitCell& cell, NodalMomen
       moments.add(point.barycentric, measure, b, here.scattering, NodalMoments::collided);
     }
   }
+}
+
+/// Which cells scatter by direction.
+class DirectionalCells {
+ public:
+  explicit DirectionalCells(const LightPaths& paths) : paths_(paths), phases_(paths.problem()) {}
+
+  bool has(CellIndex cell) const {
+    return scatters_by_direction(paths_.problem(), phases_, paths_.matter(), cell);
+  }
+  bool any() const {
+    for (std::int32_t c = 0; c < paths_.problem().mesh().cell_count(); ++c)
+      if (has(CellIndex(c))) return true;
+    return false;
+  }
+  /// Lets moments of a cell know what scatters by direction, where that is asked for.
+  void prepare(CellIndex cell, const CollisionField& field, AngularDetail detail,
+               NodalMoments& moments) const {
+    if (!field.empty() && has(cell))
+      moments.keep_directions(field.directions(), detail);
+    else
+      moments.leave_out_directions();
+  }
+
+ private:
+  const LightPaths& paths_;
+  PhaseList phases_;
+};
+
+CollisionField empty_collisions(const LightPaths& paths, const LightSources& sources) {
+  if (sources.empty() || !DirectionalCells(paths).any()) return {};
+  std::vector<Vec3> beams;
+  for (const auto& source : sources)
+    if (const BeamSource* beam = source->as_beam())
+      beams.insert(beams.end(), beam->directions().begin(), beam->directions().end());
+  return {std::make_shared<IncidentDirections>(paths.problem(), beams),
+          static_cast<std::size_t>(paths.problem().mesh().cell_count()), paths.bands()};
+}
+
+/// [4][band] integrals over a cell of all that scatters of a light with an extent.
+std::vector<double> scattered_power(const LightPaths& paths, const LitCell& cell,
+                                    const NodalMoments& moments) {
+  const RayMatter& matter = paths.matter();
+  const bool uneven =
+      !matter.empty() &&
+      (matter.varies(cell.index) || matter.depends_on_direction(paths.problem().mesh().region(cell.index)));
+  const RayMatter::View any;  // asked only where directions are alike
+  std::vector<double> power;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t b = 0; b < paths.bands(); ++b)
+      power.push_back(uneven ? moments.at(i, NodalMoments::collided, b)
+                             : moments.at(i, 0, b) * matter.at(cell.index, b, any).scattering);
+  return power;
 }
 
 /// Adds the integrals over a cell to the field of the last source.
@@ -56,12 +110,15 @@ void add_moments(const LightPaths& paths, const LitCell& cell, const NodalMoment
           uneven ? moments.at(i, NodalMoments::absorbed, b) / cell.volume : here.absorption * fluence / 4;
     }
   }
+  if (moments.by_direction() != nullptr)
+    field.collisions.add(cell.index, cell.volume, *moments.by_direction());
 }
 
 void add_cells(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
                const std::optional<ExtendedLight>& extended, int threads, UncollidedField& field) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const RayMatter& matter = paths.matter();
+  const DirectionalCells directional(paths);
 #pragma omp parallel num_threads(threads)
   {
     LightBeams beams(paths.bands());
@@ -71,13 +128,19 @@ void add_cells(const LightPaths& paths, const LightSource& source, const CreaseP
       const LitCell cell(paths, CellIndex(c));
       moments.clear();
       if (!extended) {
+        directional.prepare(cell.index, field.collisions, AngularDetail::fine, moments);
         add_directly(paths, source, creases, cell, beams, moments);
       } else {
+        moments.leave_out_directions();
         extended->add(cell, beams, moments);
         if (!matter.empty() && matter.depends_on_direction(mesh.region(cell.index)))
           add_directional_losses(paths, source, cell, beams, moments);
         else if (matter.varies(cell.index))
           add_varying_losses(paths, cell, moments);
+        directional.prepare(cell.index, field.collisions, AngularDetail::medium, moments);
+        if (moments.by_direction() != nullptr)
+          add_extended_collisions(paths, source, cell, scattered_power(paths, cell, moments), beams,
+                                  *moments.by_direction());
       }
       add_moments(paths, cell, moments, field);
     }
@@ -117,6 +180,8 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
   field.irradiance.assign(static_cast<std::size_t>(mesh.boundary_face_count()) * 3 * paths.bands(), 0);
   if (!paths.matter().empty())
     field.absorbed.assign(static_cast<std::size_t>(mesh.cell_count()) * paths.bands(), 0);
+  field.collisions = empty_collisions(paths, sources);
+  const DirectionalCells directional(paths);
   const std::vector<Crease> creases = creases_of(paths);
   for (const auto& source : sources) {
     field.by_source.emplace_back(field.fluence.size(), 0);
@@ -127,9 +192,14 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
       extended.emplace(paths, *wide->as_extended(), threads);
     const CreasePlanes planes(paths, creases, *source);
     if (wide != nullptr && wide->as_sky() != nullptr)
-      add_sky_light(paths, *wide->as_sky(), threads, [&](const LitCell& cell, const NodalMoments& moments) {
-        add_moments(paths, cell, moments, field);
-      });
+      add_sky_light(
+          paths, *wide->as_sky(), threads,
+          [&](const LitCell& cell, NodalMoments& moments) {
+            directional.prepare(cell.index, field.collisions, AngularDetail::coarse, moments);
+          },
+          [&](const LitCell& cell, const NodalMoments& moments) {
+            add_moments(paths, cell, moments, field);
+          });
     else
       add_cells(paths, *source, planes, extended, threads, field);
     add_walls(paths, *source, planes, extended, threads, field.irradiance);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "solver/lights/collision_field.h"
 #include "solver/lights/glossy_beams.h"
 #include "solver/lights/light_source.h"
 
@@ -16,14 +17,13 @@ struct UncollidedField {
   std::vector<double> fluence;                 ///< [cell][4][band] their sum
   std::vector<double> net_flux;                ///< [cell][4][3][band]
   std::vector<double> irradiance;              ///< [boundary face][3][band]
+  CollisionField collisions;                   ///< what scatters by direction, and from where it comes
   GlossyBeams glossy;                          ///< the directions of the light at glossy walls
   // Where something in the problem depends on the direction of light or varies in cells; else empty, and both
   // are coefficients times fluence.
   std::vector<std::vector<double>> collided_by_source;  ///< [source][cell][4][band] [power/length^3]
   std::vector<double> absorbed;                         ///< [cell][band] [power/length^3]
 };
-
-using LightSources = std::vector<std::unique_ptr<LightSource>>;
 
 /// Integrates the light of the sources: of a point in its polar frame, where the distance squared cancels, of
 /// a beam in columns along it, both in closed form on the way through a cell and cut along the edges of

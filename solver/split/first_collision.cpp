@@ -7,8 +7,6 @@
 #include <numbers>
 
 #include "mesh/tetrahedra/sheet_faces.h"
-#include "mesh/tetrahedra/vertex_cells.h"
-#include "solver/lights/vertex_light.h"
 #include "solver/split/matter_table.h"
 
 namespace etendue {
@@ -66,59 +64,59 @@ FirstCollision::FirstCollision(const LightSetup& lights, const UncollidedField& 
   const TetrahedralMesh& mesh = problem_.mesh();
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     half_range_.push_back(directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
-  tabulate(lights, threads);
-}
-
-void FirstCollision::tabulate(const LightSetup& lights, int threads) {
+  const std::vector<std::vector<Vec3>> incident = number_directions();
   const auto phases = phases_.phases().size();
-  const auto size = static_cast<std::size_t>(directions_.count()) *
-                    static_cast<std::size_t>(problem_.mesh().vertex_count());
-  for (const auto& source : lights.sources()) {
-    for (std::size_t p = 0; p < phases; ++p) {
-      scattered_.emplace_back(size, per_sphere);
-      tabulate_phase(*source, phases_.phases()[p], threads, scattered_.back());
-    }
-    for (std::size_t kind = 0; kind < matter_.kind_count(); ++kind) {
-      scattered_.emplace_back(size, per_sphere);
-      tabulate_matter(lights, *source, static_cast<int>(kind), directions_, threads, scattered_.back());
-    }
+  for (std::size_t t = 0; t < tables_.size(); ++t) {
+    tables_[t].assign(static_cast<std::size_t>(directions.count()) * incident[t].size(), 0);
+    if (t < phases)
+      tabulate_phase(phases_.phases()[t], incident[t], threads, tables_[t]);
+    else
+      tabulate_matter(matter_.scattering(static_cast<int>(t - phases)), incident[t], directions, threads,
+                      tables_[t]);
   }
 }
 
-// At a vertex the light comes in beams k of directions w_k: the distribution is the sum over k of phi_k
-// p(w_m.w_k), divided by its sum over the set, with the mean cosine that the phase function has.
-void FirstCollision::tabulate_phase(const LightSource& source, const PhaseFunction& phase, int threads,
+std::vector<std::vector<Vec3>> FirstCollision::number_directions() {
+  const CollisionField& field = field_.collisions;
+  const std::size_t tables = phases_.phases().size() + matter_.kind_count();
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  std::vector<std::vector<Vec3>> incident(tables);
+  tables_.resize(tables);
+  number_.assign(tables, std::vector<std::int32_t>(field.empty() ? 0 : field.directions().size(), -1));
+  for (std::int32_t c = 0; !field.empty() && c < problem_.mesh().cell_count(); ++c)
+    for (std::size_t b = 0; b < bands; ++b) {
+      const int table = table_of(problem_.mesh().region(CellIndex(c)), b);
+      if (table < 0) continue;
+      const auto t = static_cast<std::size_t>(table);
+      for (const std::int32_t direction : field.directions_at(CellIndex(c))) {
+        std::int32_t& number = number_[t][static_cast<std::size_t>(direction)];
+        if (number >= 0) continue;
+        number = static_cast<std::int32_t>(incident[t].size());
+        incident[t].push_back(field.directions().direction(static_cast<std::size_t>(direction)));
+      }
+    }
+  for (const std::vector<Vec3>& directions : incident) length_.push_back(directions.size());
+  return incident;
+}
+
+void FirstCollision::tabulate_phase(const PhaseFunction& phase, std::span<const Vec3> incident, int threads,
                                     std::vector<double>& table) const {
-  const TetrahedralMesh& mesh = problem_.mesh();
-  const auto vertices = static_cast<std::size_t>(mesh.vertex_count());
   const auto ordinates = static_cast<std::size_t>(directions_.count());
-  const std::vector<CellIndex> cells = cells_of_vertices(mesh);
+  const double asymmetry = phase_moment(phase, 1);
 #pragma omp parallel num_threads(threads)
   {
-    LightBeams beams(static_cast<std::size_t>(problem_.band_count()));
     std::vector<double> values(ordinates);
-#pragma omp for schedule(dynamic, 64)
-    for (std::size_t v = 0; v < vertices; ++v) {
-      look_at_vertex(source, {cells[v], mesh.points()[v]}, mesh.centroid(cells[v]), beams);
-      std::fill(values.begin(), values.end(), 0.0);
-      double sum = 0, light = 0;
-      Vec3 travel = Vec3::Zero();
-      for (std::size_t k = 0; k < beams.size(); ++k) {
-        double fluence = 0;
-        for (const double value : beams.fluence(k)) fluence += value;
-        light += fluence;
-        travel += fluence * beams.direction(k);
-        for (std::size_t m = 0; m < ordinates; ++m)
-          values[m] +=
-              fluence *
-              phase_value(phase, std::clamp(directions_.directions()[m].dot(beams.direction(k)), -1.0, 1.0));
+#pragma omp for schedule(dynamic, 16)
+    for (std::size_t k = 0; k < incident.size(); ++k) {
+      double sum = 0;
+      for (std::size_t m = 0; m < ordinates; ++m) {
+        values[m] = phase_value(phase, std::clamp(directions_.directions()[m].dot(incident[k]), -1.0, 1.0));
+        sum += directions_.weights()[m] * values[m];
       }
-      for (std::size_t m = 0; m < ordinates; ++m) sum += directions_.weights()[m] * values[m];
-      // In a vertex that is itself the light all directions are alike.
       if (!(sum > 0)) continue;
       for (double& value : values) value /= sum;
-      keep_mean_direction(directions_, phase_moment(phase, 1) * travel / light, values);
-      for (std::size_t m = 0; m < ordinates; ++m) table[m * vertices + v] = values[m];
+      keep_mean_direction(directions_, asymmetry * incident[k], values);
+      for (std::size_t m = 0; m < ordinates; ++m) table[m * incident.size() + k] = values[m] - per_sphere;
     }
   }
 }
@@ -130,34 +128,34 @@ int FirstCollision::table_of(int region, std::size_t band) const {
 }
 
 bool FirstCollision::depends_on_direction(CellIndex cell) const {
-  const auto bands = static_cast<std::size_t>(problem_.band_count());
-  const int region = problem_.mesh().region(cell);
-  for (std::size_t b = 0; b < bands; ++b)
-    if (table_of(region, b) >= 0 && problem_.scattering(cell, static_cast<int>(b)) > 0) return true;
-  return false;
+  return scatters_by_direction(problem_, phases_, matter_, cell);
+}
+
+double FirstCollision::scattered(CellIndex cell, std::size_t node, std::size_t band) const {
+  const std::size_t at = (cell.at() * 4 + node) * static_cast<std::size_t>(problem_.band_count()) + band;
+  if (field_.collided_by_source.empty())
+    return problem_.scattering(cell, static_cast<int>(band)) * field_.fluence[at];
+  double sum = 0;
+  for (const std::vector<double>& source : field_.collided_by_source) sum += source[at];
+  return sum;
 }
 
 void FirstCollision::add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const {
-  const TetrahedralMesh& mesh = problem_.mesh();
   const auto bands = static_cast<std::size_t>(problem_.band_count());
-  const int region = mesh.region(cell);
-  const std::size_t row = m.at() * static_cast<std::size_t>(mesh.vertex_count());
-  const std::size_t sources = field_.by_source.size();
-  const std::size_t tables = phases_.phases().size() + matter_.kind_count();
-  for (std::size_t b = 0; b < bands; ++b) {
-    const double scattering = problem_.scattering(cell, static_cast<int>(b));
-    if (scattering == 0) continue;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t b = 0; b < bands; ++b) values[i * bands + b] += per_sphere * scattered(cell, i, b);
+  if (field_.collisions.empty()) return;
+  const std::span<const std::int32_t> incident = field_.collisions.directions_at(cell);
+  const int region = problem_.mesh().region(cell);
+  for (std::size_t b = 0; b < bands && !incident.empty(); ++b) {
     const int table = table_of(region, b);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t node = (cell.at() * 4 + i) * bands + b;
-      for (std::size_t s = 0; s < sources; ++s) {
-        const double collided = field_.collided_by_source.empty() ? scattering * field_.by_source[s][node]
-                                                                  : field_.collided_by_source[s][node];
-        const double share = table < 0 ? per_sphere
-                                       : scattered_[s * tables + static_cast<std::size_t>(table)]
-                                                   [row + static_cast<std::size_t>(mesh.vertices(cell)[i])];
-        values[i * bands + b] += collided * share;
-      }
+    if (table < 0) continue;
+    const auto t = static_cast<std::size_t>(table);
+    const double* const row = tables_[t].data() + m.at() * length_[t];
+    for (std::size_t k = 0; k < incident.size(); ++k) {
+      const double share = row[number_[t][static_cast<std::size_t>(incident[k])]];
+      const double* const power = field_.collisions.values(cell, k).data() + b;
+      for (std::size_t i = 0; i < 4; ++i) values[i * bands + b] += share * power[i * bands];
     }
   }
 }
@@ -181,13 +179,13 @@ void FirstCollision::add_inflow(OrdinateIndex m, FaceIndex face, std::span<doubl
 std::size_t FirstCollision::memory(const LightSetup& lights, const DirectionSet& directions) {
   const TetrahedralMesh& mesh = lights.problem().mesh();
   const auto cells = static_cast<std::size_t>(mesh.cell_count());
-  const auto vertices = static_cast<std::size_t>(mesh.vertex_count());
   const std::size_t bands = lights.paths().bands(), sources = lights.sources().size();
   const RayMatter& matter = lights.paths().matter();
   const std::size_t kinds = PhaseList(lights.problem()).phases().size() + matter.kind_count();
-  const std::size_t tables = sources * kinds * vertices * static_cast<std::size_t>(directions.count());
+  const CollisionField::Size size = CollisionField::estimate(lights.paths(), lights.sources());
+  const std::size_t tables = kinds * size.directions * static_cast<std::size_t>(directions.count());
   const std::size_t fields = (matter.empty() ? 1 : 2) * sources + 8;
-  return sizeof(double) * (fields * cells * 4 * bands + tables + 2 * cells * bands) +
+  return sizeof(double) * (fields * cells * 4 * bands + tables + 2 * cells * bands) + size.bytes +
          GlossyReflection::memory(lights.problem(), directions);
 }
 

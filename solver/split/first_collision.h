@@ -11,17 +11,18 @@
 
 namespace etendue {
 
-/// What uncollided light becomes for the sweep: where it scatters first, a source in the direction m of
+/// First-collision source of uncollided light: in the direction m the L2 projection on the linear functions
+/// of a cell of
 ///
-///     s_m = sigma_s phi p(w_m.w') / sum over n of w_n p(w_n.w'),
+///     s_m(x) = sigma_s(x) integral over w' of u_0(x, w') P_m(w') dw',
+///     P_m(w') = p(w_m.w') / sum over n of w_n p(w_n.w'),
 ///
 /// with the exact phase function p, divided by its sum over the set so that the scattered power is sigma_s
-/// phi, and tilted so that its net flux is that of p; where matter depends on the directions themselves, with
-/// its kernel k(w' -> w_m) in place of p and the integral of sigma_s(w') over the light; and at walls the
-/// radiance that is diffusely reflected, (diffuse / pi_h) E, transmitted from the other side of a sheet,
-/// (transmittance / pi_h) E(behind), and reflected by f_r (GlossyReflection).
-///
-/// The direction w' of the light enters by its distribution at the vertices; phi is the P1 projection.
+/// phi_0, and tilted so that the net flux is g sigma_s F_0; in media whose coefficients depend on the
+/// direction the kernel k(w' -> w_m) stands in place of p. The integral runs over the directions w' of
+/// CollisionField, which the light of each cell has. At walls, the radiance that is diffusely reflected,
+/// (diffuse / pi_h) E, transmitted from the other side of a sheet, (transmittance / pi_h) E(behind), and
+/// reflected by f_r (GlossyReflection).
 class FirstCollision : public AngularInput {
  public:
   /// The arguments must outlive it.
@@ -36,21 +37,25 @@ class FirstCollision : public AngularInput {
   static std::size_t memory(const LightSetup& lights, const DirectionSet& directions);
 
  private:
-  void tabulate(const LightSetup& lights, int threads);
-  void tabulate_phase(const LightSource& source, const PhaseFunction& phase, int threads,
+  /// Finds which directions light comes from where matter scatters by each of the tables.
+  std::vector<std::vector<Vec3>> number_directions();
+  void tabulate_phase(const PhaseFunction& phase, std::span<const Vec3> directions, int threads,
                       std::vector<double>& table) const;
-  /// Which of a source's tables a region and band have; -1 where all directions are alike.
+  /// Which of the tables a region and band have; -1 where scattering is isotropic.
   int table_of(int region, std::size_t band) const;
+  double scattered(CellIndex cell, std::size_t node, std::size_t band) const;
 
   const Problem& problem_;
   const UncollidedField& field_;
   const DirectionSet& directions_;
   PhaseList phases_;
   const RayMatter& matter_;
-  /// [source * tables + table] [ordinate][vertex] [1/sr]: of phase functions, then of kinds of matter
-  std::vector<std::vector<double>> scattered_;
-  std::vector<double> half_range_;    ///< [boundary face] [sr]
-  std::vector<std::int32_t> behind_;  ///< [boundary face] other side of a sheet, -1: none
+  /// Of phase functions, then of kinds of matter: P_m(w') - 1/(4 pi) [1/sr], [ordinate][direction]
+  std::vector<std::vector<double>> tables_;
+  std::vector<std::vector<std::int32_t>> number_;  ///< [table][incident direction] its place, -1: not there
+  std::vector<std::size_t> length_;                ///< [table] number of directions
+  std::vector<double> half_range_;                 ///< [boundary face] [sr]
+  std::vector<std::int32_t> behind_;               ///< [boundary face] other side of a sheet, -1: none
   GlossyReflection glossy_;
 };
 

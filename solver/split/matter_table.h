@@ -4,15 +4,14 @@
 #include <span>
 
 #include "solver/angle/direction_set.h"
-#include "solver/lights/light_setup.h"
+#include "solver/problem/directional_scattering.h"
 
 namespace etendue {
 
-/// Where matter that depends on the directions scatters the light of a source, at the vertices of the cells
-/// that have matter of this kind (RayMatter): [ordinate][vertex] [1/sr], the sum over the beams of phi_k
-/// k(w_k -> w_m) over its sum over the set, so that the energy is kept. Other vertices are left alone, and so
-/// is one that is itself the light.
-void tabulate_matter(const LightSetup& lights, const LightSource& source, int kind,
+/// Writes where a medium whose coefficients depend on the direction scatters light of each incident direction
+/// w': P_m(w') - 1/(4 pi) [1/sr], [ordinate][incident], with P_m(w') = k(w' -> w_m) over its sum over the
+/// set, so that the power is kept. Directions of which nothing is scattered are left alone.
+void tabulate_matter(const DirectionalScattering& scattering, std::span<const Vec3> incident,
                      const DirectionSet& directions, int threads, std::span<double> table);
 
 }  // namespace etendue
