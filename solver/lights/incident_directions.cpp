@@ -12,7 +12,7 @@ namespace {
 /// Divisions of the grid's octahedron: so many times the width 1 - |g| of the narrowest phase function,
 /// within these bounds. A multiple of 4, so that coarser grids are parts of it. docs/lights.md has the study.
 constexpr double divisions_per_width = 6;
-constexpr int fewest_divisions = 16, most_divisions = 48;
+constexpr int fewest_divisions = 32, most_divisions = 48;
 
 int divisions_for(const Problem& problem) {
   double narrowest = 1;

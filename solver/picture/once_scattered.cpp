@@ -3,73 +3,47 @@
 
 #include <algorithm>
 #include <numbers>
-#include <numeric>
 
 #include "solver/angle/scattered_light.h"
-#include "solver/parallel/parallel_for.h"
 
 namespace etendue {
 namespace {
 
 constexpr double per_sphere = 1 / (4 * std::numbers::pi);
 
-double sum_of(std::span<const double> values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-
-/// The light at a vertex: what arrives, else, in the dark, what would arrive without obstacles.
-double look(const LightSource& source, const PointInCell& here, LightBeams& beams) {
-  double sum = 0;
-  for (const Sight sight : {Sight::attenuated, Sight::clear}) {
-    beams.clear();
-    source.add_beams(here, sight, shaft_light, beams);
-    for (std::size_t i = 0; i < beams.size(); ++i) sum += sum_of(beams.fluence(i));
-    if (sum > 0) break;
+/// What scatters of a field, the sum over its lights.
+std::vector<double> scattered_of(const Problem& problem, const UncollidedField& field) {
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  std::vector<double> scattered(field.fluence.size(), 0);
+  for (std::size_t at = 0; at < scattered.size(); ++at) {
+    for (const std::vector<double>& source : field.collided_by_source) scattered[at] += source[at];
+    if (field.collided_by_source.empty())
+      scattered[at] = problem.scattering()[at / (4 * bands) * bands + at % bands] * field.fluence[at];
   }
-  return sum;
+  return scattered;
 }
 
 }  // namespace
 
 OnceScattered::Memory::Memory(const OnceScattered& scattered)
-    : values(places * scattered.pairs()), matter(scattered.matter_.kind_count()) {
-  forget();
-}
+    : known(scattered.collisions_.empty() ? 0 : scattered.collisions_.directions().size(), 0),
+      values(known.size() * scattered.ways()),
+      matter(scattered.matter_.kind_count()) {}
 
 OnceScattered::OnceScattered(const LightSetup& lights, int threads)
     : lights_(lights), problem_(lights.problem()), phases_(problem_), matter_(lights.paths().matter()) {
   if (lights.empty()) return;
   UncollidedField field = uncollided_field(lights.paths(), lights.sources(), threads);
-  fluence_ = matter_.empty() ? std::move(field.by_source) : std::move(field.collided_by_source);
+  scattered_ = scattered_of(problem_, field);
+  collisions_ = std::move(field.collisions);
   for (std::size_t kind = 0; kind < matter_.kind_count(); ++kind) {
     const auto* leaves = std::get_if<LeafCanopy>(&matter_.scattering(static_cast<int>(kind)));
     normals_.push_back(leaves != nullptr ? leaf_normals(leaves->angles) : LeafNormals{});
   }
-  look_at_vertices(threads);
-}
-
-void OnceScattered::look_at_vertices(int threads) {
-  const TetrahedralMesh& mesh = problem_.mesh();
-  const std::size_t sources = lights_.sources().size();
-  std::vector<std::int32_t> cell_of(static_cast<std::size_t>(mesh.vertex_count()), -1);
-  for (std::int32_t c = mesh.cell_count() - 1; c >= 0; --c)
-    for (std::size_t b = 0; b < lights_.paths().bands(); ++b)
-      if (way_of(mesh.region(CellIndex(c)), b) >= 0 &&
-          problem_.scattering(CellIndex(c), static_cast<int>(b)) > 0)
-        for (const std::int32_t v : mesh.vertices(CellIndex(c))) cell_of[static_cast<std::size_t>(v)] = c;
-  vertex_beams_.resize(cell_of.size() * sources);
-  const auto look_from = [&](std::size_t v, LightBeams& beams) {
-    for (std::size_t s = 0; s < sources && cell_of[v] >= 0; ++s) {
-      const double sum = look(*lights_.sources()[s], {CellIndex(cell_of[v]), mesh.points()[v]}, beams);
-      for (std::size_t i = 0; i < beams.size() && sum > 0; ++i) {
-        Beam beam{beams.direction(i), sum_of(beams.fluence(i)) / sum, {}};
-        for (const PathCoefficients& kind : matter_.view(beam.direction).kinds)
-          beam.scattered.push_back(kind.scattering);
-        vertex_beams_[v * sources + s].push_back(std::move(beam));
-      }
-    }
-    return true;
-  };
-  parallel_for(
-      cell_of.size(), threads, 64, [&] { return LightBeams(lights_.paths().bands()); }, look_from);
+  if (collisions_.empty() || normals_.empty()) return;
+  for (std::size_t i = 0; i < collisions_.directions().size(); ++i)
+    for (const PathCoefficients& kind : matter_.view(collisions_.directions().direction(i)).kinds)
+      unit_scattering_.push_back(kind.scattering);
 }
 
 int OnceScattered::way_of(int region, std::size_t band) const {
@@ -86,52 +60,38 @@ void OnceScattered::ask_matter(const Vec3& beam, const Vec3& travel, Memory& mem
         scattering_value(matter_.scattering(static_cast<int>(kind)), normals_[kind], beam, travel);
 }
 
-// [source][way]; in a vertex that is itself the light all directions are alike.
-const double* OnceScattered::at_vertex(std::int32_t vertex, const Vec3& travel, Memory& memory) const {
-  const std::size_t sources = lights_.sources().size(), phases = phases_.phases().size();
-  const std::size_t place = static_cast<std::size_t>(vertex) % Memory::places;
-  double* const all = &memory.values[place * pairs()];
-  if (memory.vertices[place] == vertex) return all;
-  memory.vertices[place] = vertex;
-  for (std::size_t s = 0; s < sources; ++s) {
-    double* values = all + s * ways();
-    const std::vector<Beam>& beams = vertex_beams_[static_cast<std::size_t>(vertex) * sources + s];
-    std::fill(values, values + ways(), beams.empty() ? per_sphere : 0);
-    std::vector<double> scattered(ways() - phases, 0);
-    for (const Beam& beam : beams) {
-      for (std::size_t p = 0; p < phases; ++p)
-        values[p] +=
-            beam.share * phase_value(phases_.phases()[p], std::clamp(travel.dot(beam.direction), -1., 1.));
-      if (scattered.empty()) continue;
-      ask_matter(beam.direction, travel, memory);
-      for (std::size_t kind = 0; kind < scattered.size(); ++kind) {
-        values[phases + kind] += beam.share * memory.matter[kind];
-        scattered[kind] += beam.share * beam.scattered[kind];
-      }
-    }
-    for (std::size_t kind = 0; kind < scattered.size(); ++kind)
-      if (scattered[kind] > 0) values[phases + kind] /= scattered[kind];
+const double* OnceScattered::scattered_from(std::size_t direction, const Vec3& travel, Memory& memory) const {
+  double* const values = &memory.values[direction * ways()];
+  if (memory.known[direction] == memory.ray) return values;
+  memory.known[direction] = memory.ray;
+  const Vec3& incident = collisions_.directions().direction(direction);
+  const std::size_t phases = phases_.phases().size();
+  for (std::size_t p = 0; p < phases; ++p)
+    values[p] = phase_value(phases_.phases()[p], std::clamp(travel.dot(incident), -1., 1.)) - per_sphere;
+  if (normals_.empty()) return values;
+  ask_matter(incident, travel, memory);
+  for (std::size_t kind = 0; kind < normals_.size(); ++kind) {
+    const double all = unit_scattering_[direction * normals_.size() + kind];
+    values[phases + kind] = all > 0 ? memory.matter[kind] / all - per_sphere : 0;
   }
-  return all;
+  return values;
 }
 
 void OnceScattered::add_at_vertices(CellIndex cell, const Vec3& travel, Memory& memory,
                                     std::span<double> values) const {
-  if (fluence_.empty()) return;  // no lights, so there are no shares to look up
+  if (scattered_.empty()) return;
   const std::size_t bands = lights_.paths().bands();
+  for (std::size_t i = 0; i < 4 * bands; ++i) values[i] += per_sphere * scattered_[cell.at() * 4 * bands + i];
+  if (collisions_.empty()) return;
   const int region = problem_.mesh().region(cell);
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t b = 0; b < bands; ++b) {
-      const double scattering = problem_.scattering(cell, static_cast<int>(b));
-      if (scattering == 0) continue;
-      const int way = way_of(region, b);
-      const double* shares =
-          way < 0 ? &per_sphere : at_vertex(problem_.mesh().vertices(cell)[i], travel, memory) + way;
-      for (std::size_t s = 0; s < fluence_.size(); ++s)
-        values[i * bands + b] += (matter_.empty() ? scattering : 1) *
-                                 fluence_[s][(cell.at() * 4 + i) * bands + b] *
-                                 (way < 0 ? per_sphere : shares[s * ways()]);
-    }
+  const std::span<const std::int32_t> incident = collisions_.directions_at(cell);
+  for (std::size_t k = 0; k < incident.size(); ++k) {
+    const double* shares = scattered_from(static_cast<std::size_t>(incident[k]), travel, memory);
+    const std::span<const double> power = collisions_.values(cell, k);
+    for (std::size_t b = 0; b < bands; ++b)
+      if (const int way = way_of(region, b); way >= 0)
+        for (std::size_t i = 0; i < 4; ++i) values[i * bands + b] += shares[way] * power[i * bands + b];
+  }
 }
 
 void OnceScattered::add_at(const PointInCell& point, const Vec3& travel, LightBeams& beams,

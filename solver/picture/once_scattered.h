@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -26,53 +25,45 @@ class OnceScattered {
   /// The lights must outlive it.
   OnceScattered(const LightSetup& lights, int threads);
 
-  /// Of the vertices that one ray looked at last, so that cells around a vertex share it.
+  /// What scatters along one ray, by the direction from which it comes: cells on the ray share it.
   struct Memory {
     explicit Memory(const OnceScattered& scattered);
     /// To be called where the ray turns.
     void forget() {
-      vertices.fill(-1);
+      ++ray;
       beam.reset();
     }
-    static constexpr std::size_t places = 64;
-    std::array<std::int32_t, places> vertices{};
-    std::vector<double> values;  ///< [place][source][way to scatter]
-    std::optional<Vec3> beam;    ///< of which matter was asked last: the sun's is the same everywhere
-    std::vector<double> matter;  ///< [kind] what it scatters along the ray
+    std::uint32_t ray = 1;
+    std::vector<std::uint32_t> known;  ///< [incident direction] the ray for which its values hold
+    std::vector<double> values;        ///< [incident direction][way to scatter] P - 1/(4 pi) [1/sr]
+    std::optional<Vec3> beam;          ///< of which matter was asked last: the sun's is the same everywhere
+    std::vector<double> matter;        ///< [kind] what it scatters along the ray
   };
 
-  /// Adds it at the vertices [4][band], from the fluence of each light as it is projected on the cell and
-  /// from the directions in which it comes to the vertices.
+  /// Adds it at the vertices [4][band], from what is projected on the cell (CollisionField).
   void add_at_vertices(CellIndex cell, const Vec3& travel, Memory& memory, std::span<double> values) const;
   /// Adds it at a point [band], by rays to the lights.
   void add_at(const PointInCell& point, const Vec3& travel, LightBeams& beams,
               std::span<double> values) const;
 
  private:
-  /// Where the light comes from at a vertex: unit directions of travel and their shares of the fluence.
-  struct Beam {
-    Vec3 direction;
-    double share;
-    std::vector<double> scattered;  ///< [kind] of matter for a density of 1 [1/length]
-  };
-  void look_at_vertices(int threads);
   /// The way to scatter of a region and band: a phase function, or behind these a kind of matter that depends
   /// on the directions; -1 where all are alike.
   int way_of(int region, std::size_t band) const;
   /// [kind] k(beam -> travel) for a density of 1 [1/sr].
   void ask_matter(const Vec3& beam, const Vec3& travel, Memory& memory) const;
-  const double* at_vertex(std::int32_t vertex, const Vec3& travel, Memory& memory) const;
+  /// [way] of an incident direction.
+  const double* scattered_from(std::size_t direction, const Vec3& travel, Memory& memory) const;
   std::size_t ways() const { return phases_.phases().size() + matter_.kind_count(); }
-  std::size_t pairs() const { return lights_.sources().size() * ways(); }
 
   const LightSetup& lights_;
   const Problem& problem_;
   PhaseList phases_;
   const RayMatter& matter_;
   std::vector<LeafNormals> normals_;  ///< [kind] of leaves
-  /// [source][cell][4][band] fluence, or where something depends on the direction what scatters of it.
-  std::vector<std::vector<double>> fluence_;
-  std::vector<std::vector<Beam>> vertex_beams_;  ///< [vertex * sources + source]
+  std::vector<double> scattered_;  ///< [cell][4][band] all that scatters [power/length^3]; empty: no lights
+  CollisionField collisions_;
+  std::vector<double> unit_scattering_;  ///< [incident direction][kind] for a density of 1 [1/length]
 };
 
 }  // namespace etendue
