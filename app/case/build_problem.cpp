@@ -55,6 +55,13 @@ void add_emission(Medium& medium, const Value& value) {
   medium.emission.push_back(medium.emission_by_direction.back() ? Coefficient(0.0) : coefficient(value));
 }
 
+/// Light of another direction set is handed on by its moments: scattering that may choose takes these.
+void scatter_by_moments(Medium& medium, int bands) {
+  medium.choice.resize(static_cast<std::size_t>(bands));
+  for (ScatteringChoice& choice : medium.choice)
+    if (choice.backend == ScatteringBackend::automatic) choice.backend = ScatteringBackend::moments;
+}
+
 Medium medium_of(const MediumCase& entry, const std::string& region, double volume, int bands) {
   Medium medium;
   medium.name = region;
@@ -165,6 +172,7 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
     const std::string& name = mesh.region_names()[region];
     const MediumCase entry = entry_of(input.media, name);
     media.push_back(medium_of(entry, name, volumes[region], bands));
+    if (input.first_collided) scatter_by_moments(media.back(), bands);
     if (entry.has_kernel)
       add_kernel(media.back(), entry.kernel_extinction, build_directions(input), mesh,
                  static_cast<int>(region));

@@ -76,7 +76,7 @@ std::vector<KeyDeclaration> matter_keys() {
         .choices = {"auto", "moments", "dense", "galerkin"},
         .help = "Through moments of the radiance, or a matrix between the directions: dense (never negative, "
                 "exact energy and mean cosine) or galerkin. auto: moments where the phase function's series "
-                "ends, "
+                "ends or `directions.first_collided` is given, "
                 "else dense while the angular solution stays below 256 MiB; the reason is printed."}},
       {"media.NAME",
        "scattering_degree",

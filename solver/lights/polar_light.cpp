@@ -20,6 +20,8 @@ constexpr double even_ratio = 1.5, even_depth = 0.7, even_factor = 2;
 /// Of what would arrive in empty space; it may vary as it likes.
 constexpr double trifle = 1e-13;
 constexpr int most_cuts = 8, most_cuts_in_shadow = 3;
+/// Part of the way from a corner to the middle of a cell.
+constexpr double inside_corner = 1e-3;
 
 double longest_side(const SphericalTriangle& t) {
   return std::max({(t[0] - t[1]).norm(), (t[1] - t[2]).norm(), (t[2] - t[0]).norm()});
@@ -40,6 +42,25 @@ class PointInWedges {
         moments_(moments),
         transmittance_(paths.bands()),
         trifle_(paths.bands(), trifle) {}
+
+  /// Whether no more than a trifle of the light is left at the corners and in the middle of the cell.
+  bool is_dark() {
+    transmittance_.clear();
+    std::array<Vec3, 5> places{cell_.centroid};
+    // Rays from a corner itself run along faces and edges.
+    for (std::size_t i = 0; i < 4; ++i)
+      places[i + 1] = cell_.corners[i] + inside_corner * (cell_.centroid - cell_.corners[i]);
+    for (const Vec3& place : places) {
+      const Vec3 way = place - image_.position;
+      const double length = way.norm();
+      const std::span<double> transmittance = transmittance_.add();
+      std::ranges::fill(transmittance, 1.0);
+      // Where something opaque stands in between others may see the light.
+      if (!paths_.transmit({cell_.index, place}, -way / length, length, image_.mirrors, transmittance))
+        return false;
+    }
+    return transmittance_.is_trifle(trifle_);
+  }
 
   void add(const Wedge& wedge, const SphericalTriangle& part, int cuts = 0) {
     if (longest_side(part) > largest_side || (cuts < most_cuts && !is_alike(wedge, part)))
@@ -117,6 +138,7 @@ void add_in_polar_frame(const LightPaths& paths, const PointSource& source, cons
     std::array<Vec3, 4> corners = cell.corners;
     for (Vec3& corner : corners) corner -= image.position;
     PointInWedges light(paths, source, image, cell, parted, moments);
+    if (light.is_dark()) continue;
     for (const Wedge& wedge : wedges_of(corners))
       for (const SphericalTriangle& part : cut_by_planes(wedge.directions, planes))
         if (const auto unit = on_sphere(part)) light.add(wedge, *unit);
