@@ -25,7 +25,7 @@ std::string number_text(double number) {
   return text;
 }
 
-std::string quoted(std::string_view text) {
+std::string quoted_text(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\')
@@ -96,12 +96,12 @@ std::string kind_of(const TomlNode& node) {
 
 std::string to_toml(const TomlNode& node) {
   return std::visit(Overloaded{[](bool flag) -> std::string { return flag ? "true" : "false"; },
-                               [](std::int64_t integer) { return fmt::format("{}", integer); },
-                               [](double number) { return number_text(number); },
-                               [](const std::string& text) { return quoted(text); },
-                               [](const TomlDate& date) { return date.text; },
-                               [](const TomlArray& array) { return array_text(array); },
-                               [](const TomlTable& table) { return table_text(table); }},
+                               [](std::int64_t integer) -> std::string { return fmt::format("{}", integer); },
+                               [](double number) -> std::string { return number_text(number); },
+                               [](const std::string& text) -> std::string { return quoted_text(text); },
+                               [](const TomlDate& date) -> std::string { return date.text; },
+                               [](const TomlArray& array) -> std::string { return array_text(array); },
+                               [](const TomlTable& table) -> std::string { return table_text(table); }},
                     node.value);
 }
 
@@ -119,7 +119,7 @@ std::string toml_key(std::string_view key) {
   const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
   });
-  return bare ? std::string(key) : quoted(key);
+  return bare ? std::string(key) : quoted_text(key);
 }
 
 std::string dotted_key(std::string_view table, std::string_view key) {
