@@ -21,6 +21,12 @@ class AngularInput {
   /// Adds the source at the four vertices of a cell along ordinate m to `values` [4][band]
   /// [power/(length^3 sr)]. Called by several threads at a time.
   virtual void add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const = 0;
+  /// Adds the values at the four vertices of the L2 projection of a source that may vary more within a cell
+  /// than linear functions follow, such as light that is attenuated within a thick cell. What counts of it
+  /// are its integrals with the basis functions: lumping would move the source by up to the size of the cell,
+  /// so cells with lumped mass take these integrals as they are. Arguments as above; called by several
+  /// threads at a time.
+  virtual void add_projected_source(OrdinateIndex, CellIndex, std::span<double>) const {}
   /// Adds the radiance that enters at the three vertices of a boundary face to `values` [3][band]
   /// [power/(length^2 sr)]. Called by several threads at a time.
   virtual void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const = 0;

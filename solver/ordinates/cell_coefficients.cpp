@@ -94,9 +94,13 @@ bool CellCoefficients::is_lumped(CellIndex cell, int band) const {
 long CellCoefficients::lumped_count() const { return std::count(lumped_.begin(), lumped_.end(), 1); }
 
 CellCoefficients::SourceFactors CellCoefficients::source_factors(CellIndex cell, int band) const {
+  if (basis_ == Basis::linear && is_lumped(cell, band)) return {0, 3 * volumes_[cell.at()] / scale(cell)};
+  return projected_source_factors(cell);
+}
+
+CellCoefficients::SourceFactors CellCoefficients::projected_source_factors(CellIndex cell) const {
   const double volume = volumes_[cell.at()] / scale(cell);
   if (basis_ == Basis::constant) return {0, volume};
-  if (is_lumped(cell, band)) return {0, 3 * volume};
   return {0.6 * volume, 0.6 * volume};
 }
 

@@ -42,6 +42,8 @@ class CellCoefficients {
     double own = 0;
   };
   SourceFactors source_factors(CellIndex cell, int band) const;
+  /// Factors of a source whose integrals with the basis functions are kept, whatever the mass of the cell.
+  SourceFactors projected_source_factors(CellIndex cell) const;
   /// What the normals, the mass and the source of a cell are divided by: 1 in double precision; in single
   /// precision, where products of four areas could leave the range of numbers, a power of two near the area
   /// of the largest face.

@@ -21,6 +21,9 @@ class DirectionalEmission : public AngularInput {
   bool empty() const { return tables_.empty(); }
   bool depends_on_direction(CellIndex cell) const override;
   void add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const override;
+  void add_projected_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const override {
+    if (other_ != nullptr) other_->add_projected_source(m, cell, values);
+  }
   void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const override;
   const SavedState* found_elsewhere() const override {
     return other_ != nullptr ? other_->found_elsewhere() : nullptr;

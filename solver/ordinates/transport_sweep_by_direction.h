@@ -18,17 +18,20 @@ void TransportSweepOf<Real>::add_input(OrdinateIndex m, CellIndex cell, std::vec
   const auto bands = static_cast<std::size_t>(cells_.bands());
   const auto stride = static_cast<std::size_t>(cells_.stride());
   const auto nodes = static_cast<std::size_t>(cells_.nodes());
-  std::fill(values.begin(), values.end(), 0.0);
-  options_.angular_input->add_source(m, cell, values);
-  for (std::size_t b = 0; b < bands; ++b) {
-    const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, static_cast<int>(b));
+  const auto add = [&](std::size_t b, const CellCoefficients::SourceFactors& mass) {
     const double total = values[b] + values[bands + b] + values[2 * bands + b] + values[3 * bands + b];
     for (std::size_t i = 0; i < nodes; ++i) {
       // A constant element has the mean of the four values.
       const double own = nodes == 1 ? total / 4 : values[i * bands + b];
       right[i * stride + b] += mass.sum * total + mass.own * own;
     }
-  }
+  };
+  std::fill(values.begin(), values.end(), 0.0);
+  options_.angular_input->add_source(m, cell, values);
+  for (std::size_t b = 0; b < bands; ++b) add(b, cells_.source_factors(cell, static_cast<int>(b)));
+  std::fill(values.begin(), values.end(), 0.0);
+  options_.angular_input->add_projected_source(m, cell, values);
+  for (std::size_t b = 0; b < bands; ++b) add(b, cells_.projected_source_factors(cell));
 }
 
 template <class Real>

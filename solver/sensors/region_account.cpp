@@ -174,7 +174,10 @@ class Bookkeeping {
     std::fill(source_.begin(), source_.end(), 0.0);
     std::fill(added_.begin(), added_.end(), 0.0);
     if (fed_ == FedBy::everything) sources_.values(cell, view, source_);
-    if (swept_.input != nullptr) swept_.input->add_source(n.number, cell, added_);
+    if (swept_.input != nullptr) {
+      swept_.input->add_source(n.number, cell, added_);
+      swept_.input->add_projected_source(n.number, cell, added_);
+    }
     std::fill(shining_.begin(), shining_.end(), 0.0);
     if (fed_ == FedBy::everything) lights_.add_source(n.number, cell, shining_);
   }

@@ -140,7 +140,7 @@ double FirstCollision::scattered(CellIndex cell, std::size_t node, std::size_t b
   return sum;
 }
 
-void FirstCollision::add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const {
+void FirstCollision::add_projected_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const {
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t b = 0; b < bands; ++b) values[i * bands + b] += per_sphere * scattered(cell, i, b);

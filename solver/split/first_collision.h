@@ -30,7 +30,8 @@ class FirstCollision : public AngularInput {
                  int threads);
 
   bool depends_on_direction(CellIndex cell) const override;
-  void add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const override;
+  void add_source(OrdinateIndex, CellIndex, std::span<double>) const override {}
+  void add_projected_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const override;
   void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const override;
 
   /// Upper estimate of the bytes that one will take, the uncollided field included.

@@ -55,8 +55,8 @@ std::vector<std::vector<double>> sources(const FirstCollision& input, const Dire
   for (std::int32_t m = 0; m < directions.count(); ++m) {
     all.emplace_back(static_cast<std::size_t>(mesh.cell_count()) * 4, 0);
     for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
-      input.add_source(OrdinateIndex(m), CellIndex(c),
-                       std::span(all.back()).subspan(static_cast<std::size_t>(c) * 4, 4));
+      input.add_projected_source(OrdinateIndex(m), CellIndex(c),
+                                 std::span(all.back()).subspan(static_cast<std::size_t>(c) * 4, 4));
   }
   return all;
 }

@@ -65,7 +65,7 @@ TEST(SolveSplit, KeepsThePowerOfTheFirstCollisions) {
     std::vector<double> sum(4, 0);
     for (std::int32_t m = 0; m < directions.count(); ++m) {
       std::vector<double> values(4, 0);
-      source.add_source(OrdinateIndex(m), CellIndex(c), values);
+      source.add_projected_source(OrdinateIndex(m), CellIndex(c), values);
       for (std::size_t i = 0; i < 4; ++i) sum[i] += directions.weight(OrdinateIndex(m)) * values[i];
     }
     for (std::size_t i = 0; i < 4; ++i) {
@@ -103,7 +103,7 @@ TEST(SolveSplit, KeepsThePowerOfWhatLeavesScatter) {
     std::vector<double> sum(4, 0);
     for (std::int32_t m = 0; m < directions.count(); ++m) {
       std::vector<double> values(4, 0);
-      source.add_source(OrdinateIndex(m), CellIndex(c), values);
+      source.add_projected_source(OrdinateIndex(m), CellIndex(c), values);
       for (std::size_t i = 0; i < 4; ++i) sum[i] += directions.weight(OrdinateIndex(m)) * values[i];
     }
     for (std::size_t i = 0; i < 4; ++i) {
