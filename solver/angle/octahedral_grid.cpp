@@ -34,6 +34,9 @@ OctahedralGrid::Weights OctahedralGrid::weights(const Vec3& direction, int strid
     rest[axis] = value - floor[axis];
     missing -= floor[axis];
   }
+  // A point of the grid itself, all three coordinates of which were rounded down.
+  if (missing == 3)
+    for (int& whole : floor) ++whole;
   const double length = place.norm();
   Weights found{};
   for (std::size_t v = 0; v < 3; ++v) {
