@@ -1,54 +1,18 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/sensors/photometry.h"
 
-#include <algorithm>
 #include <map>
 #include <numeric>
-#include <sstream>
 
 #include "solver/picture/band_color.h"
+#include "solver/picture/color_matching.h"
 
 namespace etendue {
-
-extern const char* const cie1924_table;
-
 namespace {
-
-struct Row {
-  double wavelength;
-  double efficiency;
-};
-
-std::vector<Row> read_table() {
-  std::vector<Row> rows;
-  std::istringstream stream(cie1924_table);
-  for (std::string line; std::getline(stream, line);) {
-    std::replace(line.begin(), line.end(), ',', ' ');
-    Row row{0, 0};
-    std::istringstream(line) >> row.wavelength >> row.efficiency;
-    // Comments and the header do not begin with a number.
-    if (row.wavelength > 0) rows.push_back(row);
-  }
-  return rows;
-}
 
 const std::vector<std::string> primaries = {"red", "green", "blue"};
 
 }  // namespace
-
-double mean_luminous_efficiency(double from, double to) {
-  static const std::vector<Row> table = read_table();
-  if (from > to) std::swap(from, to);
-  double integral = 0;
-  for (std::size_t i = 0; i + 1 < table.size(); ++i) {
-    const Row &a = table[i], &b = table[i + 1];
-    const double low = std::max(from, a.wavelength), high = std::min(to, b.wavelength);
-    if (low >= high) continue;
-    const double middle = ((low + high) / 2 - a.wavelength) / (b.wavelength - a.wavelength);
-    integral += (high - low) * (a.efficiency + middle * (b.efficiency - a.efficiency));
-  }
-  return integral / (to - from);
-}
 
 double photon_energy(double wavelength) { return planck * speed_of_light / (wavelength * 1e-9); }
 
@@ -63,7 +27,7 @@ std::optional<SiScale> si_scale(const std::string& length_label, const std::stri
 
 Photometry::Photometry(const Bands& bands) {
   for (std::size_t b = 0; b + 1 < bands.edges.size(); ++b) {
-    efficacy_.push_back(greatest_efficacy * mean_luminous_efficiency(bands.edges[b], bands.edges[b + 1]));
+    efficacy_.push_back(greatest_efficacy * mean_color_matching(bands.edges[b], bands.edges[b + 1])[1]);
     // The mean of lambda/(h c) over the band.
     photons_.push_back(1 / photon_energy((bands.edges[b] + bands.edges[b + 1]) / 2));
   }

@@ -15,10 +15,6 @@ inline constexpr double greatest_efficacy = 683;
 inline constexpr double planck = 6.62607015e-34;      ///< [J s], exact (SI 2019)
 inline constexpr double speed_of_light = 299792458.;  ///< [m/s], exact
 
-/// V(lambda) of the CIE 1924 observer, as a mean over wavelengths [nm] in either order: linear between the
-/// points of the table, 1 nm apart, and zero outside of 360 to 830 nm.
-double mean_luminous_efficiency(double from, double to);
-
 /// Energy of a photon [J] of a wavelength [nm].
 double photon_energy(double wavelength);
 

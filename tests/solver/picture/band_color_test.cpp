@@ -47,6 +47,22 @@ TEST(ColorMatching, GivesTheChromaticityOfBlackBodies) {
   EXPECT_NEAR(equal.y, 0.33329, 1e-4);
 }
 
+// The common lasers, by the rows of the table of 1 nm: z is 1 - x - y.
+TEST(ColorMatching, HasTheChromaticitiesOfSingleWavelengths) {
+  struct Line {
+    double nm, x, y;
+  };
+  for (const Line& line : {Line{507, 0.00601, 0.69612},
+                           {532, 0.17024, 0.79652},
+                           {589, 0.56926, 0.43010},
+                           {633, 0.71172, 0.28823}}) {
+    const auto mean = mean_color_matching(line.nm - 0.01, line.nm + 0.01);
+    const double sum = mean[0] + mean[1] + mean[2];
+    EXPECT_NEAR(mean[0] / sum, line.x, 1e-5) << line.nm;
+    EXPECT_NEAR(mean[1] / sum, line.y, 1e-5) << line.nm;
+  }
+}
+
 TEST(ColorMatching, TakesWavelengthsInEitherOrder) {
   EXPECT_EQ(mean_color_matching(500, 600), mean_color_matching(600, 500));
   EXPECT_EQ(mean_color_matching(900, 1000), (std::array<double, 3>{0, 0, 0}));

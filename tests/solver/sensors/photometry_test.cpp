@@ -82,14 +82,16 @@ TEST(Photometry, HasTheEfficaciesOfTheReference) {
     }
     ++rows;
   }
-  EXPECT_EQ(rows, 13);
+  EXPECT_EQ(rows, 15);
 }
 
 TEST(Photometry, TakesEdgesThatFall) {
-  EXPECT_EQ(mean_luminous_efficiency(500, 600), mean_luminous_efficiency(600, 500));
-  EXPECT_EQ(mean_luminous_efficiency(300, 350), 0);
+  const Photometry rising({{"green"}, {500, 600}}), falling({{"green"}, {600, 500}});
+  ASSERT_EQ(rising.efficacy().size(), 1U);
+  EXPECT_EQ(rising.efficacy()[0], falling.efficacy()[0]);
+  EXPECT_EQ(Photometry({{"dark"}, {300, 350}}).efficacy()[0], 0);
   // The table's sum over 1 nm is 106.8569.
-  EXPECT_NEAR(830 * mean_luminous_efficiency(0, 830), 106.856917, 2e-4);
+  EXPECT_NEAR(830 * Photometry({{"all"}, {0, 830}}).efficacy()[0], 683 * 106.856917, 0.15);
 }
 
 TEST(Photometry, OfRedGreenBlueIsTheLuminanceOfTheirColour) {
