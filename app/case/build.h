@@ -20,11 +20,13 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh);
 /// though that is claimed, or is for another direction set. One that depends on the place asks for the mesh.
 void check_kernels(const Case& input);
 
-/// The case's directions, rotated where it asks for that.
+/// The case's directions, rotated where it asks for that. Their weights do not know the case's walls.
 DirectionSet build_directions(const Case& input);
+/// These, with weights for the walls that refract.
+DirectionSet build_directions(const Case& input, const Problem& problem);
 /// These and, where the case asks for more rotations, copies that are turned at random.
-std::vector<DirectionSet> build_rotated_directions(const Case& input);
+std::vector<DirectionSet> build_rotated_directions(const Case& input, const Problem& problem);
 /// Those of light that has collided once, rotated and copied in the same way; empty where the case has none.
-std::vector<DirectionSet> build_first_collided_directions(const Case& input);
+std::vector<DirectionSet> build_first_collided_directions(const Case& input, const Problem& problem);
 
 }  // namespace etendue

@@ -10,6 +10,7 @@
 
 #include "solver/angle/directional_kernel.h"
 #include "solver/angle/kernel_places.h"
+#include "solver/angle/refraction_weights.h"
 
 namespace etendue {
 namespace {
@@ -161,12 +162,25 @@ Wall wall_of(const WallCase& entry, const std::string& name, int bands) {
   return wall;
 }
 
+/// A set and the copies of it that the case asks for, each with weights for the walls that refract.
+std::vector<DirectionSet> rotated_and_fitted(const DirectionSet& set, const Case& input,
+                                             const Problem& problem) {
+  const std::vector<SmoothPlane> planes = smooth_planes(problem.mesh(), problem.walls());
+  std::vector<DirectionSet> sets;
+  for (const DirectionSet& copy : rotated_copies(set, input.rotations, input.direction_seed))
+    sets.push_back(fitted_to_refraction(copy, planes));
+  return sets;
+}
+
 }  // namespace
 
 Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
   check_names(input, names_of(mesh));
   const int bands = input.bands.count();
   const std::vector<double> volumes = region_volumes(mesh);
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names())
+    walls.push_back(wall_of(entry_of(input.walls, name), name, bands));
   std::vector<Medium> media;
   for (std::size_t region = 0; region < volumes.size(); ++region) {
     const std::string& name = mesh.region_names()[region];
@@ -174,12 +188,10 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
     media.push_back(medium_of(entry, name, volumes[region], bands));
     if (input.first_collided) scatter_by_moments(media.back(), bands);
     if (entry.has_kernel)
-      add_kernel(media.back(), entry.kernel_extinction, build_directions(input), mesh,
+      add_kernel(media.back(), entry.kernel_extinction,
+                 fitted_to_refraction(build_directions(input), smooth_planes(mesh, walls)), mesh,
                  static_cast<int>(region));
   }
-  std::vector<Wall> walls;
-  for (const std::string& name : mesh.wall_names())
-    walls.push_back(wall_of(entry_of(input.walls, name), name, bands));
   std::vector<Light> lights = build_lights(input, mesh, walls);
   return Problem(mesh, input.bands, std::move(media), std::move(walls), input.angular_space,
                  std::move(lights));
@@ -206,15 +218,19 @@ DirectionSet build_directions(const Case& input) {
   return input.direction_rotation ? rotated(set, *input.direction_rotation) : set;
 }
 
-std::vector<DirectionSet> build_rotated_directions(const Case& input) {
-  return rotated_copies(build_directions(input), input.rotations, input.direction_seed);
+DirectionSet build_directions(const Case& input, const Problem& problem) {
+  return fitted_to_refraction(build_directions(input), smooth_planes(problem.mesh(), problem.walls()));
 }
 
-std::vector<DirectionSet> build_first_collided_directions(const Case& input) {
+std::vector<DirectionSet> build_rotated_directions(const Case& input, const Problem& problem) {
+  return rotated_and_fitted(build_directions(input), input, problem);
+}
+
+std::vector<DirectionSet> build_first_collided_directions(const Case& input, const Problem& problem) {
   if (!input.first_collided) return {};
   const DirectionSet set = make_directions(input.first_collided->set, input.first_collided->order);
-  return rotated_copies(input.direction_rotation ? rotated(set, *input.direction_rotation) : set,
-                        input.rotations, input.direction_seed);
+  return rotated_and_fitted(input.direction_rotation ? rotated(set, *input.direction_rotation) : set, input,
+                            problem);
 }
 
 }  // namespace etendue

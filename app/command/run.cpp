@@ -19,6 +19,7 @@
 #include "app/write/results.h"
 #include "app/write/sensor_files.h"
 #include "app/write/solution_file.h"
+#include "solver/angle/refraction_weights.h"
 #include "solver/exact/exact_balance.h"
 #include "solver/split/solve_rotated.h"
 
@@ -98,13 +99,13 @@ struct RunDirections {
   std::vector<DirectionSet> first_collided;
 };
 
-RunDirections run_directions(const Case& input, const LightSetup& lights) {
+RunDirections run_directions(const Case& input, const Problem& problem, const LightSetup& lights) {
   if (input.first_collided && lights.empty())
     throw InputError(fault_at(input.first_collided->origin, "",
                               "nothing of this case is a light that is followed along rays, so nothing "
                               "collides first; use uncollided = true where light comes from, or no "
                               "first_collided"));
-  return {build_rotated_directions(input), build_first_collided_directions(input)};
+  return {build_rotated_directions(input, problem), build_first_collided_directions(input, problem)};
 }
 
 std::string directions_line(const RunDirections& directions) {
@@ -116,6 +117,21 @@ std::string directions_line(const RunDirections& directions) {
   const DirectionSet& once = directions.first_collided.front();
   return line + fmt::format(", once {} ({} {}) for light that has collided once", once.count(), once.name(),
                             once.order());
+}
+
+/// Says which refracting walls have too few directions within their critical angle for weights of their own.
+std::string refraction_caution(const RunDirections& directions, const Problem& problem) {
+  std::string text;
+  for (const SmoothPlane& plane : smooth_planes(problem.mesh(), problem.walls()))
+    if (!parts_at_critical_angle(directions.sets.front(), plane))
+      text += fmt::format(
+          "caution: too few directions for the critical angle of walls of refractive index {:.4g} with "
+          "normal "
+          "({:.4g}, {:.4g}, {:.4g}): a thin layer behind them may absorb tens of percent too much; use a "
+          "finer "
+          "set (docs/surfaces.md)\n",
+          plane.refractive_index, plane.normal.x(), plane.normal.y(), plane.normal.z());
+  return text;
 }
 
 /// Whether something looks along rays.
@@ -163,7 +179,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
     return run_by_radiosity({request, input, problem, seconds, watch, interruption}, out, err, reader);
   check_views(input.cameras, input.sensors, problem);
   const LightSetup lights(problem);
-  const RunDirections all_directions = run_directions(input, lights);
+  const RunDirections all_directions = run_directions(input, problem, lights);
   const DirectionSet& directions = all_directions.sets.front();
   const CellLocator locator(mesh);
   check_sensors(input.sensors, locator, problem);
@@ -185,7 +201,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
       problem.band_count(), matrix_memory_text(problem, directions));
   out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions), problem.band_count(),
                      options.threads)
-      << memory << std::flush;
+      << refraction_caution(all_directions, problem) << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
 
   // A signal before this ends the program at once: there is nothing to keep, and rays may take long.

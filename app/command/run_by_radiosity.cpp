@@ -24,7 +24,7 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   const CellLocator locator(run.problem.mesh());
   place_probes(run.input.probes, run.problem.mesh(), locator);
   const LightSetup lights(run.problem);
-  const DirectionSet directions = build_directions(run.input);
+  const DirectionSet directions = build_directions(run.input, run.problem);
   check_sensors(run.input.sensors, locator, run.problem);
   const int threads = thread_count(run.input);
   out << fmt::format("radiosity; bands: {}; threads: {}\n", run.problem.band_count(), threads);

@@ -38,7 +38,7 @@ SavedScene::SavedScene(Case asked, const std::filesystem::path& results, const s
     : input(std::move(asked)),
       mesh(build_mesh(input, log)),
       problem(build_problem(input, mesh)),
-      directions(build_directions(input)),
+      directions(build_directions(input, problem)),
       lights(problem),
       options(options_of_run(input, results, threads, mesh)),
       result(read_result(InputFile{results / "solution.vtu", {"command line", 0, command}}, input, mesh)),

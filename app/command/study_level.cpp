@@ -40,7 +40,7 @@ class Values {
   Values(const RunResult& run, Refinement refinement) : run_(run), refinement_(refinement) {
     if (!run.exact) return;
     radiance_.emplace(run.input.exact->radiance);
-    set_.emplace(refinement == Refinement::mesh ? build_directions(run.input)
+    set_.emplace(refinement == Refinement::mesh ? build_directions(run.input, run.problem)
                                                 : reference_directions(run.input.angular_space));
     exact_ = refinement == Refinement::mesh
                  ? *run.exact

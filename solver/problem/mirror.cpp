@@ -2,25 +2,16 @@
 #include "solver/problem/mirror.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <cstddef>
 
 namespace etendue {
 namespace {
 
-using std::numbers::pi;
-
-/// Integral of 2 mu R dmu between two cosines; smooth between them but for a square root at the lower end,
-/// which mu = a + (b - a) t^2 takes away.
-double integral(double a, double b, double index) {
-  constexpr int steps = 64;
-  double sum = 0;
-  for (int i = 0; i < steps; ++i) {
-    const double t = (i + 0.5) / steps, cosine = a + (b - a) * t * t;
-    sum += 2 * cosine * fresnel_reflectance(cosine, index) * 2 * t * (b - a) / steps;
-  }
-  return sum;
-}
+/// Gauss' rule with three points on [0, 1], which transmitted_moment repeats on panels.
+constexpr std::array<double, 3> points = {0.1127016653792583, 0.5, 0.8872983346207417};
+constexpr std::array<double, 3> weights = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
 }  // namespace
 
@@ -33,22 +24,22 @@ double fresnel_reflectance(double cosine, double index) {
   return (across * across + along * along) / 2;
 }
 
-// A circle at the angle t from the normal lies in the cone over 2 psi of its azimuths.
-double mean_fresnel_reflectance(double cosine, double solid_angle, double index) {
-  constexpr int steps = 256;
-  const double angle = std::acos(std::clamp(cosine, 0.0, 1.0));
-  const double opening = std::acos(std::max(-1.0, 1 - solid_angle / (2 * pi)));
-  const double from = std::max(0.0, angle - opening), to = std::min(pi / 2, angle + opening);
-  double sum = 0, reflected = 0;
-  for (int i = 0; i < steps; ++i) {
-    const double t = from + (to - from) * (i + 0.5) / steps;
-    const double reach = (std::cos(opening) - std::cos(t) * cosine) / (std::sin(t) * std::sin(angle));
-    const double psi = t < opening - angle ? pi : std::acos(std::clamp(reach, -1.0, 1.0));
-    const double weight = psi * std::sin(t) * std::cos(t);
-    sum += weight;
-    reflected += weight * fresnel_reflectance(std::cos(t), index);
-  }
-  return reflected / sum;
+double critical_cosine(double index) { return std::sqrt(std::max(0.0, 1 - 1 / (index * index))); }
+
+// The transmitted part rises like a square root at the critical cosine c: in t of mu = c + (cosine - c) t^2
+// it is smooth.
+double transmitted_moment(double cosine, int power, double index) {
+  constexpr int panels = 32;
+  const double critical = critical_cosine(index), length = cosine - critical;
+  if (length <= 0) return 0;
+  double sum = 0;
+  for (int panel = 0; panel < panels; ++panel)
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double t = (panel + points[i]) / panels, mu = critical + length * t * t;
+      sum +=
+          weights[i] / panels * 2 * t * length * std::pow(mu, power) * (1 - fresnel_reflectance(mu, index));
+    }
+  return sum;
 }
 
 bool is_mirror(const Wall& wall) {
@@ -62,10 +53,7 @@ double mirrored_part(const Wall& wall, std::size_t band, double cosine) {
 
 double mirrored_part_of_isotropic(const Wall& wall, std::size_t band) {
   if (wall.refractive_index == 1) return wall.specular[band];
-  const double total =
-      std::sqrt(std::max(0.0, 1 - 1 / (wall.refractive_index * wall.refractive_index)));  // cosine
-  return (wall.refractive_index > 1 ? total * total : 0) +
-         integral(wall.refractive_index > 1 ? total : 0, 1, wall.refractive_index);
+  return 1 - 2 * transmitted_moment(1, 1, wall.refractive_index);
 }
 
 double radiance_sent(const Wall& wall, std::size_t band, double cosine) {

@@ -10,9 +10,12 @@ namespace etendue {
 /// reflected totally (Fresnel's formulas; Born and Wolf 1999, section 1.5.2).
 double fresnel_reflectance(double cosine, double index);
 
-/// Its mean over the cone of a solid angle [sr] about a direction, weighted by the cosine: what an ordinate
-/// sees that stands for this part of the sphere. Light beyond the surface is left out.
-double mean_fresnel_reflectance(double cosine, double solid_angle, double index);
+/// Cosine to the normal below which a surface reflects all light; 0 where the index is at most 1.
+double critical_cosine(double index);
+
+/// Integral of mu^power (1 - R) dmu over the cosines mu from 0 to `cosine`, R = fresnel_reflectance(mu,
+/// index): moments of the light that is transmitted, to 1e-10.
+double transmitted_moment(double cosine, int power, double index);
 
 /// Whether a wall mirrors in some band: by its specular reflectance or because it refracts.
 bool is_mirror(const Wall& wall);
