@@ -125,11 +125,9 @@ std::string refraction_caution(const RunDirections& directions, const Problem& p
   for (const SmoothPlane& plane : smooth_planes(problem.mesh(), problem.walls()))
     if (!parts_at_critical_angle(directions.sets.front(), plane))
       text += fmt::format(
-          "caution: too few directions for the critical angle of walls of refractive index {:.4g} with "
-          "normal "
-          "({:.4g}, {:.4g}, {:.4g}): a thin layer behind them may absorb tens of percent too much; use a "
-          "finer "
-          "set (docs/surfaces.md)\n",
+          "caution: too few directions within the critical angle of walls of refractive_index = {:.4g} with "
+          "normal ({:.4g}, {:.4g}, {:.4g}): thin layers may absorb tens of percent too much; use a finer "
+          "set\n",
           plane.refractive_index, plane.normal.x(), plane.normal.y(), plane.normal.z());
   return text;
 }

@@ -61,7 +61,8 @@ class Orbits {
   Eigen::VectorXd weights_;
 };
 
-/// The cone of directions that a refracting plane lets through, and which ordinates stand for it.
+/// The cone of directions that a refracting plane lets through, and the edge between ordinates inside and
+/// outside.
 struct Cone {
   Vec3 normal;
   double critical;  ///< cosine of the critical angle

@@ -10,7 +10,7 @@ namespace etendue {
 
 /// The directions of a set with weights for refracting planes.
 ///
-/// Behind a surface to optically thinner matter light is reflected totally from the critical angle on, and
+/// At a surface to an optically thinner medium light is reflected totally from the critical angle on, and
 /// the radiance has an edge there that a set's weights know nothing of. Here they are multiplied by factors
 /// 1 + f, with the smallest mean square of f, such that
 ///
@@ -25,8 +25,8 @@ namespace etendue {
 /// (too few directions in its cone), or whose mirror images are not in the set, is left out.
 DirectionSet fitted_to_refraction(const DirectionSet& set, std::span<const SmoothPlane> planes);
 
-/// Whether the flux of some of the ordinates is that of the cone within a plane's critical angle, as on
-/// fitted sets; true where nothing is reflected totally.
+/// Returns true where the flux of some of the ordinates is that of the cone within a plane's critical angle,
+/// as on fitted sets, and where nothing is reflected totally.
 bool parts_at_critical_angle(const DirectionSet& set, const SmoothPlane& plane);
 
 }  // namespace etendue

@@ -10,8 +10,8 @@
 
 namespace etendue {
 
-/// A flat part of the boundary that reflects ordinates into ordinates: a mirror, or a surface with matter of
-/// another refractive index behind it.
+/// A flat part of the boundary that reflects ordinates into ordinates: a mirror, or a surface with a medium
+/// of another refractive index behind it.
 struct SmoothPlane {
   Vec3 normal;              ///< unit; its sign does not matter
   double refractive_index;  ///< of the domain over that behind; 1: a mirror

@@ -62,8 +62,8 @@ void for_fitted_sets(const Test& test) {
              label(set) + ", index " + std::to_string(index) + ", normals " + std::to_string(normals.size()));
 }
 
-/// Of isotropic light outside a slab with two faces that refract, per incident flux inside: the part that is
-/// absorbed and the part that leaves, all internal reflections summed.
+/// Absorbed and leaving parts of isotropic light from outside a slab with two faces that refract, over n^2,
+/// all internal reflections summed.
 struct SlabPowers {
   double absorbed = 0, outflow = 0;
 
