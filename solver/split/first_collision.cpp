@@ -1,55 +1,18 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/split/first_collision.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "mesh/tetrahedra/sheet_faces.h"
+#include "solver/split/conserve_moments.h"
 #include "solver/split/matter_table.h"
 
 namespace etendue {
 namespace {
 
 constexpr double per_sphere = 1 / (4 * std::numbers::pi);
-/// Turns a distribution p_m of integral 1 into p_m e^(b.w_m) over its integral, the nearest one in entropy
-/// (Kullback 1959) that has this mean direction: small sets see a peak between their ordinates from the side,
-/// and miss its mean cosine. Where the peak is narrower than the set can tell b stays at what it may be.
-void keep_mean_direction(const DirectionSet& directions, const Vec3& wanted, std::vector<double>& p) {
-  constexpr int most_steps = 40;
-  constexpr double exact = 1e-14, longest_step = 2, steepest = 30;
-  Vec3 b = Vec3::Zero();
-  for (int step = 0; step < most_steps; ++step) {
-    Vec3 mean = Vec3::Zero();
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    double sum = 0;
-    for (std::size_t m = 0; m < p.size(); ++m) {
-      const Vec3& w = directions.directions()[m];
-      const double value = directions.weights()[m] * p[m] * std::exp(b.dot(w));
-      sum += value;
-      mean += value * w;
-      spread += value * w * w.transpose();
-    }
-    mean /= sum;
-    spread = spread / sum - mean * mean.transpose();
-    const Vec3 missing = wanted - mean;
-    if (missing.norm() < exact) break;
-    // Newton's step for the maximum of b.wanted - ln(sum), which is concave in b.
-    Vec3 change = spread.ldlt().solve(missing);
-    if (!change.allFinite()) break;
-    if (change.norm() > longest_step) change *= longest_step / change.norm();
-    if ((b + change).norm() > steepest) break;
-    b += change;
-  }
-  double integral = 0;
-  for (std::size_t m = 0; m < p.size(); ++m) {
-    p[m] *= std::exp(b.dot(directions.directions()[m]));
-    integral += directions.weights()[m] * p[m];
-  }
-  for (double& value : p) value /= integral;
-}
-
 }  // namespace
 
 FirstCollision::FirstCollision(const LightSetup& lights, const UncollidedField& field,
@@ -108,14 +71,10 @@ void FirstCollision::tabulate_phase(const PhaseFunction& phase, std::span<const 
     std::vector<double> values(ordinates);
 #pragma omp for schedule(dynamic, 16)
     for (std::size_t k = 0; k < incident.size(); ++k) {
-      double sum = 0;
-      for (std::size_t m = 0; m < ordinates; ++m) {
+      for (std::size_t m = 0; m < ordinates; ++m)
         values[m] = phase_value(phase, std::clamp(directions_.directions()[m].dot(incident[k]), -1.0, 1.0));
-        sum += directions_.weights()[m] * values[m];
-      }
-      if (!(sum > 0)) continue;
-      for (double& value : values) value /= sum;
-      keep_mean_direction(directions_, asymmetry * incident[k], values);
+      if (!(*std::ranges::max_element(values) > 0)) continue;
+      conserve_moments(directions_, asymmetry * incident[k], values);
       for (std::size_t m = 0; m < ordinates; ++m) table[m * incident.size() + k] = values[m] - per_sphere;
     }
   }

@@ -15,14 +15,14 @@ namespace etendue {
 /// of a cell of
 ///
 ///     s_m(x) = sigma_s(x) integral over w' of u_0(x, w') P_m(w') dw',
-///     P_m(w') = p(w_m.w') / sum over n of w_n p(w_n.w'),
+///     P_m(w') = p(w_m.w') exp(h_m (a + b.w_m)),
 ///
-/// with the exact phase function p, divided by its sum over the set so that the scattered power is sigma_s
-/// phi_0, and tilted so that the net flux is g sigma_s F_0; in media whose coefficients depend on the
-/// direction the kernel k(w' -> w_m) stands in place of p. The integral runs over the directions w' of
-/// CollisionField, which the light of each cell has. At walls, the radiance that is diffusely reflected,
-/// (diffuse / pi_h) E, transmitted from the other side of a sheet, (transmittance / pi_h) E(behind), and
-/// reflected by f_r (GlossyReflection).
+/// with the exact phase function p, corrected near its peak so that the scattered power is sigma_s phi_0 and
+/// the net flux g sigma_s F_0 (conserve_moments); in media whose coefficients depend on the direction the
+/// kernel k(w' -> w_m) stands in place of p. The integral runs over the directions w' of CollisionField,
+/// which the light of each cell has. At walls, the radiance that is diffusely reflected, (diffuse / pi_h) E,
+/// transmitted from the other side of a sheet, (transmittance / pi_h) E(behind), and reflected by f_r
+/// (GlossyReflection).
 class FirstCollision : public AngularInput {
  public:
   /// The arguments must outlive it.
