@@ -3,7 +3,7 @@
 
 import math
 
-from suite.result import read_reference
+from suite.result import last_digit, read_reference
 from suite.row import Row
 from suite.slabs import lit_and_dark, parts
 
@@ -18,4 +18,9 @@ def compare(runs):
         transmitted = float(row["T_mc"])
         found.append(Row(f"R, {name}", computed["R"], float(row["R_mc"]), float(row["sd_R"])))
         found.append(Row(f"T, {name}", computed["T"], transmitted, math.sqrt(transmitted * (1 - transmitted) / HISTORIES)))
+    for row in read_reference("slab_doubling.csv"):
+        name = f"w {row['w']}, tau {row['tau']}, g {row['g']}, mu0 {row['mu0']}"
+        if name in runs:
+            computed = parts(runs[name], runs[name].bands[0], *lit_and_dark(runs[name]))
+            found += [Row(f"{part}, {name}", computed[part], float(row[part]), last_digit(row[part])) for part in "RT"]
     return found
