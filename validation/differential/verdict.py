@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Whether the methods agree, scene by scene and over all of them."""
+
+import dataclasses
+import statistics
+
+BEYOND = 4        # units: a difference that errors do not explain
+SHARE = 0.01      # of all values may be beyond, since errors are estimates
+LIMIT = 8         # units: none may be beyond
+# What the program is known not to do well yet, by a feature of the scene: reported, not judged.
+KNOWN = {"wall: refracting": "known: ordinates are not accurate at refracting walls",
+         "void beside a scattering matrix": "known: ordinates may give no numbers in a void beside a dense scattering matrix"}
+
+
+@dataclasses.dataclass
+class Outcome:
+    """The comparison of one scene: values, and the faults of its runs."""
+
+    scene: object
+    rows: list
+    faults: list
+    seconds: float
+
+    @property
+    def known(self):
+        return [reason for feature, reason in KNOWN.items() if feature in self.scene.features]
+
+    @property
+    def beyond(self):
+        return [row for row in self.rows if abs(row.units) > BEYOND]
+
+    def print(self, verbose):
+        worst = max((abs(row.units) for row in self.rows), default=0)
+        state = "known" if self.known else "ok" if not self.beyond and not self.faults else "look"
+        title = self.scene.case["title"].partition(": ")[2]
+        print(f"seed {self.scene.seed:4} {state:6} {len(self.beyond)} of {len(self.rows)} values beyond {BEYOND} units, "
+              f"worst {worst:.1f}, median {median_units(self.rows):.2f}, {self.seconds:.1f} s  {title}", flush=True)
+        for text in [*self.known, *self.faults]:
+            print(f"    {text}")
+        for row in self.rows if verbose else self.beyond:
+            print("    " + row_text(row))
+
+
+def row_text(row):
+    return (f"{row.where:20} {row.quantity:12} {row.band:6} {row.method} {row.first:.5g}, photons {row.second:.5g}: "
+            f"{row.units:+.1f} units (noise {row.noise:.1e}, mesh {row.mesh:.1e}, directions {row.directions:.1e})")
+
+
+def median_units(rows):
+    return statistics.median(abs(row.units) for row in rows) if rows else 0.0
+
+
+def print_end(outcomes, options, seconds):
+    """Prints the last lines and returns whether the set passes."""
+    judged = [outcome for outcome in outcomes if not outcome.known]
+    rows = [row for outcome in judged for row in outcome.rows]
+    beyond = sum(len(outcome.beyond) for outcome in judged)
+    wide = sum(row.wide for row in rows)
+    faults = [fault for outcome in judged for fault in outcome.faults]
+    share = 100 / max(1, len(rows))
+    print(f"{len(outcomes)} scenes, {len(judged)} of them judged, {len(rows)} values, {seconds:.0f} s: {beyond} beyond {BEYOND} units "
+          f"({share * beyond:.2f} %), median {median_units(rows):.2f} units, {share * wide:.1f} % with a bar above 3 %, "
+          f"{len(faults)} faults")
+    agree = beyond <= SHARE * len(rows) and max((abs(row.units) for row in rows), default=0) <= LIMIT
+    if options.self_test:
+        passed = bool(rows) and not faults and not agree
+        print(f"{'PASS: the planted error is' if passed else 'FAIL: the planted error is not'} noticed")
+        return passed
+    passed = bool(rows) and not faults and agree
+    print(f"{'PASS' if passed else 'FAIL'}: allowed are {100 * SHARE:g} % beyond {BEYOND} units, none beyond {LIMIT}, and no fault")
+    return passed
