@@ -14,7 +14,15 @@ def compare(runs):
     for row in read_reference("cube_scattering_hot_wall.csv"):
         found.append(row_of(runs["hot wall" if row["g"] == "0" else "hot wall, forward"], row["where"], float(row["s"]), row,
                             "hot wall, G/4 along the axis" if row["where"] == "axis" else ""))
-    return found
+    return found + list(rows_by_photons(runs["hot wall, forward"], runs["hot wall, forward, photons"]))
+
+
+def rows_by_photons(ordinates, photons):
+    """Every point of a run, those without a published value too."""
+    for row, known in zip(ordinates.probes, photons.probes, strict=True):
+        column = "fluence" if row["probe"] == "axis" else "irradiance"
+        yield Row(f"{ordinates.name}, beside photons: {row['probe']} ({row['x']}, {row['y']}, {row['z']})", float(row[column]),
+                  float(known[column]), float(known[f"{column}_error"]))
 
 
 def row_of(cube, where, s, row, plot):
