@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "solver/ordinates/safe_squares.h"
+
 namespace etendue {
 namespace {
 
@@ -49,6 +51,11 @@ BandVectors::BandVectors(const TetrahedralMesh& mesh, const TransportSweep& swee
 }
 
 BandScalars BandVectors::dot(const TransportState& a, const TransportState& b) const {
+  return dot(a, b, BandScalars(bands_, 1));
+}
+
+BandScalars BandVectors::dot(const TransportState& a, const TransportState& b,
+                             const BandScalars& factor) const {
   const std::size_t rows = weights_.size();
   const std::size_t blocks = (rows + block_rows - 1) / block_rows;
   std::vector<double> partial(blocks * bands_, 0);
@@ -60,7 +67,8 @@ BandScalars BandVectors::dot(const TransportState& a, const TransportState& b) c
     const std::size_t end = std::min(rows, (block + 1) * block_rows);
     for (std::size_t row = block * block_rows; row < end; ++row)
       for (std::size_t band = 0; band < bands_; ++band)
-        sum[band] += weights_[row] * left[row * stride_ + band] * right[row * stride_ + band];
+        sum[band] += weights_[row] * (factor[band] * left[row * stride_ + band]) *
+                     (factor[band] * right[row * stride_ + band]);
   }
   BandScalars result(bands_, 0);
   for (std::size_t i = 0; i < partial.size(); ++i) result[i % bands_] += partial[i];
@@ -68,8 +76,29 @@ BandScalars BandVectors::dot(const TransportState& a, const TransportState& b) c
 }
 
 BandScalars BandVectors::norm(const TransportState& a) const {
-  BandScalars result = dot(a, a);
-  for (double& value : result) value = std::sqrt(value);
+  BandScalars result = dot(a, a), unit(bands_, 1);
+  if (!std::ranges::all_of(result, is_safe_sum_of_squares)) {
+    unit = units(a);
+    result = dot(a, a, unit);
+  }
+  for (std::size_t band = 0; band < bands_; ++band) result[band] = std::sqrt(result[band]) / unit[band];
+  return result;
+}
+
+BandScalars BandVectors::units(const TransportState& a) const {
+  const std::size_t rows = weights_.size(), blocks = (rows + block_rows - 1) / block_rows;
+  std::vector<double> largest(blocks * bands_, 0);
+  const double* values = a.values().data();
+#pragma omp parallel for schedule(static) num_threads(threads_)
+  for (std::size_t block = 0; block < blocks; ++block)
+    for (std::size_t row = block * block_rows; row < std::min(rows, (block + 1) * block_rows); ++row)
+      for (std::size_t band = 0; band < bands_; ++band)
+        largest[block * bands_ + band] =
+            std::max(largest[block * bands_ + band], std::abs(values[row * stride_ + band]));
+  BandScalars result(bands_, 0);
+  for (std::size_t i = 0; i < largest.size(); ++i)
+    result[i % bands_] = std::max(result[i % bands_], largest[i]);
+  for (double& value : result) value = unit_for_squares(value);
   return result;
 }
 

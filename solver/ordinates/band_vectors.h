@@ -20,6 +20,9 @@ class BandVectors {
   BandVectors(const TetrahedralMesh& mesh, const TransportSweep& sweep);
 
   BandScalars dot(const TransportState& a, const TransportState& b) const;
+  /// The inner product of factor a and factor b.
+  BandScalars dot(const TransportState& a, const TransportState& b, const BandScalars& factor) const;
+  /// Of values of any size, those whose squares leave the range of numbers included.
   BandScalars norm(const TransportState& a) const;
   /// to += factor from
   void add(TransportState& to, const BandScalars& factor, const TransportState& from) const;
@@ -27,6 +30,9 @@ class BandVectors {
   void scale(TransportState& a, const BandScalars& factor) const;
 
  private:
+  /// Powers of two that bring the largest value of each band near 1 [band].
+  BandScalars units(const TransportState& a) const;
+
   std::size_t bands_;
   std::size_t stride_;
   int threads_;

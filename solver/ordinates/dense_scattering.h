@@ -61,6 +61,8 @@ class DenseScattering {
   /// The right-hand sides of what scatters, for all ordinates, from the angular solution of a state.
   /// Adds the processor time to `seconds`.
   void form_source(const TransportState& last, MatrixProduct kernel, int threads, double& seconds);
+  /// Sets these right-hand sides to zero.
+  void clear_source() { source_.fill_zero(); }
   /// Adds them for one ordinate to rows [angular row][node][stride], that `index` finds by cell.
   template <class Real>
   void add_source(OrdinateIndex m, const std::int32_t* index, Real* angular) const;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "solver/ordinates/finite_check.h"
 #include "solver/problem/mirror.h"
 
 namespace etendue {
@@ -84,6 +85,7 @@ DiffusionAcceleration::DiffusionAcceleration(const Problem& problem, TransportSw
     path = std::make_unique<TransportState>(sweep.layout());
     sweep.apply_to_unit_source(*path);
     ++sweeps_;
+    check_finite(sweep, sweeps_, *path);
   }
   for (std::size_t i = 0; i < media_.size(); ++i) {
     double& caution = caution_[i % caution_.size()];

@@ -9,6 +9,7 @@
 
 #include "solver/ordinates/band_vectors.h"
 #include "solver/ordinates/diffusion_acceleration.h"
+#include "solver/ordinates/finite_check.h"
 #include "solver/ordinates/residual.h"
 
 namespace etendue {
@@ -40,7 +41,8 @@ class BandHessenberg {
     residual_ = right - matrix_ * solution_;
   }
 
-  double residual() const { return residual_.norm(); }
+  /// Of any size.
+  double residual() const { return residual_.stableNorm(); }
   /// Coefficient of a basis vector in the residual.
   double residual_coefficient(std::size_t row) const {
     return static_cast<Eigen::Index>(row) < residual_.size() ? residual_(static_cast<Eigen::Index>(row)) : 0;
@@ -130,6 +132,7 @@ class Run {
   std::vector<double> true_errors(SweepRecord* record) {
     sweep_.apply(state_, work_, record);
     ++sweeps_;
+    check_finite(sweep_, sweeps_, work_);
     vectors_.add(work_, BandScalars(bands_, -1), state_);
     if (accelerated()) precondition(active());
     std::vector<double> errors = relative_change(sweep_.mesh(), sweep_, state_, judged_residual());
@@ -137,6 +140,7 @@ class Run {
       errors[b] = judged(b)            ? errors[b] * judge_->caution(b)
                   : sweep_.is_direct() ? 0
                                        : errors[b] / smallest_[b];
+    check_finite(sweep_, sweeps_, "residual", errors);
     return errors;
   }
 
@@ -196,6 +200,7 @@ class Run {
     for (std::size_t j = 0; j < length_ && !cycle_ends(); ++j) {
       apply_linear(basis_[j]);
       ++sweeps_;
+      check_finite(sweep_, sweeps_, work_);
       // work = P (I - T) v
       vectors_.scale(work_, BandScalars(bands_, -1));
       vectors_.add(work_, BandScalars(bands_, 1), basis_[j]);
@@ -259,6 +264,7 @@ class Run {
         vectors_.add(work_, projection, basis_[i]);
       }
     const BandScalars norm = vectors_.norm(work_);
+    check_finite(sweep_, sweeps_, "Krylov vector", norm);
     for (std::size_t b = 0; b < bands_; ++b) columns[b].back() = norm[b];
     push_normalised(norm);
     return columns;

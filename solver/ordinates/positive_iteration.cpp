@@ -9,8 +9,10 @@
 
 #include "solver/ordinates/band_vectors.h"
 #include "solver/ordinates/diffusion_acceleration.h"
+#include "solver/ordinates/finite_check.h"
 #include "solver/ordinates/gmres.h"
 #include "solver/ordinates/residual.h"
+#include "solver/ordinates/safe_squares.h"
 
 namespace etendue {
 namespace {
@@ -53,9 +55,11 @@ class Run {
     for (int count = 1; count <= options_.max_sweeps; ++count) {
       TransportState last_image = image_;
       sweep_.apply(state_, image_);
+      check_finite(sweep_, count, image_);
       TransportState residual = difference(image_, state_);
       if (options_.acceleration != nullptr) precondition(residual);
       const std::vector<double> relative = relative_residual(sweep_.mesh(), sweep_, state_, image_);
+      check_finite(sweep_, count, "residual", relative);
       if (count > 1) remember(residual, last_image);
       result_.sweeps = count;
       for (std::size_t b = 0; b < bands_; ++b) {
@@ -165,12 +169,14 @@ class Run {
     const auto count = static_cast<Eigen::Index>(changes_.size());
     std::vector<Eigen::MatrixXd> gram(bands_, Eigen::MatrixXd(count, count));
     std::vector<Eigen::VectorXd> right(bands_, Eigen::VectorXd(count));
+    BandScalars unit = vectors_.norm(residual_);
+    for (double& value : unit) value = unit_for_squares(value);
     for (Eigen::Index i = 0; i < count; ++i) {
       const TransportState& row = changes_[static_cast<std::size_t>(i)].residual;
-      const BandScalars product = vectors_.dot(row, residual_);
+      const BandScalars product = vectors_.dot(row, residual_, unit);
       for (std::size_t b = 0; b < bands_; ++b) right[b](i) = product[b];
       for (Eigen::Index j = i; j < count; ++j) {
-        const BandScalars entry = vectors_.dot(row, changes_[static_cast<std::size_t>(j)].residual);
+        const BandScalars entry = vectors_.dot(row, changes_[static_cast<std::size_t>(j)].residual, unit);
         for (std::size_t b = 0; b < bands_; ++b) gram[b](i, j) = gram[b](j, i) = entry[b];
       }
     }

@@ -13,6 +13,7 @@
 
 #include "solver/ordinates/diffusion_acceleration.h"
 #include "solver/ordinates/directional_emission.h"
+#include "solver/ordinates/finite_check.h"
 #include "solver/ordinates/gmres.h"
 #include "solver/ordinates/ordinate_lights.h"
 #include "solver/ordinates/positive_iteration.h"
@@ -332,6 +333,7 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   if (!recorded) {
     TransportState last_state(sweep.layout());
     sweep.apply(state, last_state, &record);
+    check_finite(sweep, used, last_state);
     state = std::move(last_state);
   }
   read_out(sweep, state, record, solution);

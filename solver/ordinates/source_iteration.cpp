@@ -11,6 +11,7 @@
 
 #include "solver/ordinates/band_vectors.h"
 #include "solver/ordinates/diffusion_acceleration.h"
+#include "solver/ordinates/finite_check.h"
 #include "solver/ordinates/residual.h"
 #include "solver/ordinates/sweep_kernel.h"
 
@@ -108,6 +109,7 @@ class Run {
   /// size of the change.
   std::vector<double> advance() {
     result_.sweeps += image_.form(state_, next_, active_, options_.max_sweeps - result_.sweeps);
+    check_finite(sweep_, result_.sweeps, next_);
     vectors_.add(next_, BandScalars(bands_, -1), state_);
     vectors_.scale(next_, BandScalars(active_.begin(), active_.end()));
     std::vector<double> change;
@@ -119,6 +121,7 @@ class Run {
       change = relative_change(sweep_.mesh(), sweep_, state_, next_);
     }
     vectors_.add(state_, BandScalars(bands_, 1), next_);
+    check_finite(sweep_, result_.sweeps, "residual", change);
     return change;
   }
 

@@ -201,6 +201,19 @@ void TransportSweepOf<Real>::form_source(const TransportState& last) {
     if (shines_by_direction()) add_isotropic_source(first, std::min(cells, first + merge_block));
   }
   dense_.form_source(last, kernels_.matrix_product, threads_, processor_seconds_);
+  share_records();
+}
+
+template <class Real>
+void TransportSweepOf<Real>::form_unit_source() {
+  inflow_.fill_zero();
+  scattering_.form_unit_source(records_.data(), moment_source_.data());
+  dense_.clear_source();
+  share_records();
+}
+
+template <class Real>
+void TransportSweepOf<Real>::share_records() {
   for (auto& work : workspaces_) std::copy_n(records_.data(), work->records.size(), work->records.data());
 }
 
@@ -227,7 +240,7 @@ void TransportSweepOf<Real>::apply_linear(const TransportState& last, TransportS
 template <class Real>
 void TransportSweepOf<Real>::apply_to_unit_source(TransportState& next) {
   emission_ = Emission::left_out;
-  scattering_.form_unit_source(records_.data(), moment_source_.data());
+  form_unit_source();
   sweep_source(TransportState(layout()), next, nullptr);
 }
 

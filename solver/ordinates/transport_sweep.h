@@ -120,6 +120,9 @@ class TransportSweepOf {
   void sweep_all(const TransportState& last, TransportState& next, SweepRecord* record);
   void sweep_source(const TransportState& last, TransportState& next, SweepRecord* record);
   void form_source(const TransportState& last);
+  void form_unit_source();
+  /// Copies the records to the threads, which set the mass of dense cells in them for each ordinate.
+  void share_records();
   void sweep_batch(std::int32_t batch, const TransportState& last, TransportState& next, SweepRecord* record,
                    Workspace& work);
   void form_angular_source(std::int32_t batch, Workspace& work);

@@ -44,6 +44,12 @@ Medium directional(DirectionalScattering matter) {
   return medium;
 }
 
+std::vector<double> extinction_of(const Problem& problem) {
+  std::vector<double> extinction(problem.absorption().begin(), problem.absorption().end());
+  for (std::size_t i = 0; i < extinction.size(); ++i) extinction[i] += problem.scattering()[i];
+  return extinction;
+}
+
 int sweeps_of(const Problem& problem, Method method = Method::gmres) {
   const Solution solution =
       solve(problem, directions_ldfe_sq(1), options_of(method, Acceleration::diffusion));
@@ -58,6 +64,52 @@ TEST(AnisotropicAcceleration, ForwardScatteringTakesFewSweeps) {
     EXPECT_LE(sweeps_of(box(mesh, thickness, forward(0.8, dense))), 28);
     EXPECT_LE(sweeps_of(box(mesh, thickness, forward(0.9, dense))), 35);
     EXPECT_LE(sweeps_of(box(mesh, thickness, forward(0.9, moments))), 45);
+  }
+}
+
+/// A void inside matter that scatters by a matrix.
+Problem hollow_box(const TetrahedralMesh& mesh, double scattering, double asymmetry) {
+  Medium matter = forward(asymmetry, dense), gap = uniform_medium(1, 0, 0, 0);
+  matter.scattering = {Coefficient(scattering)};
+  matter.absorption = {Coefficient(0.2 * scattering)};
+  gap.name = "inner";
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    walls.push_back(uniform_wall(1, 1, 0, 0));
+    walls.back().name = name;
+  }
+  return {mesh, Bands{}, {matter, gap}, walls};
+}
+
+TEST(AnisotropicAcceleration, VoidsBesideMatricesTakeFewSweeps) {
+  const TetrahedralMesh mesh = two_region_mesh(3e-2);
+  for (const double scattering : {3.5, 50.0})
+    for (const double asymmetry : {0.5, 0.9})
+      EXPECT_LE(sweeps_of(hollow_box(mesh, scattering, asymmetry)), 35);
+}
+
+TEST(AnisotropicAcceleration, UnitSourceGivesTheFreePathBesideVoids) {
+  const TetrahedralMesh mesh = two_region_mesh(3e-2);
+  const Problem problem = hollow_box(mesh, 1000, 0.9);
+  const DirectionSet directions = directions_ldfe_sq(1);
+  const std::vector<double> extinction = extinction_of(problem);
+  TransportSweep sweep(problem, directions, extinction, options_of(Method::gmres, Acceleration::diffusion));
+  TransportState path(sweep.layout());
+  sweep.apply_to_unit_source(path);
+  const std::vector<double> seen =
+      effective_extinction(problem, extinction, sweep.scattering_plan(), sweep.scattering_matrices());
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    double mean = 0;
+    for (std::size_t i = 0; i < 4; ++i) mean += path.fluence()[4 * static_cast<std::size_t>(c) + i] / 4;
+    mean /= full_range(problem.space());
+    // Cells at the void have light from far away.
+    bool at_void = false;
+    for (const std::int32_t v : mesh.vertices(CellIndex(c)))
+      at_void = at_void || (mesh.point(VertexIndex(v)).array() - 0.5).abs().maxCoeff() < 0.2501;
+    if (!at_void)
+      EXPECT_NEAR(mean * seen[static_cast<std::size_t>(c)], 1, 0.25) << c;
+    else
+      EXPECT_TRUE(mean > 0 && mean < 1) << mean;
   }
 }
 
