@@ -11,6 +11,7 @@
 
 #include "app/case/open_walls.h"
 #include "mesh/tetrahedra/cell_locator.h"
+#include "solver/lights/lamp_in_cone.h"
 #include "solver/problem/lamp_shape.h"
 #include "solver/problem/mirror.h"
 
@@ -114,6 +115,23 @@ void require_inside(const LightCase& light, std::span<const Vec3> points, const 
                       light.name, point.x(), point.y(), point.z())));
 }
 
+/// Part of its own shape that a lamp has to send into the domain.
+constexpr double least_part_inside = 1e-6;
+
+/// A lamp on a wall must not shine at the wall alone.
+void require_light_inside(const LightCase& light, const PointLight& point, const CellLocator& locator,
+                          const TetrahedralMesh& mesh, std::vector<Fault>& faults) {
+  const std::vector<CellPoint> cells = locator.find(point.position);
+  if (cells.empty()) return;
+  const double inside = integral_of_lamp_shape(point, TangentCone(mesh, cells));
+  if (inside > least_part_inside * integral_of_lamp_shape(point)) return;
+  faults.push_back(
+      fault_at(light.origin, "",
+               fmt::format("the light \"{}\" on a wall shines only at the wall (its power has to "
+                           "go into the domain); turn it, or move it into a region",
+                           light.name)));
+}
+
 /// A wall that lets light in must not mirror: what comes through would be turned back there.
 void require_open(const LightCase& light, const std::vector<int>& numbers, const std::vector<Wall>& walls,
                   std::vector<Fault>& faults) {
@@ -132,6 +150,25 @@ void require_open(const LightCase& light, const std::vector<int>& numbers, const
                 "the light \"{}\" comes in by the mirror {} (it would be turned back there); make the "
                 "wall black or diffuse",
                 light.name, walls[static_cast<std::size_t>(w)].name)));
+}
+
+/// Cosine to a face from which on a beam comes in by it.
+constexpr double least_cosine = 1e-9;
+
+/// A beam must come in by one of its walls.
+void require_incoming(const LightCase& light, const std::vector<int>& numbers, const TetrahedralMesh& mesh,
+                      std::vector<Fault>& faults) {
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    if (const FaceIndex face(f);
+        std::ranges::count(numbers, mesh.wall(face)) > 0 &&
+        -light.direction.dot(mesh.area_normal(face)) > least_cosine * mesh.area(face))
+      return;
+  if (numbers.empty()) return;
+  faults.push_back(fault_at(
+      light.origin, "",
+      fmt::format("the light \"{}\" comes in by none of its walls (it travels along [{:.4g}, {:.4g}, "
+                  "{:.4g}], out of the domain or along them); turn it, or name other walls",
+                  light.name, light.direction.x(), light.direction.y(), light.direction.z())));
 }
 
 /// The faces of a wall look one way: the normal into the domain; empty where they do not.
@@ -207,10 +244,13 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
     if (light.kind == "point" || light.kind == "spot") {
       require_inside(light, std::span(&light.position, 1), locator, faults);
       lights.push_back({light.name, point_light(light), light.origin, light.uncollided});
+      require_light_inside(light, std::get<PointLight>(lights.back().kind), locator, mesh, faults);
     } else if (light.kind == "sun") {
+      const std::size_t before = faults.size();
       require_open(light, numbers, as_written, faults);
       lights.push_back(
           {light.name, beam_light(light, numbers, as_written, mesh, faults), light.origin, light.uncollided});
+      if (faults.size() == before) require_incoming(light, numbers, mesh, faults);
     } else if (light.kind == "sky" && !light.angle.empty()) {
       require_open(light, numbers, as_written, faults);
       std::ranges::move(sky_lights(light, numbers), std::back_inserter(skies));

@@ -211,6 +211,7 @@ struct Case {
   AngularSpace angular_space = AngularSpace::sphere;
   Origin directions_origin;
   SolveOptions solve;
+  double balance_tolerance = 0.01;         ///< part of the power that may be missing in the balance of a band
   std::optional<PhotonCase> photons;       ///< solve by photons
   std::optional<RadiosityCase> radiosity;  ///< solve by radiosity
   std::optional<InputFile> initial;        ///< a solution to start from

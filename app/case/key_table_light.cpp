@@ -115,7 +115,10 @@ std::vector<KeyDeclaration> light_keys() {
             "angle, power; falloff), sun (direction, irradiance; walls), disc (position, direction, radius, "
             "radiance), rectangle (position, direction, along, size, radiance), wall (walls, radiance), sky "
             "(radiance; walls, distribution, direction and along)."}},
-      {"light", "position", point, {.unit = "length", .help = "Where it stands, or its middle."}},
+      {"light",
+       "position",
+       point,
+       {.unit = "length", .help = "Where it stands, or its middle; in the domain or on a wall of it."}},
       {"light",
        "direction",
        point,
@@ -126,7 +129,10 @@ std::vector<KeyDeclaration> light_keys() {
       {"light",
        "power",
        band_numbers,
-       {.unit = "power", .range = not_negative, .help = "Of a point or a spot, into all directions."}},
+       {.unit = "power",
+        .range = not_negative,
+        .help = "Of a point or a spot, into all directions; of one on a wall into those that lead into the "
+                "domain."}},
       {"light",
        "angle",
        number,

@@ -158,6 +158,15 @@ std::vector<KeyDeclaration> run_keys() {
         .range = open_fraction,
         .help = "Estimated relative error of the iteration, per band."}},
       {"solve",
+       "balance_tolerance",
+       number,
+       {.default_value = "0.01",
+        .range = positive,
+        .help =
+            "Part of the emitted power that may be missing from, or too much in, the balance of a band, with "
+            "any method; of photons beside three standard errors. A run beyond it is marked \"balanced\": "
+            "false in `summary.json` and ends with exit code 1."}},
+      {"solve",
        "max_sweeps",
        integer,
        {.default_value = "500",

@@ -166,6 +166,7 @@ void read_solve(Section solve, const std::filesystem::path& case_folder, Case& r
                              : coefficient == "non-local" ? DiffusionLength::nonlocal
                                                           : DiffusionLength::automatic;
   options.tolerance = solve.number("tolerance");
+  result.balance_tolerance = solve.number("balance_tolerance");
   options.max_sweeps = solve.integer("max_sweeps");
   options.threads = solve.integer("threads");
   if (const TomlNode* initial = solve.find("initial"))

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/write/balance_check.h"
+
 namespace etendue {
 namespace {
 
@@ -44,7 +46,8 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) 
                                         : "the last sweep; " + how_to_go_on(result));
     return ExitCode::interrupted;
   }
-  if (result.solution.converged()) return ExitCode::done;
+  err << balance_warning(result);
+  if (result.solution.converged()) return is_balanced(result) ? ExitCode::done : ExitCode::not_converged;
   if (result.errors)
     err << fmt::format(
         "the error is above solve.until = {} after solve.photons = {} histories in each band; the results "

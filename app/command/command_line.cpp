@@ -26,9 +26,9 @@ const char* const examples = R"(Examples:
   etendue directions --set ldfe-sq --order 2 -o set.vtp
   etendue keys
 
-Exit codes: 0 done and converged; 1 not converged (results written and marked so); 2 the case, the
-mesh or the command line is wrong; 3 a file could not be read or written; 4 internal error;
-130 interrupted.)";
+Exit codes: 0 done, converged and balanced; 1 not converged or not balanced (results written and
+marked so); 2 the case, the mesh or the command line is wrong; 3 a file could not be read or written;
+4 internal error; 130 interrupted.)";
 
 const std::map<std::string, ProgressStyle> progress_styles = {
     {"bar", ProgressStyle::bar}, {"plain", ProgressStyle::plain}, {"none", ProgressStyle::none}};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/command/text_table.h"
+#include "app/write/balance_check.h"
 #include "app/write/unit_labels.h"
 
 namespace etendue {
@@ -161,7 +162,8 @@ std::string balance_text(const RunResult& result) {
                    number(balance.absorbed), number(balance.outflow),
                    fmt::format("{:.1e}", balance.residual)});
   }
-  return section("balance [" + result.input.units.power + "]: emitted + inflow = absorbed + outflow", table);
+  return section("balance [" + result.input.units.power + "]: emitted + inflow = absorbed + outflow", table) +
+         balance_warning(result);
 }
 
 std::string uncollided_text(const RunResult& result) {

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/write/balance_check.h"
+
 namespace etendue {
 namespace {
 
@@ -157,7 +159,9 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["threads"] = result.threads;
   summary["converged"] = solution.converged();
   summary["interrupted"] = solution.interrupted;
+  summary["balanced"] = is_balanced(result);
   summary["tolerance"] = result.input.solve.tolerance;
+  summary["balance_tolerance"] = result.input.balance_tolerance;
   summary["sweeps"] = array_of(solution.convergence, [](const BandConvergence& c) { return c.sweeps; });
   summary["residual"] = array_of(solution.convergence, [](const BandConvergence& c) { return c.residual; });
   summary["balance"] = array_of(result.balances, [](const Balance& b) { return as_json(b); });

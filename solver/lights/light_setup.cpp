@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "mesh/tetrahedra/cell_locator.h"
 #include "solver/lights/beam_source.h"
 #include "solver/lights/extended_source.h"
 #include "solver/lights/point_source.h"
@@ -148,6 +149,8 @@ void LightSetup::refuse_all(const std::string& where, const std::string& instead
 
 void LightSetup::add_lights() {
   const auto lights = problem_.lights();
+  if (lights.empty()) return;
+  const CellLocator locator(problem_.mesh());
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const Light& light = lights[i];
     if (continues_sky(lights, i)) continue;
@@ -156,7 +159,8 @@ void LightSetup::add_lights() {
       continue;
     }
     if (const auto* point = std::get_if<PointLight>(&light.kind)) {
-      sources_.push_back(std::make_unique<PointSource>(light.name, *point, paths_));
+      TangentCone cone(problem_.mesh(), locator.find(point->position));
+      sources_.push_back(std::make_unique<PointSource>(light.name, *point, std::move(cone), paths_));
     } else if (i + 1 < lights.size() && continues_sky(lights, i + 1)) {
       std::vector<BeamLight> parts;
       for (std::size_t k = i; k == i || (k < lights.size() && continues_sky(lights, k)); ++k)

@@ -3,22 +3,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "solver/lights/lamp_in_cone.h"
 #include "solver/problem/lamp_shape.h"
 
 namespace etendue {
-PointSource::PointSource(std::string name, const PointLight& light, const LightPaths& paths)
+PointSource::PointSource(std::string name, const PointLight& light, TangentCone cone, const LightPaths& paths)
     : LightSource(std::move(name), light.power),
       light_(light),
+      cone_(std::move(cone)),
       paths_(paths),
-      norm_(integral_of_lamp_shape(light)) {
+      norm_(integral_of_lamp_shape(light, cone_)) {
   for (const MirrorSet mirrors : paths.mirrors().images_of_point())
     images_.push_back({paths.mirrors().image(mirrors, light.position), mirrors});
 }
 
 double PointSource::intensity(const Image& image, const Vec3& direction) const {
-  if (light_.angle.empty()) return 1 / norm_;
-  return lamp_shape(light_, paths_.mirrors().image_direction(image.mirrors, direction)) / norm_;
+  if (light_.angle.empty() && cone_.is_whole()) return 1 / norm_;
+  const Vec3 sent = paths_.mirrors().image_direction(image.mirrors, direction);
+  return cone_.contains(sent) ? lamp_shape(light_, sent) / norm_ : 0;
 }
 
 void PointSource::add_beams(const PointInCell& at, Sight sight, LightDetail, LightBeams& beams) const {

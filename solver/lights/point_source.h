@@ -3,13 +3,16 @@
 
 #include "solver/lights/light_source.h"
 #include "solver/problem/light.h"
+#include "solver/problem/tangent_cone.h"
 
 namespace etendue {
 
-/// A light at a point of the domain, with its images behind mirrors.
+/// A light at a point of the domain, with its images behind mirrors. It sends all of its power in directions
+/// that lead into the domain: one on a wall nothing into the wall, and more to the other side.
 class PointSource : public LightSource {
  public:
-  PointSource(std::string name, const PointLight& light, const LightPaths& paths);
+  /// `cone` has the directions that lead into the domain from the position.
+  PointSource(std::string name, const PointLight& light, TangentCone cone, const LightPaths& paths);
 
   struct Image {
     Vec3 position;
@@ -25,9 +28,10 @@ class PointSource : public LightSource {
 
  private:
   PointLight light_;
+  TangentCone cone_;
   const LightPaths& paths_;
   std::vector<Image> images_;
-  double norm_;  ///< integral of the intensity's shape over the sphere
+  double norm_;  ///< integral of the intensity's shape over the cone
 };
 
 }  // namespace etendue

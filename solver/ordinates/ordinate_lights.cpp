@@ -8,6 +8,7 @@
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/ordinates/sweep_order.h"
 #include "solver/problem/lamp_shape.h"
+#include "solver/problem/tangent_cone.h"
 
 namespace etendue {
 namespace {
@@ -71,9 +72,12 @@ OrdinateLights::OrdinateLights(const Problem& problem, const DirectionSet& direc
 }
 
 void OrdinateLights::add(const PointLight& light) {
-  const CellIndex cell = CellLocator(problem_.mesh()).find(light.position).front().cell;
+  const std::vector<CellPoint> cells = CellLocator(problem_.mesh()).find(light.position);
+  const CellIndex cell = cells.front().cell;
+  const TangentCone cone(problem_.mesh(), cells);
   std::vector<double>& shape = shapes_.emplace_back();
-  for (const Vec3& direction : directions_.directions()) shape.push_back(lamp_shape(light, direction));
+  for (const Vec3& direction : directions_.directions())
+    shape.push_back(cone.contains(direction) ? lamp_shape(light, direction) : 0);
   normalise(directions_, light.axis, shape);
   in_cells_[cell.value()].push_back({light.power, shapes_.size() - 1, 1 / problem_.mesh().volume(cell)});
   for (std::size_t b = 0; b < power_inside_.size(); ++b) power_inside_[b] += light.power[b];

@@ -11,7 +11,8 @@
 
 namespace etendue {
 
-/// Lights that are left to the ordinates (Uncollided::no). A point shines from all of its cell, a flat light
+/// Lights that are left to the ordinates (Uncollided::no). A point shines from all of its cell, along
+/// the ordinates that lead into the domain from its place, a flat light
 /// from all of the cells that it lies in, by what of it is in each; a beam enters along the one ordinate that
 /// is nearest to it at each face. Each sends exactly its power on any set.
 class OrdinateLights : public AngularInput {

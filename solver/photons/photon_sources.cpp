@@ -129,11 +129,13 @@ void PhotonSources::add_walls() {
 void PhotonSources::add_lights() {
   const TetrahedralMesh& mesh = problem_.mesh();
   angles_.resize(problem_.lights().size());
+  cones_.resize(problem_.lights().size());
   for (std::size_t i = 0; i < problem_.lights().size(); ++i) {
     const auto& kind = problem_.lights()[i].kind;
     const auto index = static_cast<std::int32_t>(i);
     if (const auto* point = std::get_if<PointLight>(&kind)) {
       angles_[i] = AngleTable(point->angle, lamp_shape_about_axis(*point));
+      cones_[i] = TangentCone(mesh, locator_.find(point->position));
       add({Kind::point, index, 0}, point->power[band_]);
     } else if (const auto* beam = std::get_if<BeamLight>(&kind)) {
       for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
@@ -254,24 +256,28 @@ PhotonStart PhotonSources::from_face_corner(std::int32_t number, std::size_t cor
   return start;
 }
 
-PhotonStart PhotonSources::from_point(const PointLight& light, const AngleTable& angles,
-                                      DrawnNumbers& random) const {
-  Vec3 direction;
-  if (angles.empty()) {
-    direction = isotropic(random);
-  } else {
-    const double angle = angles.draw(random.number());
-    if (light.plane.empty()) {
-      double c, s, turned[3] = {light.axis.x(), light.axis.y(), light.axis.z()};
-      unit_circle(random.word(), c, s);
-      turn(turned, std::cos(angle), c, s);
-      direction = vector_of(turned);
-    } else {
-      const double azimuth = draw_azimuth(light, angle, [&] { return random.number(); });
-      direction = std::cos(angle) * light.axis + std::sin(angle) * (std::cos(azimuth) * light.zero_plane +
-                                                                    std::sin(azimuth) * light.quarter_plane);
-    }
+Vec3 PhotonSources::direction_of(const PointLight& light, const AngleTable& angles,
+                                 DrawnNumbers& random) const {
+  if (angles.empty()) return isotropic(random);
+  const double angle = angles.draw(random.number());
+  if (light.plane.empty()) {
+    double c, s, turned[3] = {light.axis.x(), light.axis.y(), light.axis.z()};
+    unit_circle(random.word(), c, s);
+    turn(turned, std::cos(angle), c, s);
+    return vector_of(turned);
   }
+  const double azimuth = draw_azimuth(light, angle, [&] { return random.number(); });
+  return std::cos(angle) * light.axis +
+         std::sin(angle) * (std::cos(azimuth) * light.zero_plane + std::sin(azimuth) * light.quarter_plane);
+}
+
+// A lamp on a wall sends all of its power into the domain.
+PhotonStart PhotonSources::from_point(std::int32_t index, DrawnNumbers& random) const {
+  const auto number = static_cast<std::size_t>(index);
+  const auto& light = std::get<PointLight>(problem_.lights()[number].kind);
+  Vec3 direction;
+  do direction = direction_of(light, angles_[number], random);
+  while (!cones_[number].contains(direction));
   PhotonStart start = started(light.position, direction);
   start_inside(light.position, direction, start);
   return start;
@@ -300,8 +306,7 @@ PhotonStart PhotonSources::start_of(const Source& source, DrawnNumbers& random) 
     case Kind::beam:
       return from_face(source.part, &std::get<BeamLight>(light().kind).direction, random);
     case Kind::point:
-      return from_point(std::get<PointLight>(light().kind), angles_[static_cast<std::size_t>(source.index)],
-                        random);
+      return from_point(source.index, random);
     case Kind::cell_corner:
       return from_cell_corner(source.index, static_cast<std::size_t>(source.part), random);
     case Kind::face_corner:

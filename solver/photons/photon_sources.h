@@ -11,6 +11,7 @@
 #include "solver/photons/drawn_numbers.h"
 #include "solver/photons/photon_mesh.h"
 #include "solver/problem/problem.h"
+#include "solver/problem/tangent_cone.h"
 
 namespace etendue {
 
@@ -58,7 +59,8 @@ class PhotonSources {
   PhotonStart from_cell_corner(std::int32_t cell, std::size_t corner, DrawnNumbers& random) const;
   PhotonStart from_face_corner(std::int32_t face, std::size_t corner, DrawnNumbers& random) const;
   Vec3 refracted_in(const PhotonFace& face, DrawnNumbers& random) const;
-  PhotonStart from_point(const PointLight& light, const AngleTable& angles, DrawnNumbers& random) const;
+  PhotonStart from_point(std::int32_t light, DrawnNumbers& random) const;
+  Vec3 direction_of(const PointLight& light, const AngleTable& angles, DrawnNumbers& random) const;
   PhotonStart from_surface(const EmittingTriangle& triangle, DrawnNumbers& random) const;
   void start_inside(const Vec3& point, const Vec3& direction, PhotonStart& start) const;
   Vec3 isotropic(DrawnNumbers& random) const;
@@ -72,6 +74,7 @@ class PhotonSources {
   std::vector<Source> sources_;
   std::vector<double> cumulative_;  ///< [source] power of it and of all before it
   std::vector<AngleTable> angles_;  ///< [light] of a point light
+  std::vector<TangentCone> cones_;  ///< [light] of a point light; of others of the whole sphere
 };
 
 }  // namespace etendue

@@ -361,6 +361,34 @@ TEST(BuildProblem, RefusesASunByASurfaceAndByOtherWalls) {
             std::string::npos);
 }
 
+TEST(BuildProblem, RefusesBeamsThatLeadOutOfTheDomain) {
+  const auto of_floor = [](const std::string& direction) {
+    return build_faults(case_of(cube + "[mesh]\nedge_length = 1\n[walls.zmin]\nbeam = { direction = " +
+                                direction + ", irradiance = 1 }\n"));
+  };
+  EXPECT_NE(
+      of_floor("[0, 0, -2]")
+          .find("walls.zmin.beam: the light \"zmin.beam\" comes in by none of its walls (it travels along "
+                "[0, 0, -1], out of the domain or along them); turn it"),
+      std::string::npos)
+      << of_floor("[0, 0, -2]");
+  EXPECT_NE(of_floor("[1, 0, 0]"), "");
+  EXPECT_EQ(of_floor("[1, 0, 0.1]"), "");
+}
+
+TEST(BuildProblem, RefusesALampOnAWallThatShinesAtIt) {
+  const auto spot = [](const std::string& direction) {
+    return build_faults(case_of(cube +
+                                "[mesh]\nedge_length = 1\n[[light]]\nname = \"lamp\"\nkind = \"spot\"\n"
+                                "position = [0.5, 0.5, 1]\npower = 1\nangle = 30\ndirection = " +
+                                direction + "\n"));
+  };
+  EXPECT_NE(spot("[0, 0, 1]").find("the light \"lamp\" on a wall shines only at the wall"), std::string::npos)
+      << spot("[0, 0, 1]");
+  EXPECT_EQ(spot("[0, 0, -1]"), "");
+  EXPECT_EQ(spot("[1, 0, 0]"), "");
+}
+
 // A black box in the room is none of the ways in.
 TEST(BuildProblem, LetsTheSunInByOuterWallsOnly) {
   const Case input = case_of(R"([mesh]

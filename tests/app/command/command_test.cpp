@@ -57,6 +57,18 @@ TEST(Command, AFaultyCaseIsAnInputErrorWithFileAndLine) {
   EXPECT_FALSE(std::filesystem::exists(folder.results()));
 }
 
+TEST(Command, ARunThatLosesLightIsMarkedAndEndsWithOne) {
+  const CaseFolder sound, lossy(test::small_case() + "[solve]\nbalance_tolerance = 1e-30\n");
+  EXPECT_EQ(etendue_says({"run", sound.file()}).code, ExitCode::done);
+  EXPECT_TRUE(has(test::text_of(sound.path() / "results/summary.json"), "\"balanced\": true"));
+  const Outcome outcome = etendue_says({"run", lossy.file()});
+  EXPECT_EQ(outcome.code, ExitCode::not_converged);
+  for (const std::string& text : {outcome.out, outcome.err})
+    EXPECT_TRUE(has(text, "WARNING: NOT BALANCED") && has(text, "in band red")) << text;
+  const std::string summary = test::text_of(lossy.path() / "results/summary.json");
+  EXPECT_TRUE(has(summary, "\"balanced\": false") && has(summary, "\"converged\": true")) << summary;
+}
+
 TEST(Command, CheckDescribesACaseAndMakesNothing) {
   const CaseFolder folder;
   const Outcome outcome = etendue_says({"check", folder.file()});

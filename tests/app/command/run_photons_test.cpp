@@ -51,6 +51,20 @@ TEST(RunPhotons, WritesWhatOtherMethodsWriteWithErrors) {
   for (const json& balance : summary["balance"]) EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-2);
 }
 
+// Three standard errors of the residual are allowed beside the tolerance.
+TEST(RunPhotons, StatisticalErrorIsNoLossOfLight) {
+  const CaseFolder folder;
+  const Outcome outcome =
+      etendue_says(by_photons(folder, folder.results(), {"--set", "solve.balance_tolerance=1e-30"}));
+  const json summary = summary_in(folder.results());
+  bool within = true;
+  for (std::size_t b = 0; b < 3; ++b)
+    within = within && std::abs(summary["balance"][b]["residual"].get<double>()) <=
+                           1e-30 + 3 * summary["photons"]["balance_error"][b]["residual"].get<double>();
+  EXPECT_EQ(summary["balanced"], within);
+  EXPECT_EQ(outcome.code, within ? ExitCode::done : ExitCode::not_converged) << outcome.err;
+}
+
 TEST(RunPhotons, HasTheSameBitsForAnyNumberOfThreads) {
   const CaseFolder folder;
   for (const char* threads : {"1", "3"})

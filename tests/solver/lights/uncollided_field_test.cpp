@@ -22,13 +22,19 @@ namespace {
 
 using std::numbers::pi;
 
+LightSources shining(const PointLight& light, const LightPaths& paths) {
+  const TetrahedralMesh& mesh = paths.problem().mesh();
+  LightSources sources;
+  sources.push_back(std::make_unique<PointSource>(
+      "lamp", light, TangentCone(mesh, CellLocator(mesh).find(light.position)), paths));
+  return sources;
+}
+
 LightSources point_at(const Vec3& position, const LightPaths& paths) {
   PointLight light;
   light.position = position;
   light.power = {1};
-  LightSources sources;
-  sources.push_back(std::make_unique<PointSource>("lamp", light, paths));
-  return sources;
+  return shining(light, paths);
 }
 
 LightSources sun(const Vec3& direction, int wall, const LightPaths& paths) {
@@ -107,10 +113,40 @@ TEST(UncollidedField, OfAPointLightBalancesWhereverItStands) {
         0.7 * integral_over_cells(mesh, field.fluence) + integral_over_walls(mesh, field.irradiance);
     EXPECT_NEAR(sum, 1, 1e-6);
   }
-  const UncollidedField field = uncollided_field(paths, point_at({0.4, 0.6, 1}, paths), 1);
-  const double sum =
-      0.7 * integral_over_cells(mesh, field.fluence) + integral_over_walls(mesh, field.irradiance);
-  EXPECT_NEAR(sum, 0.5, 1e-6);  // half of it goes into the wall
+  // In a wall, in an edge, in a corner.
+  for (const Vec3& position : {Vec3(0.4, 0.6, 1), Vec3(0.4, 1, 1), Vec3(1, 1, 1)}) {
+    const UncollidedField field = uncollided_field(paths, point_at(position, paths), 1);
+    const double sum =
+        0.7 * integral_over_cells(mesh, field.fluence) + integral_over_walls(mesh, field.irradiance);
+    EXPECT_NEAR(sum, 1, 1e-6);
+  }
+}
+
+// A lamp whose shape is cut by the wall, beside mirrors and on one.
+TEST(UncollidedField, OfALampOnAWallSendsItsWholePower) {
+  const TetrahedralMesh mesh = cube_mesh(5e-3);
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    walls.push_back(uniform_wall(1, 0, 0, name == "zmax" || name == "xmax" ? 0.6 : 0));
+    walls.back().name = name;
+  }
+  const Problem problem(mesh, {}, {uniform_medium(1, 0.7, 0, 0)}, walls);
+  const LightPaths paths(problem);
+  PointLight light;
+  light.power = {1};
+  light.axis = Vec3(0.3, 0.4, 0.2).normalized();
+  light.angle = {0, 0.5, pi};
+  light.intensity = {3, 2, 1};
+  for (const Vec3& position : {Vec3(0.4, 0.6, 0), Vec3(0.4, 0.6, 1), Vec3(1, 0.3, 1), Vec3(0, 0, 0)}) {
+    light.position = position;
+    const UncollidedField field = uncollided_field(paths, shining(light, paths), 1);
+    double kept = 0.7 * integral_over_cells(mesh, field.fluence);
+    for (std::size_t i = 0; i < field.irradiance.size(); ++i) {
+      const FaceIndex face(static_cast<std::int64_t>(i / 3));
+      kept += (1 - problem.wall(mesh.wall(face)).specular[0]) * field.irradiance[i] * mesh.area(face) / 3;
+    }
+    EXPECT_NEAR(kept, 1, 2e-5) << position.transpose();
+  }
 }
 
 TEST(UncollidedField, OfAPointLightConverges) {
@@ -210,8 +246,7 @@ TEST(UncollidedField, OfALampWithPlanesBalances) {
   light.angle = {0, 0.5 * pi, pi};
   light.plane = {0, pi / 2, pi, 1.5 * pi, 2 * pi};
   light.intensity = {3, 5, 1, 3, 2, 1, 3, 1, 1, 3, 2, 1, 3, 5, 1};
-  LightSources sources;
-  sources.push_back(std::make_unique<PointSource>("lamp", light, paths));
+  const LightSources sources = shining(light, paths);
   const UncollidedField field = uncollided_field(paths, sources, 1);
   double kept = 0;
   std::vector<double> arrived(walls.size(), 0);
@@ -397,8 +432,7 @@ TEST(UncollidedField, IsTheSameForAnyNumberOfThreads) {
   PointLight light;
   light.position = {0.3, 0.4, 0.5};
   light.power = {1, 2};
-  LightSources sources;
-  sources.push_back(std::make_unique<PointSource>("lamp", light, paths));
+  const LightSources sources = shining(light, paths);
   const UncollidedField one = uncollided_field(paths, sources, 1),
                         three = uncollided_field(paths, sources, 3);
   EXPECT_EQ(one.fluence, three.fluence);

@@ -92,6 +92,24 @@ TEST(OrdinateLights, SendTheirPower) {
 }
 
 // z = 0.5 is a plane between cells of this mesh: the light shines from those below.
+TEST(OrdinateLights, OnAWallShineIntoTheDomainAlone) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const DirectionSet directions = directions_ldfe_sq(1);
+  PointLight light = bulb();
+  light.position.z() = 1;
+  const Problem problem = problem_with(mesh, {{"lamp", light, {}}});
+  const OrdinateLights lights(problem, directions, nullptr);
+  const CellIndex cell = CellLocator(mesh).find(light.position).front().cell;
+  for (std::int32_t m = 0; m < directions.count(); ++m) {
+    std::vector<double> values(8, 0);
+    lights.add_source(OrdinateIndex(m), cell, values);
+    EXPECT_EQ(values[0] > 0, directions.direction(OrdinateIndex(m)).z() <= 0);
+  }
+  EXPECT_NEAR(sent_in_cells(mesh, directions, lights, 1).power, 7, 1e-12);
+  const Solution solution = solve(problem, directions, tight_options());
+  EXPECT_NEAR(balances(problem, solution)[1].residual, 0, 1e-9);
+}
+
 TEST(OrdinateLights, ShineFromTheirOwnSide) {
   const TetrahedralMesh mesh = unfolded_mesh(cube_mesh(2e-2));
   SurfaceLight panel{{}, {1, 1}};

@@ -113,6 +113,31 @@ TEST(SolvePhotons, PointLightsAllSidesOfACube) {
   for (const auto& wall : wall_powers(problem, found.solution)) EXPECT_NEAR(wall[0].incoming, 1, 0.03);
 }
 
+// The same from the middle of the ceiling: all of it goes down, to the floor the part of a cosine-free lamp
+// that it sees, (2 / pi) asin(1 / 5) of the half space (a square of side 1 from the distance 1).
+TEST(SolvePhotons, LampOnTheCeilingSendsItsWholePowerDown) {
+  const TetrahedralMesh mesh = cube_mesh(0.01);
+  PointLight lamp;
+  lamp.position = Vec3(0.5, 0.5, 1);
+  lamp.power = {6};
+  std::vector<Wall> walls;
+  for (const std::string& name : mesh.wall_names()) {
+    walls.push_back(uniform_wall(1, 0, 0, 0));
+    walls.back().name = name;
+  }
+  const Problem problem(mesh, {}, {uniform_medium(1, 0, 0, 0)}, walls, AngularSpace::sphere,
+                        {{"lamp", lamp, {}}});
+  const PhotonSolution found = solved(problem, 40000);
+  const auto powers = wall_powers(problem, found.solution);
+  double all = 0;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    all += powers[w][0].incoming;
+    if (walls[w].name == "zmax") EXPECT_EQ(powers[w][0].incoming, 0);
+    if (walls[w].name == "zmin") EXPECT_NEAR(powers[w][0].incoming, 6 * 2 / pi * std::asin(0.2), 0.05);
+  }
+  EXPECT_NEAR(all, 6, 1e-9);
+}
+
 // The same numbers whether histories are walked in one run or added to those of an earlier one, but for the
 // shares of the power that batches of other sizes begin in.
 // A lamp in the middle of an empty cube that shines by the azimuth about -z.

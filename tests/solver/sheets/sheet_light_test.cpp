@@ -65,6 +65,21 @@ TEST(SheetLight, WhatIsBehindAWallToWallSheetStaysDark) {
   }
 }
 
+// A lamp on a sheet shines to both of its sides.
+TEST(SheetLight, OfALampOnTheSheetBalances) {
+  PointLight lamp;
+  lamp.position = {0.45, 0.55, 0.5};
+  lamp.power = {1};
+  for (const TetrahedralMesh* mesh : {&divided(), &with_table()}) {
+    const Problem problem = room(*mesh, haze, {{"under", {0, 0.5}}}, {}, {{"lamp", lamp, {}}});
+    for (const Solution& solution : {by_ordinates(problem), by_photons(problem, 500).solution}) {
+      EXPECT_NEAR(balances(problem, solution)[0].residual, 0, 1e-3);
+      EXPECT_GT(largest_fluence(*mesh, solution, true), 0.1);
+      EXPECT_GT(largest_fluence(*mesh, solution, false), 0.1);
+    }
+  }
+}
+
 // Everything at one temperature: u = 2 everywhere, whatever the sides of the sheet reflect.
 TEST(SheetLight, FurnaceDoesNotSeeTheSheet) {
   const double u = 2;

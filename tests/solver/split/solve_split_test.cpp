@@ -53,6 +53,23 @@ TEST(SolveSplit, BalancesWithScatteringAndReflectingWalls) {
   }
 }
 
+// On a wall, in an edge and in a corner, on a mirror too.
+TEST(SolveSplit, BalancesWithLampsOnWalls) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  for (const Vec3& position : {Vec3(0.4, 0.55, 1), Vec3(0.4, 1, 1), Vec3(1, 1, 1), Vec3(0.3, 0.3, 0)}) {
+    std::vector<Wall> walls;
+    for (const std::string& name : mesh.wall_names()) {
+      walls.push_back(uniform_wall(1, 0, 0.3, name == "zmin" ? 0.6 : 0));
+      walls.back().name = name;
+    }
+    const Problem problem(mesh, {}, {uniform_medium(1, 0.3, 2, 0, PhaseHenyeyGreenstein{0.5})}, walls,
+                          AngularSpace::sphere, {lamp(position)});
+    const LightSetup lights(problem);
+    const Solution solution = solve_split(lights, directions_ldfe_sq(1), tight_options());
+    EXPECT_NEAR(balances(problem, solution)[0].residual, 0, 2e-4) << position.transpose();
+  }
+}
+
 TEST(SolveSplit, KeepsThePowerOfTheFirstCollisions) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   const Problem problem =
