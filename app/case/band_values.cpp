@@ -70,11 +70,19 @@ void check_edges(Section& section, const TomlNode& edges, std::size_t band_count
                                        band_count == 1 ? "band" : "bands"));
 }
 
+bool has_control_character(const std::string& text) {
+  return std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+}
+
 }  // namespace
 
 Bands read_bands(Section section) {
   Bands bands;
   bands.names = section.texts("names");
+  if (std::ranges::any_of(bands.names, has_control_character))
+    section.fault("names",
+                  "has a name with a control character (files of results cannot hold it); use names "
+                  "in one line without tabs");
   if (section.node().find("names")->faulty) bands.names.clear();
   if (std::set(bands.names.begin(), bands.names.end()).size() != bands.names.size())
     section.fault("names", "has a name twice; give each band its own");

@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <limits>
+#include <stdexcept>
 
 #include "app/case/keys.h"
 #include "app/case/toml_document.h"
@@ -18,10 +19,8 @@ void mark_asked(TomlNode& node) {
     for (auto& [name, item] : node.table().entries) mark_asked(*item);
 }
 
-TomlNode default_of(const std::string& path, std::string_view name, const Origin& origin) {
-  const KeyDeclaration* key = find_key(path, name);
-  assert(key != nullptr && !key->default_value.empty());
-  TomlNode node = *parse_toml_value(key->default_value, origin);
+TomlNode default_of(const KeyDeclaration& key, const Origin& origin) {
+  TomlNode node = *parse_toml_value(key.default_value, origin);
   mark_asked(node);
   return node;
 }
@@ -43,9 +42,16 @@ TomlNode* Section::find(std::string_view name) {
 
 const TomlNode& Section::value(std::string_view name) {
   if (const TomlNode* node = find(name)) return *node;
-  TomlNode fallback = default_of(path_, name, origin(name));
+  const KeyDeclaration* key = find_key(path_, name);
+  if (key == nullptr || key->default_value.empty()) fail_without(name);
+  TomlNode fallback = default_of(*key, origin(name));
   if (!has(name)) return table_.add(std::string(name), std::move(fallback));
-  return stand_ins_.emplace_back(std::move(fallback));
+  return *stand_ins_.emplace_back(std::make_unique<TomlNode>(std::move(fallback)));
+}
+
+void Section::fail_without(std::string_view name) const {
+  if (!faults_.empty()) throw InputError(faults_);
+  throw std::logic_error("no value and no default: " + origin(name).key);
 }
 
 std::optional<std::string> Section::text_if(std::string_view name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,7 +28,9 @@ class Section {
   std::optional<std::string> text_if(std::string_view name);
   std::optional<double> number_if(std::string_view name);
   std::optional<Vec3> point_if(std::string_view name);
-  /// The sound value, or the declared default, which is added where nothing is there.
+  /// The sound value, or the declared default, which is added where nothing is there. Throws InputError with
+  /// all faults so far where the key has no default: its fault is among them, and reading cannot go on. The
+  /// reference stays valid as long as this section.
   const TomlNode& value(std::string_view name);
   // The same, by type.
   std::string text(std::string_view name);
@@ -61,11 +64,12 @@ class Section {
 
  private:
   std::string child_path(std::string_view name) const;
+  [[noreturn]] void fail_without(std::string_view name) const;
 
   TomlNode& table_;
   std::string path_;
   Faults& faults_;
-  std::vector<TomlNode> stand_ins_;  ///< defaults in the place of faulty values
+  std::vector<std::unique_ptr<TomlNode>> stand_ins_;  ///< defaults in the place of faulty values
 };
 
 }  // namespace etendue

@@ -23,10 +23,28 @@
 namespace etendue {
 namespace {
 
+/// A text as the value of an XML attribute. VTK writes names as they are, but units by itself like this.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
+  }
+  return result;
+}
+
 void label_array(vtkDataArray& array, const ArrayLabel& label) {
-  array.SetName(label.name.c_str());
+  array.SetName(escaped(label.name).c_str());
   for (std::size_t i = 0; i < label.components.size(); ++i)
-    array.SetComponentName(static_cast<vtkIdType>(i), label.components[i].c_str());
+    array.SetComponentName(static_cast<vtkIdType>(i), escaped(label.components[i]).c_str());
   if (!label.unit.empty()) array.GetInformation()->Set(vtkDataArray::UNITS_LABEL(), label.unit.c_str());
 }
 

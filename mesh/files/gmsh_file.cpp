@@ -88,21 +88,44 @@ void read_physical_group(TextLines& lines, int dimension, std::int64_t entity, P
   }
 }
 
-PhysicalGroups read_entities(TextLines& lines) {
+/// The dimension of the entity that this one is a part of, from what follows its tag in a partitioned mesh:
+/// the parent's dimension and tag, the number of its partitions and their tags.
+int read_parent(TextLines& lines) {
+  const std::int64_t dimension = lines.integer("dimension of the parent", 0, 3);
+  lines.integer("parent");
+  const std::int64_t partitions = lines.integer("number of partitions", 0, kLargestTag);
+  for (std::int64_t i = 0; i < partitions; ++i) lines.integer("partition");
+  return static_cast<int>(dimension);
+}
+
+/// Whether the entities of a section are parts of those of another.
+enum class Partitioned { no, yes };
+
+void read_entities(TextLines& lines, Partitioned partitioned, PhysicalGroups& groups) {
   lines.next("the numbers of entities");
   std::vector<std::size_t> counts;
   for (const char* what : {"number of points", "number of curves", "number of surfaces", "number of volumes"})
     counts.push_back(lines.count(what));
-  PhysicalGroups groups;
   for (int dimension = 0; dimension < 4; ++dimension)
     for (std::size_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
       lines.next("an entity of dimension " + std::to_string(dimension));
       const std::int64_t entity = lines.integer("entity");
+      const int parent = partitioned == Partitioned::yes ? read_parent(lines) : dimension;
       lines.point();                     // its place, or the low corner of its box
       if (dimension > 0) lines.point();  // the high corner
-      read_physical_group(lines, dimension, entity, groups);
+      // What stands between two partitions of a volume has the groups of the volume.
+      if (parent == dimension) read_physical_group(lines, dimension, entity, groups);
     }
-  return groups;
+}
+
+/// The numbers of partitions and of ghost entities, then a line for each of these, before the entities.
+void read_partitioned_entities(TextLines& lines, PhysicalGroups& groups) {
+  lines.next("the number of partitions");
+  lines.count("number of partitions");
+  lines.next("the number of ghost entities");
+  const std::size_t ghosts = lines.count("number of ghost entities");
+  for (std::size_t i = 0; i < ghosts; ++i) lines.next("a ghost entity");
+  read_entities(lines, Partitioned::yes, groups);
 }
 
 void read_nodes_4(TextLines& lines, GmshElements& mesh) {
@@ -157,7 +180,9 @@ RawMesh read_gmsh_file(const std::filesystem::path& path) {
     if (section == "PhysicalNames") {
       mesh.read_physical_names(lines);
     } else if (section == "Entities" && version == GmshVersion::v4_1) {
-      groups = read_entities(lines);
+      read_entities(lines, Partitioned::no, groups);
+    } else if (section == "PartitionedEntities" && version == GmshVersion::v4_1) {
+      read_partitioned_entities(lines, groups);
     } else if (section == "Nodes") {
       version == GmshVersion::v2_2 ? read_nodes_2(lines, mesh) : read_nodes_4(lines, mesh);
     } else if (section == "Elements") {

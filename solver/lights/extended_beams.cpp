@@ -69,7 +69,7 @@ bool ExtendedSource::cut_along_creases(const LightView& view, LightDetail detail
   for (std::size_t i = 0; i < flat_parts_.size() && told_apart; ++i)
     told_apart = !shines_to(flat_parts_[i], view.eye) || creases.find(0, triangle(flat_parts_[i]), planes[i]);
   for (std::size_t i = 0; i < flat_parts_.size() && told_apart; ++i)
-    if (shines_to(flat_parts_[i], view.eye)) cut_triangle(view, detail, flat_parts_[i], planes[i], pieces);
+    cut_triangle(view, detail, flat_parts_[i], planes[i], pieces);
   if (told_apart) return true;
   if (tree_.parts().size() > most_parted) return false;
   for (const EmitterPart& part : tree_.parts()) {
@@ -83,6 +83,7 @@ bool ExtendedSource::cut_along_creases(const LightView& view, LightDetail detail
 void ExtendedSource::cut_triangle(const LightView& view, LightDetail detail, const EmitterPart& part,
                                   std::span<const CreasePlane> planes,
                                   std::vector<LightPiece>& pieces) const {
+  if (!shines_to(part, view.eye)) return;
   const Vec3 a = part.corners[0] - view.eye, b = part.corners[1] - view.eye, c = part.corners[2] - view.eye;
   Wedge wedge;
   wedge.entry_normal = (b - a).cross(c - a);

@@ -63,6 +63,7 @@ class PointInWedges {
   }
 
   void add(const Wedge& wedge, const SphericalTriangle& part, int cuts = 0) {
+    check_solid_angle_cuts(cuts);
     if (longest_side(part) > largest_side || (cuts < most_cuts && !is_alike(wedge, part)))
       return add_quarters(wedge, part, cuts + 1);
     points_.clear();

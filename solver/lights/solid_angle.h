@@ -19,6 +19,11 @@ struct SolidAnglePoint {
 /// Directions between three corners (vectors of any length, seen from the origin), of less than a half space.
 using SphericalTriangle = std::array<Vec3, 3>;
 
+/// Throws std::runtime_error where the solid angle of a triangle has been cut in four so often that the
+/// origin must lie in the triangle. Each cut halves the sides, or, where the origin nearly lies in the
+/// triangle, doubles the angle between its corners and the plane beside them.
+void check_solid_angle_cuts(int cuts);
+
 /// With unit corners; empty where one of them is the origin.
 std::optional<SphericalTriangle> on_sphere(const SphericalTriangle& triangle);
 /// Four parts of a triangle with unit corners, again with unit corners.
@@ -28,7 +33,7 @@ std::array<SphericalTriangle, 4> quarters(const SphericalTriangle& triangle);
 enum class TriangleRule { one_point, three_points, seven_points };
 
 /// Appends the parts of a triangle that is split in four until its sides are at most `largest_side` (chords
-/// of the unit sphere), with unit corners.
+/// of the unit sphere), with unit corners. Throws std::runtime_error where that has no end.
 void append_parts(const SphericalTriangle& triangle, double largest_side,
                   std::vector<SphericalTriangle>& parts);
 /// Appends points of a rule for the solid angle of a triangle with unit corners: those of the rule in the

@@ -85,6 +85,18 @@ std::vector<std::string> names_in(vtkFieldData& fields, const char* array) {
   return names;
 }
 
+TEST(FieldsFile, CanHaveAnyCharacterInTheNamesOfBands) {
+  const std::vector<std::string> bands = {"<500 nm", "\"R\" & 'S'", "ü > 1"};
+  SampleRun run(bands);
+  run.input.units.power = "W'<&\"";
+  const auto grid = fields_of(run);
+  EXPECT_EQ(component_names(*grid->GetPointData()->GetArray("fluence")), bands);
+  EXPECT_EQ(unit_of(*grid->GetPointData()->GetArray("fluence")).substr(0, 5), "W'<&\"");
+  EXPECT_EQ(names_in(*grid->GetFieldData(), "band_names"), bands);
+  EXPECT_NE(grid->GetPointData()->GetArray("net_flux_<500 nm"), nullptr);
+  EXPECT_EQ(component_names(*walls_of(run)->GetPointData()->GetArray("irradiance")), bands);
+}
+
 TEST(FieldsFile, GivesEachCellItsOwnPoints) {
   const SampleRun run({"grey"});
   const auto grid = fields_of(run);

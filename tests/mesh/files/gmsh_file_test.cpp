@@ -36,6 +36,28 @@ const std::string kVersion4 =
     "3 1 4 1\n10 10 20 30 40 \n"
     "3 2 4 1\n11 20 30 40 50 \n$EndElements\n";
 
+// Gmsh writes the elements of a partitioned mesh by parts of its entities: volumes 3 and 4, surfaces 4 and 5.
+// Surface 6 stands between the volumes and has the group 7 of its parent, which is one of volumes.
+const std::string kPartitioned =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + kNames +
+    "$Entities\n1 0 2 2\n"
+    "1 0 0 0 0 \n"
+    "1 0 0 0 1 1 0 1 5 0 \n2 0 0 0 1 1 1 1 9 0 \n"
+    "1 0 0 0 1 1 1 1 7 1 1 \n2 0 0 0 1 1 1 1 8 1 2 \n"
+    "$EndEntities\n"
+    "$PartitionedEntities\n2\n1\n9 1\n1 0 3 2\n"
+    "2 0 1 2 1 2 0 0 0 0 \n"
+    "4 2 1 1 1 0 0 0 1 1 0 1 5 0 \n5 2 2 1 2 0 0 0 1 1 1 1 9 0 \n6 3 1 2 1 2 0 0 0 1 1 1 1 7 0 \n"
+    "3 3 1 1 1 0 0 0 1 1 1 1 7 2 4 6 \n4 3 2 1 2 0 0 0 1 1 1 1 8 2 5 6 \n"
+    "$EndPartitionedEntities\n"
+    "$Nodes\n2 5 10 50\n0 2 0 1\n10\n0 0 0\n3 3 0 4\n20\n30\n40\n50\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n$EndNodes\n"
+    "$Elements\n5 9 1 11\n"
+    "2 4 2 3\n3 10 20 30 \n4 10 20 40 \n5 10 30 40 \n"
+    "2 5 2 3\n6 20 30 50 \n7 20 40 50 \n8 30 40 50 \n"
+    "2 6 2 1\n9 20 30 40 \n"
+    "3 3 4 1\n10 10 20 30 40 \n"
+    "3 4 4 1\n11 20 30 40 50 \n$EndElements\n";
+
 std::string message_of(const std::string& bytes) {
   const ScratchFolder folder;
   return read_message(folder.write("m.msh", bytes));
@@ -47,9 +69,10 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-TEST(GmshFile, BothVersionsGiveTheSameMesh) {
+TEST(GmshFile, AllVersionsGiveTheSameMesh) {
   const ScratchFolder folder;
-  for (const auto& [name, bytes] : {std::pair{"2.msh", kVersion2}, {"4.msh", kVersion4}}) {
+  for (const auto& [name, bytes] :
+       {std::pair{"2.msh", kVersion2}, {"4.msh", kVersion4}, {"partitioned.msh", kPartitioned}}) {
     const RawMesh raw = read_mesh(folder.write(name, bytes), 0.5);
     ASSERT_EQ(raw.points.size(), 5u);
     EXPECT_EQ(raw.points[1], Vec3(0.5, 0, 0));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -53,6 +54,31 @@ TEST(ExtendedSource, DiscLightsItsAxisAsItsHalfAngleSays) {
     const double sine = radius / std::hypot(radius, distance);
     EXPECT_NEAR(irradiance(beams, Vec3::UnitZ()) / (pi * sine * sine), 1, 1e-3) << distance;
   }
+}
+
+// In the plane of a tilted disc, to rounding, nothing of its light arrives: on it, on its rim and beside it.
+TEST(ExtendedSource, DiscSeenEdgeOnIsDark) {
+  const TetrahedralMesh mesh = cube_mesh(0.05);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0, 0, 0), uniform_wall(1, 0, 0, 0));
+  const LightPaths paths(problem);
+  const CellLocator locator(mesh);
+  const Vec3 centre(0.214, 0.8706, 0.362);
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(-Vec3::UnitZ(), Vec3(0.8161, -0.08868, -1)).toRotationMatrix();
+  std::vector<EmitterPart> parts = disc(Vec3::Zero(), 0.08582, 64);
+  for (EmitterPart& part : parts)
+    for (std::size_t i = 0; i < 3; ++i) part.corners[i] = centre + turn * part.corners[i];
+  const std::vector<EmitterPart> corners = parts;
+  const ExtendedSource source("disc", {1}, EmitterTree(EmitterShape::triangles, std::move(parts)), paths);
+  for (const EmitterPart& part : corners)
+    for (const auto& [a, b] :
+         {std::pair{0.3, 0.3}, {0.5, 0.5}, {0.5, 0.0}, {0.0, 0.5}, {1.0, 0.0}, {0.8, 0.7}}) {
+      const Vec3 point =
+          part.corners[0] + a * (part.corners[1] - part.corners[0]) + b * (part.corners[2] - part.corners[0]);
+      LightBeams beams(1);
+      source.add_beams({locator.find(point)[0].cell, point}, Sight::attenuated, fine_light, beams);
+      EXPECT_NEAR(irradiance(beams, turn * Vec3::UnitZ()), 0, 1e-9);
+    }
 }
 
 /// A ball of radius 0.15 in the unit cube: a hole whose wall shines with radiance 1, or matter that would if

@@ -62,6 +62,17 @@ TEST(SolidAngle, OfAnOctantIsHalfPi) {
   EXPECT_NEAR(sum, pi / 2, 1e-6);
 }
 
+// The origin lies in such triangles, so a part of them around it stays as wide however often it is cut.
+TEST(SolidAngle, OfTrianglesThatHoldTheOriginIsRefused) {
+  const double half = 0.5, root = std::sqrt(0.75);
+  for (const SphericalTriangle& triangle :
+       {SphericalTriangle{Vec3(1, 0, 0), Vec3(-half, root, 0), Vec3(-half, -root, 0)},
+        SphericalTriangle{Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0)}}) {
+    std::vector<SphericalTriangle> parts;
+    EXPECT_THROW(append_parts(triangle, 0.35, parts), std::runtime_error);
+  }
+}
+
 // Simpson's rule with many intervals.
 TEST(AttenuatedWay, IsTheIntegralAlongIt) {
   for (const double extinction : {0.0, 1e-3, 0.039, 0.041, 1.0, 30.0}) {
