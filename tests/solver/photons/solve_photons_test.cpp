@@ -132,8 +132,12 @@ TEST(SolvePhotons, LampOnTheCeilingSendsItsWholePowerDown) {
   double all = 0;
   for (std::size_t w = 0; w < walls.size(); ++w) {
     all += powers[w][0].incoming;
-    if (walls[w].name == "zmax") EXPECT_EQ(powers[w][0].incoming, 0);
-    if (walls[w].name == "zmin") EXPECT_NEAR(powers[w][0].incoming, 6 * 2 / pi * std::asin(0.2), 0.05);
+    if (walls[w].name == "zmax") {
+      EXPECT_EQ(powers[w][0].incoming, 0);
+    }
+    if (walls[w].name == "zmin") {
+      EXPECT_NEAR(powers[w][0].incoming, 6 * 2 / pi * std::asin(0.2), 0.05);
+    }
   }
   EXPECT_NEAR(all, 6, 1e-9);
 }
