@@ -21,6 +21,11 @@ constexpr double thick = 1;
 /// How often a cell or face with a part in the shadow is divided.
 constexpr int divisions_in_shadow = 2;
 
+/// In penumbras faces are divided while that changes their light by more than this part of it, and so often
+/// at most.
+constexpr double penumbra_tolerance = 1e-3;
+constexpr int divisions_in_penumbra = 4;
+
 /// How finely walls see a light of which they see a part: to the sides of a box it sinks below the horizon.
 constexpr LightDetail wall_in_shadow{0.25, 0.03, 0.3, 0.9, TriangleRule::seven_points};
 /// Specular reflectance above which a mirror counts as one that sends all light back.
@@ -58,8 +63,13 @@ struct ExtendedLight::Site {
   }
 };
 
-ExtendedLight::ExtendedLight(const LightPaths& paths, const ExtendedSource& source, int threads)
-    : paths_(paths), source_(source), bands_(paths.bands()), losses_(paths, source, threads) {}
+ExtendedLight::ExtendedLight(const LightPaths& paths, const ExtendedSource& source,
+                             const std::vector<Crease>& creases, int threads)
+    : paths_(paths),
+      source_(source),
+      bands_(paths.bands()),
+      losses_(paths, source, threads),
+      edges_(paths, source, creases) {}
 
 // The points of the rule have one barycentric coordinate 1 - (n - 1) a and the others a. Those behind the
 // light take the mean of the others.
@@ -181,6 +191,24 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
                        beams, moments);
 }
 
+template <class Deposit>
+void ExtendedLight::add_in_penumbra(const Site<3>& site, const std::vector<Crease>& edges,
+                                    const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const {
+  LightDetail detail = wall_in_shadow;
+  detail.creases = &edges;
+  Arrived light(bands_);
+  std::vector<WayLoss> loss(bands_);
+  const auto add_point = [&](const std::array<double, 3>& barycentric, double measure, NodalMoments& sum) {
+    const Vec3 place = site.position(barycentric);
+    look(source_, {site.cell, place}, detail, beams, loss);
+    arrive(place, loss, beams, light);
+    deposit(place, barycentric, measure, light, sum);
+  };
+  add_adaptively(
+      site.whole, site.measure, [&](const auto& part) { return steep_corners(site, part); },
+      penumbra_tolerance, divisions_in_penumbra, add_point, moments);
+}
+
 template <std::size_t corners, class Deposit>
 void ExtendedLight::add(const Site<corners>& site, const std::array<std::int32_t, corners>& vertices,
                         int divisions, const Deposit& deposit, LightBeams& beams,
@@ -237,7 +265,10 @@ void ExtendedLight::add(FaceIndex face, LightBeams& beams, NodalMoments& moments
       sum.add(shape, measure, b, std::max(0.0, irradiance));
     }
   };
-  add(site, vertices, divisions_of_faces, deposit, beams, moments);
+  if (const std::vector<Crease> edges = edges_.before(site.corner); !edges.empty())
+    add_in_penumbra(site, edges, deposit, beams, moments);
+  else
+    add(site, vertices, divisions_of_faces, deposit, beams, moments);
 }
 
 }  // namespace etendue

@@ -10,6 +10,7 @@
 #include "solver/lights/collapsed_rule.h"
 #include "solver/lights/extended_source.h"
 #include "solver/lights/mesh_losses.h"
+#include "solver/lights/occluding_edges.h"
 
 namespace etendue {
 
@@ -17,11 +18,13 @@ namespace etendue {
 /// everywhere needs no rays: it is integrated as finely as it varies. Which extinction that matter has to
 /// have for as much to arrive as through the media that there are, and what obstacles leave, is looked at
 /// from the vertices and edges of the mesh (MeshLosses); near a surface that shines from points of the cell
-/// itself; and in shadows, and in matter at the edge of a cloud, from each point that is asked. In an even
-/// medium nothing is left to be interpolated.
+/// itself; and in shadows, and in matter at the edge of a cloud, from each point that is asked. In the
+/// penumbra of a flat light each point of a face sees it cut along the edges that hide a part of it, and the
+/// face is divided until that changes little. In an even medium nothing is left to be interpolated.
 class ExtendedLight {
  public:
-  ExtendedLight(const LightPaths& paths, const ExtendedSource& source, int threads);
+  ExtendedLight(const LightPaths& paths, const ExtendedSource& source, const std::vector<Crease>& creases,
+                int threads);
 
   void add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const;
   void add(FaceIndex face, LightBeams& beams, NodalMoments& moments) const;
@@ -47,6 +50,10 @@ class ExtendedLight {
                           const std::array<std::array<double, corners>, corners>& part, double measure,
                           int divisions, const Deposit& deposit, LightBeams& beams,
                           NodalMoments& moments) const;
+  /// A face before which these edges hide a part of the light.
+  template <class Deposit>
+  void add_in_penumbra(const Site<3>& site, const std::vector<Crease>& edges, const Deposit& deposit,
+                       LightBeams& beams, NodalMoments& moments) const;
   template <std::size_t corners, class Deposit>
   void add(const Site<corners>& site, const std::array<std::int32_t, corners>& vertices, int divisions,
            const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const;
@@ -55,6 +62,7 @@ class ExtendedLight {
   const ExtendedSource& source_;
   std::size_t bands_;
   MeshLosses losses_;
+  OccludingEdges edges_;
 };
 
 }  // namespace etendue

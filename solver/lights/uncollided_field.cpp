@@ -189,7 +189,7 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
     const WideSource* wide = source->as_wide();
     std::optional<ExtendedLight> extended;
     if (wide != nullptr && wide->as_extended() != nullptr)
-      extended.emplace(paths, *wide->as_extended(), threads);
+      extended.emplace(paths, *wide->as_extended(), creases, threads);
     const CreasePlanes planes(paths, creases, *source);
     if (wide != nullptr && wide->as_sky() != nullptr)
       add_sky_light(

@@ -8,11 +8,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/geometry/arrangement.h"
-#include "mesh/geometry/sheet_shape.h"
 #include "mesh/tetrahedra/cell_locator.h"
-#include "mesh/tetrahedra/tetrahedralize.h"
 #include "solver/lights/light_setup.h"
+#include "tests/solver/lights/obstacle_room.h"
 #include "tests/solver/lights/visible_part.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
@@ -20,63 +18,6 @@ namespace etendue {
 namespace {
 
 using std::numbers::pi;
-
-constexpr double lamp_height = 0.9;
-
-enum class Obstacle { box, sheet };
-
-/// The part of space that the obstacle fills; a sheet lies in its lower side.
-const Vec3 low(0.35, 0.3, 0.45);
-const Vec3 high(0.65, 0.7, 0.5);
-
-std::vector<Vec3> corners_of(Obstacle obstacle) {
-  std::vector<Vec3> corners;
-  for (const double x : {low.x(), high.x()})
-    for (const double y : {low.y(), high.y()})
-      for (const double z : {low.z(), high.z()})
-        if (obstacle == Obstacle::box || z == low.z()) corners.emplace_back(x, y, z);
-  return corners;
-}
-
-TetrahedralMesh room_with(Obstacle obstacle, double max_volume) {
-  Geometry geometry;
-  BoxPrimitive room;
-  room.region = "room";
-  geometry.primitives.emplace_back(room);
-  if (obstacle == Obstacle::box) {
-    BoxPrimitive box;
-    box.min = low;
-    box.max = high;
-    box.hole = true;
-    box.name = "box";
-    geometry.primitives.emplace_back(box);
-  } else {
-    geometry.sheets.push_back({rectangle_corners(low, {high.x(), high.y(), low.z()}), "top", "under", {}});
-  }
-  return TetrahedralMesh(tetrahedralize(arrange(geometry), {{max_volume}, 1.4, {}}));
-}
-
-/// Clockwise as seen from above: they shine down.
-std::vector<Vec3> rectangle(double x, double y) {
-  return {{0.5 - x, 0.5 - y, lamp_height},
-          {0.5 - x, 0.5 + y, lamp_height},
-          {0.5 + x, 0.5 + y, lamp_height},
-          {0.5 + x, 0.5 - y, lamp_height}};
-}
-std::vector<Vec3> disc(double radius) {
-  std::vector<Vec3> rim;
-  for (int i = 64; i-- > 0;)
-    rim.emplace_back(0.5 + radius * std::cos(pi * i / 32), 0.5 + radius * std::sin(pi * i / 32), lamp_height);
-  return rim;
-}
-
-/// Radiance 1.
-Light flat_light(const std::vector<Vec3>& rim) {
-  SurfaceLight light{{}, {1}};
-  for (std::size_t i = 2; i < rim.size(); ++i)
-    for (const Vec3& corner : {rim[0], rim[i - 1], rim[i]}) light.triangles.push_back(corner);
-  return {"lamp", light, {}};
-}
 
 /// A light that is so small that it is wholly seen or not at all.
 std::vector<Vec3> speck(const Vec3& at, double size) {
@@ -148,7 +89,7 @@ std::vector<Vec3> grid(int count) {
 
 /// Whether nothing is seen of the light from just below a place.
 bool is_dark(const HalfHiddenLight& light, const Vec3& place) {
-  return place.z() < low.z() + 1e-9 && light.visible_area(place - Vec3(0, 0, 1e-6)) == 0;
+  return place.z() < obstacle_low.z() + 1e-9 && light.visible_area(place - Vec3(0, 0, 1e-6)) == 0;
 }
 
 /// The umbra is convex, so what has all its corners in it lies in it.
@@ -192,7 +133,7 @@ TEST(Shadow, IsDarkWhereNothingOfTheLightIsSeen) {
     const TetrahedralMesh mesh = room_with(obstacle, 2e-3);
     const std::vector<Vec3> corners = corners_of(obstacle);
     expect_darkness(mesh, bulb(position), {speck(position, 1e-9), corners});
-    expect_darkness(mesh, sun(direction, mesh), {speck(low - 1e7 * direction, 1e-3), corners});
+    expect_darkness(mesh, sun(direction, mesh), {speck(obstacle_low - 1e7 * direction, 1e-3), corners});
     for (const auto& rim : {rectangle(0.2, 0.15), disc(0.2)})
       expect_darkness(mesh, flat_light(rim), {rim, corners});
   }
@@ -205,9 +146,9 @@ TEST(Shadow, OfABulbAndOfTheSunEndsAtAnEdge) {
   const Vec3 position(0.47, 0.52, 0.85), direction = Vec3(-0.2, 0, -1).normalized();
   const Scene by_bulb(mesh, extinction, bulb(position)), by_sun(mesh, extinction, sun(direction, mesh));
   const double slope = -direction.z();
-  const double of_bulb =
-      position.x() + (high.x() - position.x()) * (position.z() - height) / (position.z() - high.z());
-  const double of_sun = high.x() - 0.2 * (low.z() - height);
+  const double of_bulb = position.x() + (obstacle_high.x() - position.x()) * (position.z() - height) /
+                                            (position.z() - obstacle_high.z());
+  const double of_sun = obstacle_high.x() - 0.2 * (obstacle_low.z() - height);
   EXPECT_EQ(by_bulb.at({of_bulb - near, 0.5, height}).fluence[0], 0.0);
   EXPECT_EQ(by_sun.at({of_sun - near, 0.5, height}).fluence[0], 0.0);
   const Vec3 lit_by_bulb(of_bulb + near, 0.5, height);

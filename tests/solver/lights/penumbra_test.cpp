@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// Penumbras on walls of few large faces: as much arrives as is sent, and as much at each wall as the visible
+// part of the light sends there.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+#include "solver/lights/light_setup.h"
+#include "solver/lights/occluding_edges.h"
+#include "tests/solver/lights/obstacle_room.h"
+#include "tests/solver/lights/visible_part.h"
+#include "tests/solver/ordinates/sample_problems.h"
+
+namespace etendue {
+namespace {
+
+/// In vacuum between black walls.
+std::vector<double> power_of_faces(const TetrahedralMesh& mesh, const Light& light) {
+  const Problem problem(mesh, {}, {uniform_medium(1, 0, 0, 0)},
+                        std::vector<Wall>(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0)),
+                        AngularSpace::sphere, {light});
+  const LightSetup lights(problem);
+  const UncollidedField field = uncollided_field(lights.paths(), lights.sources(), 1);
+  std::vector<double> power(field.irradiance.size() / 3, 0);
+  for (std::size_t i = 0; i < field.irradiance.size(); ++i)
+    power[i / 3] += field.irradiance[i] * mesh.area(FaceIndex(static_cast<std::int64_t>(i / 3))) / 3;
+  return power;
+}
+
+double power_of_wall(const TetrahedralMesh& mesh, const std::vector<double>& power, const std::string& name) {
+  double sum = 0;
+  for (std::size_t f = 0; f < power.size(); ++f)
+    if (mesh.wall_names()[static_cast<std::size_t>(mesh.wall(FaceIndex(static_cast<std::int64_t>(f))))] ==
+        name)
+      sum += power[f];
+  return sum;
+}
+
+/// Sides of 32 to 256 midpoints, and what halving them would leave of an error that falls with their square.
+template <class Function>
+double integral_over_unit_square(const Function& function) {
+  const auto by_midpoints = [&](int count) {
+    double sum = 0;
+    for (int i = 0; i < count; ++i)
+      for (int j = 0; j < count; ++j) sum += function((i + 0.5) / count, (j + 0.5) / count);
+    return sum / (count * count);
+  };
+  const double coarse = by_midpoints(128), fine = by_midpoints(256);
+  return fine + (fine - coarse) / 3;
+}
+
+class Penumbra : public testing::TestWithParam<Obstacle> {};
+
+TEST_P(Penumbra, BringsWhatTheVisiblePartSends) {
+  for (const auto& rim : {rectangle(0.25, 0.2), rectangle(0.04, 0.3), disc(0.2)}) {
+    const HalfHiddenLight known(rim, corners_of(GetParam()));
+    const double sent = std::numbers::pi * known.area();
+    const double floor = integral_over_unit_square([&](double x, double y) {
+      return known.seen_from({x, y, 0}, 0).irradiance;
+    });
+    for (const double max_volume : {5e-2, 1e-2}) {
+      const TetrahedralMesh mesh = room_with(GetParam(), max_volume);
+      const std::vector<double> power = power_of_faces(mesh, flat_light(rim));
+      double all = 0;
+      for (const double value : power) all += value;
+      EXPECT_NEAR(all / sent, 1, 5e-4) << mesh.cell_count();
+      EXPECT_NEAR((power_of_wall(mesh, power, "zmin") - floor) / sent, 0, 2e-4) << mesh.cell_count();
+      for (const char axis : {'x', 'y'})
+        EXPECT_NEAR(power_of_wall(mesh, power, std::string(1, axis) + "min") / sent,
+                    power_of_wall(mesh, power, std::string(1, axis) + "max") / sent, 2e-4)
+            << axis << " " << mesh.cell_count();
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Obstacles, Penumbra, testing::Values(Obstacle::box, Obstacle::sheet),
+                         [](const auto& of) { return of.param == Obstacle::box ? "box" : "sheet"; });
+
+TEST(OccludingEdges, ReachIntoAHullOrPassBesideIt) {
+  const std::vector<Vec3> hull = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_TRUE(reaches_into({-1, -1, 0.5}, {1, 1, 0.5}, hull, 0));
+  EXPECT_TRUE(reaches_into({0.2, 0.2, 0.4}, {0.3, 0.3, 0.6}, hull, 0));
+  EXPECT_TRUE(reaches_into({0.7, 0.2, 0.5}, {0.2, 0.7, 0.5}, hull, 0));
+  EXPECT_FALSE(reaches_into({0.8, 0.25, 0.5}, {0.25, 0.8, 0.5}, hull, 0));
+  EXPECT_FALSE(reaches_into({-1, -1, 1.1}, {1, 1, 1.1}, hull, 0));
+  EXPECT_FALSE(reaches_into({-1, 0.1, -0.5}, {-0.1, 0.1, 2}, hull, 0));
+  // Along a side and an edge.
+  EXPECT_FALSE(reaches_into({0.1, 0.1, 1}, {0.4, 0.4, 1}, hull, 1e-9));
+  EXPECT_FALSE(reaches_into({0, 0, 0.2}, {0, 0, 0.8}, hull, 1e-9));
+}
+
+}  // namespace
+}  // namespace etendue
