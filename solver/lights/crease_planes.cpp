@@ -17,7 +17,7 @@ namespace {
 
 /// Part of a size within which a point lies on a plane.
 constexpr double on_plane = 1e-9;
-/// Planes of one cell or face that are told apart, and of an image in all.
+/// Planes behind creases of one cell or face that are told apart, and of an image in all.
 constexpr std::size_t most_planes = 64, most_in_all = 20000;
 
 /// Whether light of this direction meets something abrupt at a crease: passes over an edge, beyond which
@@ -133,6 +133,7 @@ CreasePlanes::CreasePlanes(const LightPaths& paths, const std::vector<Crease>& c
     for (const PointSource::Image& image : point->images()) {
       images_.push_back({image.position, Vec3::Zero(), {}});
       add_planes(creases, copies_behind(paths.mirrors(), image.mirrors), {}, images_.back());
+      for (const std::vector<Vec3>& rim : point->rims(image)) add_rim(rim, images_.back());
     }
   else
     for (std::size_t i = 0; i < beam->directions().size(); ++i) {
@@ -169,6 +170,18 @@ void CreasePlanes::add_planes(const std::vector<Crease>& creases, const std::vec
     }
 }
 
+// It begins at the lamp itself.
+void CreasePlanes::add_rim(std::span<const Vec3> rim, Image& image) {
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const Vec3 &begin = rim[i], &end = rim[(i + 1) % rim.size()];
+    if (auto plane = plane_behind(begin, end, Vec3::Zero(), Vec3::Zero())) {
+      plane->nearest = 0;
+      image.planes.push_back(*plane);
+      ++image.along_rims;
+    }
+  }
+}
+
 bool CreasePlanes::find(std::size_t number, std::span<const Vec3> corners,
                         std::vector<CreasePlane>& found) const {
   const Image& image = images_[number];
@@ -189,7 +202,7 @@ bool CreasePlanes::find(std::size_t number, std::span<const Vec3> corners,
         plane.begin.above(middle) <= -radius || plane.end.above(middle) <= -radius ||
         !is_cut(seen, plane, tolerance))
       continue;
-    if (found.size() == most_planes) {
+    if (found.size() == most_planes + image.along_rims) {
       found.clear();
       return false;
     }
@@ -201,12 +214,14 @@ bool CreasePlanes::find(std::size_t number, std::span<const Vec3> corners,
 bool CreasePlanes::find(std::span<const Vec3> corners, std::vector<CreasePlane>& found) const {
   std::vector<CreasePlane> of_image;
   bool all = true;
+  std::size_t most = most_planes;
   found.clear();
   for (std::size_t i = 0; i < images_.size(); ++i) {
+    most += images_[i].along_rims;
     all = find(i, corners, of_image) && all;
     for (const CreasePlane& plane : of_image) found.push_back(moved(plane, images_[i].place));
   }
-  if (found.size() <= most_planes) return all;
+  if (found.size() <= most) return all;
   found.clear();
   return false;
 }

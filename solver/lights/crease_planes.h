@@ -13,7 +13,7 @@
 namespace etendue {
 
 /// The half of a plane behind a crease, as a light sees it: on normal . x = offset, between two straight
-/// lines along the light through its ends.
+/// lines along the light through its ends. Of the edge of a lamp's cone that behind a chord of it.
 struct CreasePlane {
   struct Half {
     Vec3 normal;  ///< unit
@@ -30,7 +30,8 @@ struct CreasePlane {
 std::vector<std::array<Vec3, 3>> cut_by_planes(const std::array<Vec3, 3>& triangle,
                                                std::span<const CreasePlane> planes);
 
-/// The planes behind all creases for a light that is a point or a beam, and for its images behind mirrors.
+/// The planes behind all creases, and along the edges of a lamp's cones, for a light that is a point or a
+/// beam, and for its images behind mirrors.
 /// Without planes for other lights. May be used by several threads at a time.
 class CreasePlanes {
  public:
@@ -56,9 +57,11 @@ class CreasePlanes {
     Vec3 place;      ///< of a point
     Vec3 direction;  ///< of a beam, zero for a point
     std::vector<CreasePlane> planes;
+    std::size_t along_rims = 0;  ///< planes among them: the last ones
   };
   void add_planes(const std::vector<Crease>& creases, const std::vector<MirrorCopy>& copies,
                   std::span<const int> lit_walls, Image& image);
+  void add_rim(std::span<const Vec3> rim, Image& image);
 
   std::vector<Image> images_;
   bool complete_ = true;

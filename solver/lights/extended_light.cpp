@@ -18,8 +18,12 @@ constexpr int divisions_of_cells = 2, divisions_of_faces = 5;
 /// Cells in and near a volume that shines in many ways are looked at point by point where they are thicker
 /// than this.
 constexpr double thick = 1;
-/// How often a cell or face with a part in the shadow is divided.
-constexpr int divisions_in_shadow = 2;
+/// How often a cell or face with a part in the shadow is divided. Less than this part of the light in the
+/// shadow, or out of it, is rounding.
+constexpr int divisions_in_shadow = 2, divisions_along_edges = 1;
+constexpr double trifle_of_light = 1e-9;
+/// Triangles of a light up to which cells in its penumbra see them cut along edges.
+constexpr std::size_t most_cut_in_cells = 8;
 
 /// In penumbras faces are divided while that changes their light by more than this part of it, and so often
 /// at most.
@@ -163,8 +167,9 @@ void ExtendedLight::add_lit(const Site<corners>& site, const LossesBetween<corne
 template <std::size_t corners, class Deposit>
 void ExtendedLight::add_point_by_point(const Site<corners>& site,
                                        const std::array<std::array<double, corners>, corners>& part,
-                                       double measure, int divisions, const Deposit& deposit,
-                                       LightBeams& beams, NodalMoments& moments) const {
+                                       double measure, int divisions, const LightDetail& detail,
+                                       const Deposit& deposit, LightBeams& beams,
+                                       NodalMoments& moments) const {
   NodalMoments sum = moments;
   sum.clear();
   Arrived light(bands_);
@@ -173,10 +178,10 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
   const auto look_from = [&](const auto& point) {
     const auto barycentric = in_whole(point.barycentric, part);
     const Vec3 place = site.position(barycentric);
-    const Seen seen =
-        look(source_, {site.cell, place}, corners == 3 ? wall_in_shadow : coarse_light, beams, loss);
-    any_lit = any_lit || seen == Seen::all || seen == Seen::part;
-    any_shadow = any_shadow || seen == Seen::nothing || seen == Seen::part;
+    const Seen seen = look(source_, {site.cell, place}, detail, beams, loss);
+    const double visible = seen == Seen::behind ? 0 : loss[0].visible;
+    any_lit = any_lit || visible > trifle_of_light;
+    any_shadow = any_shadow || (seen != Seen::behind && visible < 1 - trifle_of_light);
     arrive(place, loss, beams, light);
     deposit(place, barycentric, point.weight * measure, light, sum);
   };
@@ -187,8 +192,8 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
   if (!any_lit || !any_shadow || divisions == 0) return moments.add(sum);
   const auto parts = equal_parts(part);
   for (const auto& child : parts)
-    add_point_by_point(site, child, measure / static_cast<double>(parts.size()), divisions - 1, deposit,
-                       beams, moments);
+    add_point_by_point(site, child, measure / static_cast<double>(parts.size()), divisions - 1, detail,
+                       deposit, beams, moments);
 }
 
 template <class Deposit>
@@ -211,16 +216,20 @@ void ExtendedLight::add_in_penumbra(const Site<3>& site, const std::vector<Creas
 
 template <std::size_t corners, class Deposit>
 void ExtendedLight::add(const Site<corners>& site, const std::array<std::int32_t, corners>& vertices,
-                        int divisions, const Deposit& deposit, LightBeams& beams,
-                        NodalMoments& moments) const {
+                        const std::vector<Crease>& edges, int divisions, const Deposit& deposit,
+                        LightBeams& beams, NodalMoments& moments) const {
   LossesBetween<corners> losses;
   const Interpolation found = losses_.take(vertices, losses);
   const bool known = found == Interpolation::possible || (found == Interpolation::steep && !site.counts);
-  if (known || (found == Interpolation::unseen && look_inside(site, beams, losses)))
-    add_lit(site, losses, divisions, deposit, beams, moments);
-  else
-    add_point_by_point(site, site.whole, site.measure,
-                       found == Interpolation::steep ? 0 : divisions_in_shadow, deposit, beams, moments);
+  if (edges.empty() && (known || (found == Interpolation::unseen && look_inside(site, beams, losses))))
+    return add_lit(site, losses, divisions, deposit, beams, moments);
+  LightDetail detail = corners == 3 ? wall_in_shadow : coarse_light;
+  int in_shadow = found == Interpolation::steep ? 0 : divisions_in_shadow;
+  if (!edges.empty()) {
+    detail.creases = &edges;
+    in_shadow = divisions_along_edges;
+  }
+  add_point_by_point(site, site.whole, site.measure, in_shadow, detail, deposit, beams, moments);
 }
 
 void ExtendedLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const {
@@ -236,8 +245,10 @@ void ExtendedLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& mo
   };
   if (source_.is_in_parts() && cell.thickness > thick &&
       source_.is_near(cell.centroid, near_in_sizes * cell.size))
-    return add_point_by_point(site, site.whole, site.measure, 0, deposit, beams, moments);
-  add(site, paths_.problem().mesh().vertices(cell.index), divisions_of_cells, deposit, beams, moments);
+    return add_point_by_point(site, site.whole, site.measure, 0, coarse_light, deposit, beams, moments);
+  std::vector<Crease> edges;
+  if (source_.flat_parts().size() <= most_cut_in_cells) edges = edges_.before(site.corner);
+  add(site, paths_.problem().mesh().vertices(cell.index), edges, divisions_of_cells, deposit, beams, moments);
 }
 
 // What is not sent back by a mirror travels out of the domain: (1 - r) E = F.n. Where nearly all is sent back
@@ -268,7 +279,7 @@ void ExtendedLight::add(FaceIndex face, LightBeams& beams, NodalMoments& moments
   if (const std::vector<Crease> edges = edges_.before(site.corner); !edges.empty())
     add_in_penumbra(site, edges, deposit, beams, moments);
   else
-    add(site, vertices, divisions_of_faces, deposit, beams, moments);
+    add(site, vertices, edges, divisions_of_faces, deposit, beams, moments);
 }
 
 }  // namespace etendue

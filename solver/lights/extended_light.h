@@ -48,15 +48,16 @@ class ExtendedLight {
   template <std::size_t corners, class Deposit>
   void add_point_by_point(const Site<corners>& site,
                           const std::array<std::array<double, corners>, corners>& part, double measure,
-                          int divisions, const Deposit& deposit, LightBeams& beams,
+                          int divisions, const LightDetail& detail, const Deposit& deposit, LightBeams& beams,
                           NodalMoments& moments) const;
   /// A face before which these edges hide a part of the light.
   template <class Deposit>
   void add_in_penumbra(const Site<3>& site, const std::vector<Crease>& edges, const Deposit& deposit,
                        LightBeams& beams, NodalMoments& moments) const;
   template <std::size_t corners, class Deposit>
-  void add(const Site<corners>& site, const std::array<std::int32_t, corners>& vertices, int divisions,
-           const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const;
+  void add(const Site<corners>& site, const std::array<std::int32_t, corners>& vertices,
+           const std::vector<Crease>& edges, int divisions, const Deposit& deposit, LightBeams& beams,
+           NodalMoments& moments) const;
 
   const LightPaths& paths_;
   const ExtendedSource& source_;

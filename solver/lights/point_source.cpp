@@ -3,12 +3,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "solver/lights/lamp_in_cone.h"
 #include "solver/problem/lamp_shape.h"
 
 namespace etendue {
+namespace {
+
+/// Chords of a cone's edge: 4e-4 of its width lie between each and the arc.
+constexpr int chords = 96;
+
+/// Polar angle of the corners of a regular polygon on the unit sphere with as much solid angle as a cone: its
+/// triangles about the axis have base angles pi / 2 - (pi / n) cos(angle) (Girard 1629).
+double angle_of_corners(double angle) {
+  const double half = std::numbers::pi / chords;
+  return std::acos(std::tan(half * std::cos(angle)) / std::tan(half));
+}
+
+}  // namespace
+
 PointSource::PointSource(std::string name, const PointLight& light, TangentCone cone, const LightPaths& paths)
     : LightSource(std::move(name), light.power),
       light_(light),
@@ -23,6 +38,22 @@ double PointSource::intensity(const Image& image, const Vec3& direction) const {
   if (light_.angle.empty() && cone_.is_whole()) return 1 / norm_;
   const Vec3 sent = paths_.mirrors().image_direction(image.mirrors, direction);
   return cone_.contains(sent) ? lamp_shape(light_, sent) / norm_ : 0;
+}
+
+std::vector<std::vector<Vec3>> PointSource::rims(const Image& image) const {
+  std::vector<std::vector<Vec3>> rims;
+  const Vec3 across = light_.axis.unitOrthogonal(), third = light_.axis.cross(across);
+  for (const double edge : edges_of_lamp_shape(light_)) {
+    const double polar = angle_of_corners(edge);
+    std::vector<Vec3>& rim = rims.emplace_back();
+    for (int i = 0; i < chords; ++i) {
+      const double azimuth = 2 * std::numbers::pi * i / chords;
+      const Vec3 sent = std::cos(polar) * light_.axis +
+                        std::sin(polar) * (std::cos(azimuth) * across + std::sin(azimuth) * third);
+      rim.push_back(paths_.mirrors().image_direction(image.mirrors, sent));
+    }
+  }
+  return rims;
 }
 
 void PointSource::add_beams(const PointInCell& at, Sight sight, LightDetail, LightBeams& beams) const {

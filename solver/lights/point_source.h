@@ -22,6 +22,10 @@ class PointSource : public LightSource {
   /// Part of the power that an image sends into a direction [1/sr].
   double intensity(const Image& image, const Vec3& direction) const;
 
+  /// Directions along the edges of its cones, as an image sends them: each a closed polygon about the axis,
+  /// of the solid angle of the cone.
+  std::vector<std::vector<Vec3>> rims(const Image& image) const;
+
   void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
   const PointSource* as_point() const override { return this; }
   bool is_near(const Vec3& place, double size) const override;

@@ -71,7 +71,7 @@ void check_solid_angle_cuts(int cuts) {
 
 std::optional<SphericalTriangle> on_sphere(const SphericalTriangle& triangle) {
   for (const Vec3& corner : triangle)
-    if (corner.isZero()) return std::nullopt;
+    if (corner == Vec3::Zero()) return std::nullopt;
   return SphericalTriangle{triangle[0].normalized(), triangle[1].normalized(), triangle[2].normalized()};
 }
 

@@ -60,7 +60,7 @@ struct Wedge {
   double exit = 0;
 
   double way_in(const Vec3& direction) const {
-    return entry_normal.isZero() ? 0 : entry / entry_normal.dot(direction);
+    return entry_normal == Vec3::Zero() ? 0 : entry / entry_normal.dot(direction);
   }
   double way_out(const Vec3& direction) const { return exit / exit_normal.dot(direction); }
 };

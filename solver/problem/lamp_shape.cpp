@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -10,6 +12,10 @@ namespace etendue {
 namespace {
 
 using std::numbers::pi;
+
+/// A bend is sharp where the slopes on its sides differ by this part of the largest intensity per radian.
+constexpr double sharp_bend = 0.3;
+constexpr std::size_t most_edges = 4;
 
 /// A place between two of the values given: index of the second, and the part of the way to it.
 struct Between {
@@ -85,6 +91,40 @@ double integral_of_lamp_shape(const PointLight& light) {
            slope * (std::sin(t1) - std::sin(t0));
   }
   return sum;
+}
+
+std::vector<double> edges_of_lamp_shape(const PointLight& light) {
+  struct Edge {
+    double angle, bend;
+  };
+  const std::vector<double>& angle = light.angle;
+  std::vector<Edge> edges;
+  const double most = light.intensity.empty() ? 0 : std::ranges::max(light.intensity);
+  for (std::size_t i = 0; i < angle.size(); ++i) {
+    if (angle[i] <= 0 || angle[i] >= pi) continue;
+    double bend = 0;
+    for (std::size_t plane = 0; plane < std::max<std::size_t>(1, light.plane.size()); ++plane) {
+      const std::span<const double> values = values_of_plane(light, plane);
+      const auto slope = [&](std::size_t k) {
+        return (values[k] - values[k - 1]) / (angle[k] - angle[k - 1]);
+      };
+      const bool first = i == 0, last = i + 1 == angle.size();
+      const double before = first ? 0 : slope(i), after = last ? 0 : slope(i + 1);
+      const bool jumps = (first || last) && values[i] > 0;
+      if (jumps || std::isinf(before) || std::isinf(after))
+        bend = std::numeric_limits<double>::infinity();
+      else
+        bend = std::max(bend, std::abs(after - before));
+    }
+    if (bend > sharp_bend * most && (edges.empty() || edges.back().angle < angle[i]))
+      edges.push_back({angle[i], bend});
+  }
+  std::ranges::stable_sort(edges, std::ranges::greater(), &Edge::bend);
+  edges.resize(std::min(edges.size(), most_edges));
+  std::vector<double> angles;
+  for (const Edge& edge : edges) angles.push_back(edge.angle);
+  std::ranges::sort(angles);
+  return angles;
 }
 
 }  // namespace etendue

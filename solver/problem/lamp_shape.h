@@ -19,4 +19,8 @@ double integral_of_lamp_shape(const PointLight& light);
 /// [angle] Its integral over the azimuth.
 std::vector<double> lamp_shape_about_axis(const PointLight& light);
 
+/// Angles from the axis at which the intensity jumps or bends sharply, as at the edge of a cone, rising:
+/// those of the sharpest where they are many [rad].
+std::vector<double> edges_of_lamp_shape(const PointLight& light);
+
 }  // namespace etendue

@@ -19,7 +19,8 @@ std::vector<Vec3> corners_of(Obstacle obstacle);
 TetrahedralMesh room_with(Obstacle obstacle, double max_volume);
 
 constexpr double lamp_height = 0.9;
-/// Rims of lights in the upper part of the room, at that height, clockwise as seen from above: they shine down.
+/// Rims of lights in the upper part of the room, at that height, clockwise as seen from above: they shine
+/// down.
 std::vector<Vec3> rectangle(double x, double y);
 std::vector<Vec3> disc(double radius);
 

@@ -54,5 +54,26 @@ TEST(LampShape, HasItsIntegralInClosedForm) {
   EXPECT_EQ(lamp_shape(even, 0.51, 0), 0);
 }
 
+TEST(LampShape, HasEdgesWhereItJumpsOrBends) {
+  const auto edges = [](std::vector<double> angle, std::vector<double> intensity) {
+    PointLight light;
+    light.angle = std::move(angle);
+    light.intensity = std::move(intensity);
+    return edges_of_lamp_shape(light);
+  };
+  using Angles = std::vector<double>;
+  EXPECT_EQ(edges({}, {}), Angles());
+  EXPECT_EQ(edges({0, pi}, {1, 2}), Angles());
+  EXPECT_EQ(edges({0, 0.3, 0.5}, {1, 1, 0}), Angles({0.3, 0.5}));
+  EXPECT_EQ(edges({0, 0.5}, {1, 1}), Angles({0.5}));
+  EXPECT_EQ(edges({0, 0.5, 0.5, 1}, {2, 2, 1, 0}), Angles({0.5, 1}));
+  Angles angle, cosine;
+  for (int i = 0; i <= 36; ++i) {
+    angle.push_back(i * pi / 36);
+    cosine.push_back(2 + std::cos(angle.back()));
+  }
+  EXPECT_EQ(edges(angle, cosine), Angles());
+}
+
 }  // namespace
 }  // namespace etendue
