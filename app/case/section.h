@@ -29,7 +29,7 @@ class Section {
   std::optional<double> number_if(std::string_view name);
   std::optional<Vec3> point_if(std::string_view name);
   /// The sound value, or the declared default, which is added where nothing is there. Throws InputError with
-  /// all faults so far where the key has no default: its fault is among them, and reading cannot go on. The
+  /// all faults so far where the key has no default: its fault is among them, and reading ends. The
   /// reference stays valid as long as this section.
   const TomlNode& value(std::string_view name);
   // The same, by type.

@@ -113,7 +113,7 @@ void read_entities(TextLines& lines, Partitioned partitioned, PhysicalGroups& gr
       const int parent = partitioned == Partitioned::yes ? read_parent(lines) : dimension;
       lines.point();                     // its place, or the low corner of its box
       if (dimension > 0) lines.point();  // the high corner
-      // What stands between two partitions of a volume has the groups of the volume.
+      // A surface between two partitions of a volume has the groups of the volume.
       if (parent == dimension) read_physical_group(lines, dimension, entity, groups);
     }
 }

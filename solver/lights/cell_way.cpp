@@ -10,8 +10,8 @@
 namespace etendue {
 namespace {
 
-/// Adds the integrals of the shape functions over the way of light of a power per solid angle, of which
-/// matter of these coefficients takes its part.
+/// Adds the integrals of the shape functions along a path of light of a power per solid angle through a
+/// medium with these coefficients.
 void add_values(const CellWay& way, const std::array<double, 4>& value, const PathCoefficients& coefficients,
                 std::size_t band, NodalMoments& moments) {
   for (std::size_t i = 0; i < 4; ++i) {

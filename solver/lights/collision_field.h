@@ -13,10 +13,9 @@ namespace etendue {
 
 using LightSources = std::vector<std::unique_ptr<LightSource>>;
 
-/// Where light scatters for the first time in cells whose matter scatters it by direction: for each cell the
-/// directions from which the light comes, and the power density that scatters of each, projected on the
-/// linear functions of the cell. The power by direction sums up to all that scatters but for a part that is
-/// to be scattered isotropically:
+/// First collisions in cells whose medium scatters by direction: for each cell the directions from which the
+/// light comes, and the power density that scatters of each, projected on the linear functions of the cell.
+/// The power by direction sums up to all that scatters but for a part that is to be scattered isotropically:
 ///
 ///     s(w) = c / (4 pi) + sum over v of c_v (P_v(w) - 1 / (4 pi)),
 ///

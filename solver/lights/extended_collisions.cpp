@@ -8,8 +8,8 @@
 namespace etendue {
 namespace {
 
-/// Cells that are nearer to a light than so many of their sizes are looked at from fourteen points, others
-/// from four.
+/// Cells that are nearer to a light than so many of their sizes are sampled at fourteen points, others at
+/// four.
 constexpr double near_in_sizes = 4;
 /// The length of the mean direction below which light comes from so many directions that a coarse grid tells
 /// them apart.

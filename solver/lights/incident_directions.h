@@ -12,8 +12,8 @@
 
 namespace etendue {
 
-/// How finely the directions of the light of a source are told apart: beams are kept as they are, points on
-/// all of the grid, lights with an extent on every second or fourth of its points.
+/// Resolution of the directions of a source: beams are kept as they are, points on all of the grid, lights
+/// with an extent on every second or fourth of its points.
 enum class AngularDetail { fine, medium, coarse };
 
 /// The directions of travel of uncollided light where it scatters: those of the beams, and a grid on which

@@ -9,7 +9,7 @@
 namespace etendue {
 namespace {
 
-/// Edges, with their images, that are gone through for each face.
+/// Edges, with their images, that are tested for each cell and face.
 constexpr std::size_t most_edges = 2000;
 /// Corners of a light of which all are looked at; of more those of its box are.
 constexpr std::size_t most_corners = 8;

@@ -11,11 +11,11 @@
 
 namespace etendue {
 
-/// Edges of walls that may stand between a flat light and a face: places behind them lie in its penumbra.
-/// May be used by several threads at a time.
+/// Edges of walls that may be between a flat light and a cell or face: places behind them lie in its
+/// penumbra. May be used by several threads at a time.
 class OccludingEdges {
  public:
-  /// Without any for lights that are not flat, and where edges are too many to be gone through for each face.
+  /// Without any for lights that are not flat, and where edges are too many to be tested for each of them.
   OccludingEdges(const LightPaths& paths, const ExtendedSource& source, const std::vector<Crease>& creases);
 
   /// Those that reach into the convex hull of the light and of these corners; by way of mirrors into that of
@@ -40,9 +40,9 @@ class OccludingEdges {
   std::vector<Image> images_;
 };
 
-/// Whether a segment reaches into the convex hull of at least four points, by more than this distance: by the
-/// theorem of the separating axis (Gottschalk, Lin, Manocha 1996) with the normals of all triangles of the
-/// points and the directions across the segment and the way between two of them.
+/// Test of a segment against the convex hull of at least four points: true where it reaches in by more than
+/// this distance. By the theorem of the separating axis (Gottschalk, Lin, Manocha 1996) with the normals of
+/// all triangles of the points and the cross products of the segment and their differences.
 bool reaches_into(const Vec3& begin, const Vec3& end, std::span<const Vec3> hull, double distance);
 
 }  // namespace etendue

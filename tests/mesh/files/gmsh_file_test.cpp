@@ -37,7 +37,7 @@ const std::string kVersion4 =
     "3 2 4 1\n11 20 30 40 50 \n$EndElements\n";
 
 // Gmsh writes the elements of a partitioned mesh by parts of its entities: volumes 3 and 4, surfaces 4 and 5.
-// Surface 6 stands between the volumes and has the group 7 of its parent, which is one of volumes.
+// Surface 6 lies between the volumes and has the group 7 of its parent, which is one of volumes.
 const std::string kPartitioned =
     "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + kNames +
     "$Entities\n1 0 2 2\n"

@@ -65,7 +65,7 @@ Light light_of(const std::string& kind, double scale, const TetrahedralMesh& mes
   return kind == "square" ? square(scale) : sun(scale, mesh);
 }
 
-/// Parts of what is sent: [cell] that matter takes and [face] that black walls take.
+/// Parts of what is sent: [cell] that the medium takes and [face] that black walls take.
 struct Taken {
   std::vector<double> by_cells, by_faces;
   double missing = 1;
