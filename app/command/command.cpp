@@ -4,6 +4,7 @@
 #include <exception>
 #include <new>
 
+#include "app/case/key_help.h"
 #include "app/case/keys.h"
 #include "app/command/command_line.h"
 #include "app/command/commands.h"
@@ -26,8 +27,8 @@ struct Dispatch {
   ExitCode operator()(const CheckRequest& request) const { return check_case(request, out, err); }
   ExitCode operator()(const MeshRequest& request) const { return mesh_case(request, out, err); }
   ExitCode operator()(const DirectionsRequest& request) const { return show_directions(request, out); }
-  ExitCode operator()(const KeysRequest&) const {
-    out << key_reference();
+  ExitCode operator()(const KeysRequest& request) const {
+    out << (request.path.empty() ? key_reference() : key_help(request.path));
     return ExitCode::done;
   }
   ExitCode operator()(const ShowText& show) const {

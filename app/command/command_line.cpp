@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/case/edit_distance.h"
 #include "app/write/results.h"
 #include "mesh/base/errors.h"
 
@@ -24,7 +25,7 @@ const char* const examples = R"(Examples:
   etendue check case.toml --mesh
   etendue mesh case.toml -o mesh.vtu
   etendue directions --set ldfe-sq --order 2 -o set.vtp
-  etendue keys
+  etendue keys walls.floor
 
 Exit codes: 0 done, converged and balanced; 1 not converged or not balanced (results written and
 marked so); 2 the case, the mesh or the command line is wrong; 3 a file could not be read or written;
@@ -32,6 +33,15 @@ marked so); 2 the case, the mesh or the command line is wrong; 3 a file could no
 
 const std::map<std::string, ProgressStyle> progress_styles = {
     {"bar", ProgressStyle::bar}, {"plain", ProgressStyle::plain}, {"none", ProgressStyle::none}};
+
+/// The examples of one command.
+std::string examples_of(const std::string& command) {
+  std::string text = "Examples:";
+  std::istringstream lines(examples);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("  etendue " + command + " ")) text += "\n" + line;
+  return text;
+}
 
 /// Empty, or what is wrong with a number of threads.
 std::string whole_number(const std::string& text) {
@@ -55,7 +65,8 @@ class Parser {
     add_check();
     add_mesh();
     add_directions();
-    app_.add_subcommand("keys", "Every key of the case file");
+    add_keys();
+    for (CLI::App* command : app_.get_subcommands({})) command->footer(examples_of(command->get_name()));
   }
 
   Request parse(std::vector<std::string> arguments) {
@@ -77,10 +88,18 @@ class Parser {
     if (arguments.empty() || arguments.front().starts_with('-')) return;
     const auto named = [&](const CLI::App* command) { return command->get_name() == arguments.front(); };
     if (!app_.get_subcommands(named).empty()) return;
-    throw InputError(
-        "command line: " + arguments.front() +
-        ": no such command; use run, render, bake, study, compare, check, mesh, directions or keys "
-        "(see etendue --help)");
+    std::vector<std::string> names;
+    for (const CLI::App* command : app_.get_subcommands({})) names.push_back(command->get_name());
+    throw InputError(fmt::format("command line: {}: no such command{}; use {} (see etendue --help)",
+                                 arguments.front(), suggestion(arguments.front(), names), enumerate(names)));
+  }
+
+  void add_keys() {
+    app_.add_subcommand("keys", "Every key of the case file, or those of one table")
+        ->add_option(
+            "path", keys_.path,
+            "A table or a key, e.g. mesh.box, solve.tolerance or diffuse; default: the reference page")
+        ->type_name("PATH");
   }
 
   void add_run() {
@@ -239,12 +258,21 @@ class Parser {
     command.add_flag("--verbose", request.verbose, "Show the mesher's log on standard error");
   }
 
+  /// Of the first word that the command does not know.
+  static std::string meant_option(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    const std::vector<std::string> unknown = command.remaining();
+    return unknown.empty() ? "" : suggestion(unknown.front().substr(0, unknown.front().find('=')), names);
+  }
+
   std::string message_of(const CLI::ParseError& error) const {
     std::string text = error.what();
     std::replace(text.begin(), text.end(), '\n', ' ');
     for (const CLI::App* command : app_.get_subcommands())
-      return "command line: " + command->get_name() + ": " + text + "; see etendue " + command->get_name() +
-             " --help";
+      return "command line: " + command->get_name() + ": " + text + meant_option(*command) +
+             "; see etendue " + command->get_name() + " --help";
     return "command line: " + text + "; see etendue --help";
   }
 
@@ -257,7 +285,7 @@ class Parser {
     if (check_command_->parsed()) return check_;
     if (mesh_command_->parsed()) return mesh_;
     if (directions_command_->parsed()) return directions_;
-    return KeysRequest{};
+    return keys_;
   }
 
   /// Options that stand for keys become overrides, so that the resolved case holds them too.
@@ -334,6 +362,7 @@ class Parser {
   CompareRequest compare_;
   CheckRequest check_;
   MeshRequest mesh_;
+  KeysRequest keys_;
   DirectionsRequest directions_;
   std::optional<std::string> output_;
   std::optional<int> threads_;

@@ -89,7 +89,9 @@ struct DirectionsRequest {
   std::optional<std::filesystem::path> output;  ///< of the set, as points
 };
 
-struct KeysRequest {};
+struct KeysRequest {
+  std::string path;  ///< of one table or key; empty: the whole reference page
+};
 
 /// Help or version.
 struct ShowText {

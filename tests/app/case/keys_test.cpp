@@ -6,9 +6,12 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <sstream>
 
+#include "app/case/key_help.h"
 #include "app/case/toml_document.h"
 #include "app/case/value_check.h"
+#include "mesh/base/errors.h"
 
 namespace etendue {
 namespace {
@@ -56,6 +59,34 @@ TEST(KeyReference, IsTheCommittedPage) {
   std::ifstream page(ETENDUE_SOURCE_DIR "/docs/keys.md");
   const std::string committed((std::istreambuf_iterator<char>(page)), std::istreambuf_iterator<char>());
   EXPECT_TRUE(key_reference() == committed);
+}
+
+TEST(KeyHelp, DescribesATableAndAKey) {
+  const std::string box = key_help("mesh.box");
+  EXPECT_EQ(box.rfind("[[mesh.box]]\n", 0), 0U);
+  EXPECT_NE(box.find("\n  region\n"), std::string::npos);
+  EXPECT_EQ(key_help("[[mesh.box]]"), box);
+  const std::string diffuse = key_help("walls.floor.diffuse");
+  EXPECT_NE(diffuse.find("from 0 to 1; default: 0.0"), std::string::npos);
+  EXPECT_EQ(key_help("diffuse"), diffuse);
+  EXPECT_NE(key_help("title").find("What the case is called."), std::string::npos);
+}
+
+TEST(KeyHelp, FitsATerminal) {
+  for (const TableDeclaration& table : table_declarations()) {
+    if (table.path.empty()) continue;
+    std::istringstream lines(key_help(table.path));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+  }
+}
+
+TEST(KeyHelp, NamesWhatIsMeant) {
+  try {
+    key_help("solve.tolerence");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean \"solve.tolerance\"?"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -51,13 +51,31 @@ TEST(CommandLine, ReadsTheOtherCommands) {
   EXPECT_EQ(parsed<MeshRequest>({"mesh", "c", "-o", "m.vtu"}).output, "m.vtu");
   EXPECT_EQ(parsed<DirectionsRequest>({"directions", "--set", "product", "--order", "4"}).order, 4);
   EXPECT_FALSE(parsed<DirectionsRequest>({"directions"}).set);
-  EXPECT_TRUE(std::holds_alternative<KeysRequest>(parse_command_line({"keys"})));
+  EXPECT_EQ(parsed<KeysRequest>({"keys"}).path, "");
+  EXPECT_EQ(parsed<KeysRequest>({"keys", "mesh.box"}).path, "mesh.box");
 }
 
 TEST(CommandLine, ShowsHelpWithExamplesAndTheVersion) {
   EXPECT_NE(parsed<ShowText>({"--help"}).text.find("etendue run cases/"), std::string::npos);
   EXPECT_NE(parsed<ShowText>({"run", "--help"}).text.find("--threads"), std::string::npos);
   EXPECT_EQ(parsed<ShowText>({"--version"}).text.rfind("etendue 0.", 0), 0U);
+}
+
+TEST(CommandLine, ShowsTheExamplesOfTheCommandAlone) {
+  const std::string mesh = parsed<ShowText>({"mesh", "--help"}).text;
+  EXPECT_NE(mesh.find("etendue mesh case.toml -o mesh.vtu"), std::string::npos);
+  EXPECT_EQ(mesh.find("etendue study"), std::string::npos);
+  for (const char* command : {"run", "render", "bake", "study", "compare", "check", "directions", "keys"})
+    EXPECT_NE(parsed<ShowText>({command, "--help"}).text.find(std::string("  etendue ") + command + " "),
+              std::string::npos)
+        << command;
+}
+
+TEST(CommandLine, NamesTheCommandOrTheOptionThatIsMeant) {
+  EXPECT_NE(fault_of({"rnu", "c"}).find("did you mean \"run\"?"), std::string::npos);
+  EXPECT_NE(fault_of({"run", "c", "--treads", "2"}).find("did you mean \"--threads\"?"), std::string::npos);
+  EXPECT_NE(fault_of({"run", "c", "--ouput=x"}).find("did you mean \"--output\"?"), std::string::npos);
+  EXPECT_EQ(fault_of({"run", "c", "--zzzzzz"}).find("did you mean"), std::string::npos);
 }
 
 TEST(CommandLine, SaysInOneLineWhatIsWrong) {
