@@ -15,6 +15,7 @@
 #include "app/case/light_table.h"
 #include "mesh/base/errors.h"
 #include "mesh/base/vec3.h"
+#include "mesh/files/vtk_encoding.h"
 #include "mesh/geometry/geometry.h"
 #include "solver/angle/refinement.h"
 #include "solver/angle/rotation.h"
@@ -177,6 +178,7 @@ struct OutputCase {
   std::vector<std::string> fields = {"fluence", "net_flux"};  ///< as written, "radiance:K" too
   std::vector<int> radiance_ordinates;                        ///< of the fields "radiance:K"
   int checkpoint_every = 0;                                   ///< sweeps; 0: never
+  VtkEncoding encoding = VtkEncoding::inline_base64;          ///< of all VTK files
   Origin origin;
 };
 

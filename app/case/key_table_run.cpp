@@ -314,6 +314,13 @@ std::vector<KeyDeclaration> run_keys() {
        {.default_value = "0",
         .range = {.lowest = 0, .highest = largest_count},
         .help = "Sweeps after which `solution.vtu` is written while the run goes on; 0: only at its end."}},
+      {"output",
+       "encoding",
+       text,
+       {.default_value = "\"inline\"",
+        .choices = {"inline", "appended"},
+        .help = "Of the numbers in VTK files. inline: base64 text, which every ParaView reads; appended: raw "
+                "bytes behind the XML, a quarter shorter, which Debian 12's own ParaView refuses."}},
   };
 }
 

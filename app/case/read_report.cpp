@@ -108,6 +108,8 @@ OutputCase read_output(Section section, const std::filesystem::path& case_file) 
     output.directory = case_name(case_file);
   section.resolve("directory", output.directory.string());
   output.checkpoint_every = section.integer("checkpoint_every");
+  output.encoding =
+      section.text("encoding") == "appended" ? VtkEncoding::appended_raw : VtkEncoding::inline_base64;
   output.fields.clear();
   const bool given = section.has("fields");
   section.value("fields");

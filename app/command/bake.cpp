@@ -223,7 +223,7 @@ ExitCode bake_results(const BakeRequest& request, std::ostream& out, std::ostrea
   const std::string name = baker.name();
   folder.add_text(name + ".ply", ply_bytes(baked));
   folder.add_text(name + ".glb", glb_bytes(baked));
-  write_baked(baked, baker.unit(), folder.add(name + ".vtp"), directory / (name + ".vtp"));
+  write_baked(baked, baker.unit(), scene.input, folder.add(name + ".vtp"), directory / (name + ".vtp"));
   if (texture) add_texture(*std::move(texture), name, baked.comment, surface, folder);
   const std::vector<std::string> names = folder.names();
   const std::string summary = summary_with_files(directory, names);

@@ -34,7 +34,7 @@ void write_comparison(const Comparison& comparison, const Case& input, const Pro
   const std::string unit = UnitLabels(input.units).flux;
   const DifferenceField field(comparison);
   OutputFolder folder(directory);
-  write_cells(problem.mesh(), problem.bands().names,
+  write_cells(problem.mesh(), input,
               {{"fluence_" + comparison.first.method, unit, comparison.first.cells},
                {"fluence_" + comparison.second.method, unit, comparison.second.cells},
                {"difference", unit, field.difference},

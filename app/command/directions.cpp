@@ -94,19 +94,14 @@ std::string in_full(const DirectionSet& set) {
   return text;
 }
 
-void write_set(const DirectionSet& set, const std::filesystem::path& output) {
+void write_set(const DirectionSet& set, const Case& input, const std::filesystem::path& output) {
   if (output.extension() != ".vtp")
     throw InputError("command line: directions: --output = " + output.string() +
                      ": not a name that directions are written to; use a name that ends in .vtp");
   const std::filesystem::path folder = std::filesystem::absolute(output).parent_path();
   check_output_directory(folder);
   make_output_directory(folder);
-  write_directions(set, output);
-}
-
-DirectionSet set_of(const DirectionsRequest& request) {
-  return request.file ? build_directions(read_case(*request.file))
-                      : make_directions(*request.set, *request.order);
+  write_directions(set, input, output);
 }
 
 }  // namespace
@@ -119,8 +114,10 @@ ExitCode show_directions(const DirectionsRequest& request, std::ostream& out) {
     out << overview();
     return ExitCode::done;
   }
-  const DirectionSet set = set_of(request);
-  if (request.output) write_set(set, *request.output);
+  const Case input = request.file ? read_case(*request.file) : Case{};
+  const DirectionSet set =
+      request.file ? build_directions(input) : make_directions(*request.set, *request.order);
+  if (request.output) write_set(set, input, *request.output);
   out << in_full(set);
   return ExitCode::done;
 }

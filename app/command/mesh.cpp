@@ -4,6 +4,7 @@
 #include "app/command/interruption.h"
 #include "app/command/verbose_log.h"
 #include "app/write/output_folder.h"
+#include "app/write/vtk_files.h"
 #include "mesh/files/mesh_file.h"
 #include "mesh/tetrahedra/mesh_report.h"
 
@@ -27,7 +28,7 @@ ExitCode mesh_case(const MeshRequest& request, std::ostream& out, std::ostream& 
   const TetrahedralMesh mesh = build_mesh(input, verbose_log(request, err));
   interruption.note_all();
   make_output_directory(folder);
-  write_mesh(request.output, mesh);
+  write_mesh(request.output, mesh, mesh_file_options(input));
   out << to_string(mesh_report(mesh), mesh, input.units.length) << "written to " << request.output.string()
       << '\n';
   return interruption.noted() ? ExitCode::interrupted : ExitCode::done;

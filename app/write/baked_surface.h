@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/case/case.h"
 #include "solver/picture/band_color.h"
 #include "solver/sensors/wall_atlas.h"
 #include "solver/sensors/wall_bake.h"
@@ -48,7 +49,7 @@ std::string textured_glb_bytes(const BakedTexture& baked);
 
 /// baked.vtp: positions, normals and numbers of a baked surface, for VTK. `path` is written, `shown` is named
 /// in a FileError.
-void write_baked(const BakedSurface& baked, const std::string& unit, const std::filesystem::path& path,
-                 const std::filesystem::path& shown);
+void write_baked(const BakedSurface& baked, const std::string& unit, const Case& input,
+                 const std::filesystem::path& path, const std::filesystem::path& shown);
 
 }  // namespace etendue

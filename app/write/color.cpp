@@ -37,8 +37,14 @@ double luminance(double red, double green, double blue) {
 
 }  // namespace
 
-bool are_display_primaries(const Bands& bands) {
-  return bands.names == std::vector<std::string>{"red", "green", "blue"};
+std::vector<double> linear_colors(const BandColor& rule, std::span<const double> values, std::size_t bands) {
+  std::vector<double> colors;
+  colors.reserve(3 * (values.size() / bands));
+  for (std::size_t at = 0; at < values.size(); at += bands) {
+    const LinearColor color = rule.of(values.subspan(at, bands));
+    colors.insert(colors.end(), color.begin(), color.end());
+  }
+  return colors;
 }
 
 Exposure exposure_of(std::span<const double> rgb, std::span<const double> weights, int nodes_per_weight) {

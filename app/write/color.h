@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "solver/problem/bands.h"
+#include "solver/picture/band_color.h"
 
 namespace etendue {
 
-/// Whether the bands are the three primaries of a display, in order: "red", "green", "blue".
-bool are_display_primaries(const Bands& bands);
+/// Linear sRGB of each node, [node][3], from values [node][band].
+std::vector<double> linear_colors(const BandColor& rule, std::span<const double> values, std::size_t bands);
 
 /// How bright values are shown: `white` becomes 1 on the display, and what is brighter is clipped.
 struct Exposure {

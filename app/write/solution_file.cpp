@@ -8,7 +8,6 @@
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <fmt/format.h>
 
@@ -19,7 +18,7 @@
 #include "app/write/output_folder.h"
 #include "app/write/summary.h"
 #include "app/write/vtk_arrays.h"
-#include "app/write/vtk_files.h"
+#include "app/write/vtk_output.h"
 #include "mesh/files/vtk_threads.h"
 #include "mesh/tetrahedra/array_bytes.h"
 #include "mesh/tetrahedra/child_process.h"
@@ -181,9 +180,8 @@ void write_solution(const Case& input, const Problem& problem, const SavedState&
   add_names(fields, "format", {format});
   add_names(fields, "mesh_hash", {mesh_hash(mesh)});
   add_names(fields, "case_parts", lines_of(case_parts(input)));
-  add_names(fields, "band_names", problem.bands().names);
-  add_names(fields, "region_names", mesh.region_names());
-  grid->GetCellData()->AddArray(vtk_array({"region", {}, {}}, mesh.cell_regions()));
+  add_bands(fields, problem.bands());
+  add_named_cells(*grid, "region", mesh.cell_regions(), mesh.region_names());
   grid->GetCellData()->AddArray(vtk_array(
       {"collided_fluence", {}, {}},
       static_cast<int>(state.fluence.size() / static_cast<std::size_t>(mesh.cell_count())), state.fluence));
@@ -193,9 +191,7 @@ void write_solution(const Case& input, const Problem& problem, const SavedState&
     const std::vector<double>& values = state.*part.values;
     if (!values.empty()) fields.AddArray(vtk_array({part.name, {}, {}}, state.bands, values));
   }
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(grid);
-  write_vtk(*writer, path, shown);
+  write_vtk(*grid, {path, shown, input.output.encoding, input.title, input.units.length});
 }
 
 void check_initial(const InputFile& file, const Case& input) { read_of_case(file, input); }

@@ -2,49 +2,28 @@
 #include "app/write/vtk_arrays.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
 #include <vtkInformation.h>
 #include <vtkInformationStringKey.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPoints.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <system_error>
 
-#include "mesh/base/errors.h"
-#include "mesh/files/vtk_threads.h"
+#include "app/write/color.h"
 
 namespace etendue {
 namespace {
 
-/// A text as the value of an XML attribute. VTK writes names as they are, but units by itself like this.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
-}
-
 void label_array(vtkDataArray& array, const ArrayLabel& label) {
-  array.SetName(escaped(label.name).c_str());
+  array.SetName(label.name.c_str());
   for (std::size_t i = 0; i < label.components.size(); ++i)
-    array.SetComponentName(static_cast<vtkIdType>(i), escaped(label.components[i]).c_str());
+    array.SetComponentName(static_cast<vtkIdType>(i), label.components[i].c_str());
   if (!label.unit.empty()) array.GetInformation()->Set(vtkDataArray::UNITS_LABEL(), label.unit.c_str());
 }
 
@@ -56,26 +35,6 @@ vtkSmartPointer<vtkDataArray> copied(const ArrayLabel& label, int components, st
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   label_array(*array, label);
   return array.Get();
-}
-
-/// VTK prints its errors; here they are thrown.
-class QuietVtk {
- public:
-  QuietVtk() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::GlobalWarningDisplayOff(); }
-  ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(before_); }
-  QuietVtk(const QuietVtk&) = delete;
-  QuietVtk& operator=(const QuietVtk&) = delete;
-
- private:
-  int before_;
-};
-
-std::string reason(unsigned long vtk_error) {
-  if (vtk_error == vtkErrorCode::NoError) return "unknown reason";
-  // Below VTK's own codes stand those of the system.
-  if (vtk_error < vtkErrorCode::FirstVTKErrorCode)
-    return std::generic_category().message(static_cast<int>(vtk_error));
-  return vtkErrorCode::GetStringFromErrorCode(vtk_error);
 }
 
 }  // namespace
@@ -93,11 +52,47 @@ vtkSmartPointer<vtkDataArray> vtk_colors(const std::string& how, std::span<const
   return copied<vtkUnsignedCharArray>({"color", {"red", "green", "blue"}, how}, 3, rgb);
 }
 
+void add_band_vectors(vtkDataSetAttributes& arrays, const ArrayLabel& label, std::span<const double> values) {
+  const std::vector<std::string>& bands = label.components;
+  std::vector<double> vectors(values.size() / bands.size());
+  for (std::size_t band = 0; band < bands.size(); ++band) {
+    for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = values[i * bands.size() + band];
+    const std::string name = bands.size() == 1 ? label.name : label.name + "_" + bands[band];
+    arrays.AddArray(vtk_array({name, {"x", "y", "z"}, label.unit}, 3, vectors));
+  }
+}
+
+vtkSmartPointer<vtkDataArray> color_array(const Bands& bands, std::span<const double> values,
+                                          std::span<const double> weights, int points_per_weight,
+                                          const std::string& unit) {
+  const BandColor rule(bands);
+  const std::vector<double> rgb = linear_colors(rule, values, bands.names.size());
+  const Exposure exposure = exposure_of(rgb, weights, points_per_weight);
+  return vtk_colors(rule.rule() + "; " + describe(exposure, unit), display_colors(rgb, exposure));
+}
+
 void add_names(vtkFieldData& fields, const std::string& array, const std::vector<std::string>& names) {
   vtkNew<vtkStringArray> strings;
   strings->SetName(array.c_str());
   for (const std::string& name : names) strings->InsertNextValue(name);
   fields.AddArray(strings);
+}
+
+void add_bands(vtkFieldData& fields, const Bands& bands) {
+  add_names(fields, "band_names", bands.names);
+  if (!bands.edges.empty()) fields.AddArray(vtk_array({"band_edges", {}, "nm"}, 1, bands.edges));
+}
+
+void add_named_cells(vtkDataSet& data, const std::string& kind, std::span<const std::int32_t> numbers,
+                     const std::vector<std::string>& names) {
+  vtkNew<vtkStringArray> name_of_each;
+  name_of_each->SetName((kind + "_name").c_str());
+  name_of_each->SetNumberOfValues(static_cast<vtkIdType>(numbers.size()));
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    name_of_each->SetValue(static_cast<vtkIdType>(i), names[static_cast<std::size_t>(numbers[i])]);
+  data.GetCellData()->AddArray(vtk_array({kind, {}, {}}, numbers));
+  data.GetCellData()->AddArray(name_of_each);
+  add_names(*data.GetFieldData(), kind + "_names", names);
 }
 
 std::array<vtkIdType, 4> positive_order(const TetrahedralMesh& mesh, CellIndex cell) {
@@ -125,19 +120,6 @@ vtkSmartPointer<vtkUnstructuredGrid> joined_cells(const TetrahedralMesh& mesh) {
   grid->SetPoints(points);
   grid->SetCells(VTK_TETRA, cells);
   return grid.Get();
-}
-
-void write_vtk(vtkXMLWriter& writer, const std::filesystem::path& path, const std::filesystem::path& shown) {
-  use_vtk_without_threads();
-  const QuietVtk quiet;
-  writer.SetFileName(path.c_str());
-  writer.SetDataModeToAppended();
-  writer.EncodeAppendedDataOff();
-  writer.SetCompressorTypeToLZ4();  // twenty times as fast as zlib, and fields are a tenth longer
-  writer.SetHeaderTypeToUInt64();
-  const int written = writer.Write();
-  if (written == 0 || writer.GetErrorCode() != vtkErrorCode::NoError)
-    throw FileError(shown.string(), "cannot be written (" + reason(writer.GetErrorCode()) + ")");
 }
 
 }  // namespace etendue

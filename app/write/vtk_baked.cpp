@@ -4,16 +4,16 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include "app/write/baked_surface.h"
 #include "app/write/color.h"
 #include "app/write/vtk_arrays.h"
+#include "app/write/vtk_output.h"
 
 namespace etendue {
 
-void write_baked(const BakedSurface& baked, const std::string& unit, const std::filesystem::path& path,
-                 const std::filesystem::path& shown) {
+void write_baked(const BakedSurface& baked, const std::string& unit, const Case& input,
+                 const std::filesystem::path& path, const std::filesystem::path& shown) {
   std::vector<double> positions, normals, colors;
   for (const WallSurface::Vertex& vertex : baked.surface.vertices) {
     positions.insert(positions.end(), vertex.position.begin(), vertex.position.end());
@@ -38,9 +38,7 @@ void write_baked(const BakedSurface& baked, const std::string& unit, const std::
     surface->GetPointData()->AddArray(vtk_array({baked.names[n], {}, unit}, 1, values));
   }
   surface->GetPointData()->AddArray(vtk_colors(baked.comment, display_colors(colors, Exposure{1})));
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(surface);
-  write_vtk(*writer, path, shown);
+  write_vtk(*surface, {path, shown, input.output.encoding, input.title, input.units.length});
 }
 
 }  // namespace etendue

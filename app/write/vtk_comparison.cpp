@@ -4,25 +4,22 @@
 #include <vtkCellData.h>
 #include <vtkNew.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include "app/write/vtk_arrays.h"
+#include "app/write/vtk_output.h"
 
 namespace etendue {
 
-void write_cells(const TetrahedralMesh& mesh, const std::vector<std::string>& bands,
-                 const std::vector<NamedCells>& arrays, const std::filesystem::path& path,
-                 const std::filesystem::path& shown) {
+void write_cells(const TetrahedralMesh& mesh, const Case& input, const std::vector<NamedCells>& arrays,
+                 const std::filesystem::path& path, const std::filesystem::path& shown) {
+  const std::vector<std::string>& bands = input.bands.names;
   const vtkSmartPointer<vtkUnstructuredGrid> grid = joined_cells(mesh);
-  grid->GetCellData()->AddArray(vtk_array({"region", {}, {}}, mesh.cell_regions()));
-  add_names(*grid->GetFieldData(), "region_names", mesh.region_names());
-  add_names(*grid->GetFieldData(), "band_names", bands);
+  add_named_cells(*grid, "region", mesh.cell_regions(), mesh.region_names());
+  add_bands(*grid->GetFieldData(), input.bands);
   for (const NamedCells& array : arrays)
     grid->GetCellData()->AddArray(
         vtk_array({array.name, bands, array.unit}, static_cast<int>(bands.size()), array.values));
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(grid);
-  write_vtk(*writer, path, shown);
+  write_vtk(*grid, {path, shown, input.output.encoding, input.title, input.units.length});
 }
 
 }  // namespace etendue

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/case/case.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 
 namespace etendue {
@@ -18,8 +19,7 @@ struct NamedCells {
 };
 
 /// Writes cell data on a mesh as VTU, a component for each band. `shown` is named in a FileError.
-void write_cells(const TetrahedralMesh& mesh, const std::vector<std::string>& bands,
-                 const std::vector<NamedCells>& arrays, const std::filesystem::path& path,
-                 const std::filesystem::path& shown);
+void write_cells(const TetrahedralMesh& mesh, const Case& input, const std::vector<NamedCells>& arrays,
+                 const std::filesystem::path& path, const std::filesystem::path& shown);
 
 }  // namespace etendue

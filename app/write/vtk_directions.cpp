@@ -4,12 +4,12 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <numeric>
 
 #include "app/write/vtk_arrays.h"
 #include "app/write/vtk_files.h"
+#include "app/write/vtk_output.h"
 
 namespace etendue {
 namespace {
@@ -25,7 +25,7 @@ vtkSmartPointer<vtkPoints> points_of_directions(const DirectionSet& set) {
 
 }  // namespace
 
-void write_directions(const DirectionSet& set, const std::filesystem::path& path) {
+void write_directions(const DirectionSet& set, const Case& input, const std::filesystem::path& path) {
   vtkNew<vtkCellArray> vertices;
   for (vtkIdType m = 0; m < set.count(); ++m) vertices->InsertNextCell(1, &m);
   std::vector<std::int32_t> ordinates(static_cast<std::size_t>(set.count()));
@@ -36,9 +36,7 @@ void write_directions(const DirectionSet& set, const std::filesystem::path& path
   sphere->GetPointData()->AddArray(
       vtk_array({"weight", {}, set.space() == AngularSpace::sphere ? "sr" : "rad"}, 1, set.weights()));
   sphere->GetPointData()->AddArray(vtk_array({"ordinate", {}, {}}, ordinates));
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(sphere);
-  write_vtk(*writer, path, path);
+  write_vtk(*sphere, {path, path, input.output.encoding, input.title});
 }
 
 }  // namespace etendue

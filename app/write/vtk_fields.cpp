@@ -5,15 +5,14 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
 #include <array>
 
-#include "app/write/color.h"
 #include "app/write/unit_labels.h"
 #include "app/write/vtk_arrays.h"
 #include "app/write/vtk_files.h"
+#include "app/write/vtk_output.h"
 #include "solver/ordinates/node_means.h"
 
 namespace etendue {
@@ -80,9 +79,8 @@ class FieldsOfCells {
 
   void add_regions() {
     const TetrahedralMesh& mesh = result_.problem.mesh();
-    grid_->GetCellData()->AddArray(vtk_array({"region", {}, {}}, mesh.cell_regions()));
-    add_names(*grid_->GetFieldData(), "region_names", mesh.region_names());
-    add_names(*grid_->GetFieldData(), "band_names", bands_);
+    add_named_cells(*grid_, "region", mesh.cell_regions(), mesh.region_names());
+    add_bands(*grid_->GetFieldData(), result_.problem.bands());
   }
 
   void add_fluence() {
@@ -93,20 +91,12 @@ class FieldsOfCells {
     if (const auto& uncollided = result_.solution.lights.fluence; !uncollided.empty())
       grid_->GetPointData()->AddArray(
           vtk_array({"fluence_uncollided", bands_, units_.flux}, band_count(), uncollided));
-    if (!are_display_primaries(result_.problem.bands())) return;
-    const Exposure exposure = exposure_of(fluence, result_.problem.mesh().volumes(), 4);
     grid_->GetPointData()->AddArray(
-        vtk_colors(describe(exposure, units_.flux), display_colors(fluence, exposure)));
+        color_array(result_.problem.bands(), fluence, result_.problem.mesh().volumes(), 4, units_.flux));
   }
 
-  /// The solution keeps [cell][4][3][band]; a vector array per band wants the three together.
   void add_net_flux(const std::string& label, const std::vector<double>& flux) {
-    std::vector<double> vectors(flux.size() / bands_.size());
-    for (std::size_t band = 0; band < bands_.size(); ++band) {
-      for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = flux[i * bands_.size() + band];
-      const std::string name = bands_.size() == 1 ? label : label + "_" + bands_[band];
-      grid_->GetPointData()->AddArray(vtk_array({name, {"x", "y", "z"}, units_.flux}, 3, vectors));
-    }
+    add_band_vectors(*grid_->GetPointData(), {label, bands_, units_.flux}, flux);
   }
 
   /// Standard errors of what was asked for.
@@ -145,9 +135,9 @@ class FieldsOfCells {
 
 void write_fields(const RunResult& result, const std::filesystem::path& path,
                   const std::filesystem::path& shown) {
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(FieldsOfCells(result).grid());
-  write_vtk(*writer, path, shown);
+  const Case& input = result.input;
+  write_vtk(*FieldsOfCells(result).grid(),
+            {path, shown, input.output.encoding, input.title, input.units.length});
 }
 
 }  // namespace etendue

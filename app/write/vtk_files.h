@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/write/results.h"
+#include "mesh/files/mesh_file.h"
 #include "solver/angle/direction_set.h"
 
 namespace etendue {
@@ -18,7 +19,11 @@ void write_fields(const RunResult& result, const std::filesystem::path& path,
 void write_walls(const RunResult& result, const std::filesystem::path& path,
                  const std::filesystem::path& shown);
 
-/// A direction set: its directions as points of the unit sphere, each with its ordinate and weight.
-void write_directions(const DirectionSet& set, const std::filesystem::path& path);
+/// Encoding, title, program and units of the mesh file of a case.
+MeshFileOptions mesh_file_options(const Case& input);
+
+/// A direction set: its directions as points of the unit sphere, each with its ordinate and weight. Title and
+/// encoding are those of the case.
+void write_directions(const DirectionSet& set, const Case& input, const std::filesystem::path& path);
 
 }  // namespace etendue

@@ -5,15 +5,14 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <Eigen/Geometry>
 #include <array>
 
-#include "app/write/color.h"
 #include "app/write/unit_labels.h"
 #include "app/write/vtk_arrays.h"
 #include "app/write/vtk_files.h"
+#include "app/write/vtk_output.h"
 
 namespace etendue {
 namespace {
@@ -32,6 +31,17 @@ std::vector<double> differences(std::span<const double> a, std::span<const doubl
   std::vector<double> result(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] - b[i];
   return result;
+}
+
+/// [triangle][3][3][band] values [triangle][3][band] times the unit normal of their triangle.
+std::vector<double> along_normals(std::span<const double> values, std::span<const Vec3> normals,
+                                  std::size_t bands) {
+  std::vector<double> vectors;
+  vectors.reserve(3 * values.size());
+  for (std::size_t at = 0; at < values.size(); at += bands)
+    for (const double component : normals[at / (3 * bands)])
+      for (const double value : values.subspan(at, bands)) vectors.push_back(component * value);
+  return vectors;
 }
 
 /// Triangles that share no points. `corners` are the numbers of the three within each [triangle].
@@ -59,6 +69,7 @@ struct TriangleLight {
   std::vector<std::int32_t> walls;
   std::vector<double> irradiance, exitance;  ///< [triangle][3][band]
   std::vector<double> areas;
+  std::vector<Vec3> normals;  ///< [triangle] unit, out of the domain
 };
 
 TriangleLight light_on_faces(const RunResult& result) {
@@ -75,6 +86,7 @@ TriangleLight light_on_faces(const RunResult& result) {
     corners.push_back(outward_order(mesh, face));
     light.walls.push_back(mesh.wall(face));
     light.areas.push_back(mesh.area(face));
+    light.normals.push_back(mesh.area_normal(face).normalized());
   }
   light.surface = separate_triangles(coordinates, corners);
   light.irradiance = result.solution.irradiance;
@@ -87,7 +99,9 @@ TriangleLight light_on_triangles(const PatchLight& patches) {
   std::vector<double> coordinates;
   for (const TriangleCorners& triangle : patches.triangles) {
     for (const Vec3& corner : triangle) coordinates.insert(coordinates.end(), corner.begin(), corner.end());
-    light.areas.push_back((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).norm() / 2);
+    const Vec3 area_normal = (triangle[2] - triangle[0]).cross(triangle[1] - triangle[0]) / 2;
+    light.areas.push_back(area_normal.norm());
+    light.normals.push_back(area_normal.normalized());
   }
   const std::size_t count = patches.triangles.size(), bands = patches.irradiance.size() / count;
   const auto at_corners = [&](const std::vector<double>& values) {
@@ -110,21 +124,19 @@ vtkSmartPointer<vtkPolyData> fields_of_walls(const RunResult& result) {
   const Bands& bands = result.problem.bands();
   const std::string unit = UnitLabels(result.input.units).flux;
   const TriangleLight light = result.patches ? light_on_triangles(*result.patches) : light_on_faces(result);
-  light.surface->GetCellData()->AddArray(vtk_array({"wall", {}, {}}, light.walls));
-  add_names(*light.surface->GetFieldData(), "wall_names", mesh.wall_names());
-  add_names(*light.surface->GetFieldData(), "band_names", bands.names);
+  add_named_cells(*light.surface, "wall", light.walls, mesh.wall_names());
+  add_bands(*light.surface->GetFieldData(), bands);
   const auto add = [&](const std::string& name, std::span<const double> values) {
     light.surface->GetPointData()->AddArray(vtk_array({name, bands.names, unit}, bands.count(), values));
   };
   add("irradiance", light.irradiance);
   if (result.errors) add("irradiance_error", result.errors->irradiance);
   add("exitance", light.exitance);
-  add("net_flux", differences(light.irradiance, light.exitance));
-  if (are_display_primaries(bands)) {
-    const Exposure exposure = exposure_of(light.exitance, light.areas, 3);
-    light.surface->GetPointData()->AddArray(
-        vtk_colors(describe(exposure, unit), display_colors(light.exitance, exposure)));
-  }
+  const std::vector<double> net = differences(light.irradiance, light.exitance);
+  add("net_irradiance", net);
+  add_band_vectors(*light.surface->GetPointData(), {"net_flux", bands.names, unit},
+                   along_normals(net, light.normals, bands.names.size()));
+  light.surface->GetPointData()->AddArray(color_array(bands, light.exitance, light.areas, 3, unit));
   return light.surface;
 }
 
@@ -132,9 +144,8 @@ vtkSmartPointer<vtkPolyData> fields_of_walls(const RunResult& result) {
 
 void write_walls(const RunResult& result, const std::filesystem::path& path,
                  const std::filesystem::path& shown) {
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(fields_of_walls(result));
-  write_vtk(*writer, path, shown);
+  const Case& input = result.input;
+  write_vtk(*fields_of_walls(result), {path, shown, input.output.encoding, input.title, input.units.length});
 }
 
 }  // namespace etendue

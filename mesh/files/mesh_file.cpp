@@ -38,10 +38,11 @@ RawMesh read_mesh(const std::filesystem::path& path, double scale, const Origin&
   return mesh;
 }
 
-void write_mesh(const std::filesystem::path& path, const TetrahedralMesh& mesh) {
+void write_mesh(const std::filesystem::path& path, const TetrahedralMesh& mesh,
+                const MeshFileOptions& options) {
   if (lower_ending(path) != ".vtu")
     throw InputError("\"" + path.string() + "\": meshes are written as VTK; use a name that ends in .vtu");
-  write_vtu_file(path, mesh);
+  write_vtu_file(path, mesh, options);
 }
 
 }  // namespace etendue

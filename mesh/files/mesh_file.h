@@ -2,8 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "mesh/base/errors.h"
+#include "mesh/files/vtk_encoding.h"
 #include "mesh/tetrahedra/raw_mesh.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 
@@ -16,7 +19,20 @@ namespace etendue {
 /// `origin` is that of the key that names the file.
 RawMesh read_mesh(const std::filesystem::path& path, double scale = 1, const Origin& origin = {});
 
+/// A named list of texts in the field data of a file.
+struct FieldTexts {
+  std::string name;
+  std::vector<std::string> texts;
+};
+
+/// Form and additional content of a written mesh file.
+struct MeshFileOptions {
+  VtkEncoding encoding = VtkEncoding::inline_base64;
+  std::vector<FieldTexts> field_texts = {};  ///< beside the names of regions and walls
+};
+
 /// Writes a mesh as .vtu, read back identically by read_mesh. Written to a temporary name and renamed.
-void write_mesh(const std::filesystem::path& path, const TetrahedralMesh& mesh);
+void write_mesh(const std::filesystem::path& path, const TetrahedralMesh& mesh,
+                const MeshFileOptions& options = {});
 
 }  // namespace etendue

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "mesh/files/mesh_file.h"
 #include "mesh/tetrahedra/raw_mesh.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 
@@ -13,7 +14,9 @@ namespace etendue {
 /// field data, or names themselves where there are no such arrays.
 RawMesh read_vtu_file(const std::filesystem::path& path);
 
-/// Writes what read_vtu_file reads: the tetrahedra, then the boundary triangles, seen from outside.
-void write_vtu_file(const std::filesystem::path& path, const TetrahedralMesh& mesh);
+/// Writes what read_vtu_file reads: the tetrahedra, then the boundary triangles, seen from outside. The cell
+/// arrays `region_name` and `wall_name` repeat the names for viewers; the reader needs them not.
+void write_vtu_file(const std::filesystem::path& path, const TetrahedralMesh& mesh,
+                    const MeshFileOptions& options);
 
 }  // namespace etendue

@@ -2,10 +2,12 @@
 #include <unistd.h>
 
 #include <Eigen/Geometry>
+#include <initializer_list>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
@@ -17,11 +19,9 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include "mesh/base/errors.h"
-#include "mesh/files/vtk_messages.h"
-#include "mesh/files/vtk_threads.h"
+#include "mesh/files/vtk_write.h"
 #include "mesh/files/vtu_file.h"
 
 namespace etendue {
@@ -62,49 +62,51 @@ void add_cells(vtkUnstructuredGrid& grid, const TetrahedralMesh& mesh) {
   vtkNew<vtkUnsignedCharArray> types;
   vtkNew<vtkIntArray> regions;
   vtkNew<vtkIntArray> walls;
+  vtkNew<vtkStringArray> region_names;
+  vtkNew<vtkStringArray> wall_names;
   regions->SetName("region");
   walls->SetName("wall");
+  region_names->SetName("region_name");
+  wall_names->SetName("wall_name");
   for (int c = 0; c < mesh.cell_count(); ++c) {
     cells->InsertNextCell(4, oriented(mesh, CellIndex(c)).data());
     types->InsertNextValue(VTK_TETRA);
     regions->InsertNextValue(mesh.region(CellIndex(c)));
     walls->InsertNextValue(kNone);
+    region_names->InsertNextValue(mesh.region_names()[static_cast<std::size_t>(mesh.region(CellIndex(c)))]);
+    wall_names->InsertNextValue("");
   }
   for (int f = 0; f < mesh.boundary_face_count(); ++f) {
     cells->InsertNextCell(3, outward(mesh, FaceIndex(f)).data());
     types->InsertNextValue(VTK_TRIANGLE);
     regions->InsertNextValue(kNone);
     walls->InsertNextValue(mesh.wall(FaceIndex(f)));
+    region_names->InsertNextValue("");
+    wall_names->InsertNextValue(mesh.wall_names()[static_cast<std::size_t>(mesh.wall(FaceIndex(f)))]);
   }
   grid.SetCells(types, cells);
-  grid.GetCellData()->AddArray(regions);
-  grid.GetCellData()->AddArray(walls);
+  for (vtkAbstractArray* array :
+       std::initializer_list<vtkAbstractArray*>{regions, walls, region_names, wall_names})
+    grid.GetCellData()->AddArray(array);
 }
 
-void add_names(vtkUnstructuredGrid& grid, const char* title, const std::vector<std::string>& names) {
+void add_names(vtkUnstructuredGrid& grid, const std::string& title, const std::vector<std::string>& names) {
   vtkNew<vtkStringArray> array;
-  array->SetName(title);
+  array->SetName(title.c_str());
   for (const std::string& name : names) array->InsertNextValue(name);
   grid.GetFieldData()->AddArray(array);
 }
 
 /// Writes under a temporary name beside the file, so that a stopped run leaves no half file.
-void write_whole(const std::filesystem::path& path, vtkUnstructuredGrid& grid) {
+void write_whole(const std::filesystem::path& path, vtkUnstructuredGrid& grid, VtkEncoding encoding) {
   std::filesystem::path unfinished = path;
   unfinished += ".unfinished-" + std::to_string(getpid());
-  const VtkMessages messages;
-  use_vtk_without_threads();
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetFileName(unfinished.c_str());
-  writer->SetInputData(&grid);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
   std::error_code error;
-  if (writer->Write() == 0 || writer->GetErrorCode() != 0 || messages.any()) {
-    const std::string reason = messages.any() ? messages.first() : "VTK failed; is the disk full?";
+  try {
+    write_vtk_file(grid, unfinished, path, encoding, VtkCompression::zlib);
+  } catch (const FileError&) {
     std::filesystem::remove(unfinished, error);
-    throw FileError(path.string(), "cannot be written (" + reason + ")");
+    throw;
   }
   std::filesystem::rename(unfinished, path, error);
   if (error) {
@@ -116,13 +118,15 @@ void write_whole(const std::filesystem::path& path, vtkUnstructuredGrid& grid) {
 
 }  // namespace
 
-void write_vtu_file(const std::filesystem::path& path, const TetrahedralMesh& mesh) {
+void write_vtu_file(const std::filesystem::path& path, const TetrahedralMesh& mesh,
+                    const MeshFileOptions& options) {
   vtkNew<vtkUnstructuredGrid> grid;
   add_points(*grid, mesh);
   add_cells(*grid, mesh);
   add_names(*grid, "region_names", mesh.region_names());
   add_names(*grid, "wall_names", mesh.wall_names());
-  write_whole(path, *grid);
+  for (const FieldTexts& field : options.field_texts) add_names(*grid, field.name, field.texts);
+  write_whole(path, *grid, options.encoding);
 }
 
 }  // namespace etendue

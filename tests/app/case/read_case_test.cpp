@@ -182,6 +182,8 @@ TEST(CaseReader, FillsInDefaults) {
   EXPECT_EQ(air.solve.max_sweeps, 500);
   EXPECT_EQ(air.output.fields, (std::vector<std::string>{"fluence", "net_flux"}));
   EXPECT_EQ(air.output.directory, "slab");
+  EXPECT_EQ(air.output.encoding, VtkEncoding::inline_base64);
+  EXPECT_EQ(case_of(cube + "[output]\nencoding = \"appended\"\n").output.encoding, VtkEncoding::appended_raw);
 }
 
 TEST(CaseReader, NamesTheResultsOfCaseTomlByItsFolder) {

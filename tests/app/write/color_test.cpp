@@ -8,10 +8,13 @@
 namespace etendue {
 namespace {
 
-TEST(Color, WantsTheThreePrimariesInOrder) {
-  EXPECT_TRUE(are_display_primaries({{"red", "green", "blue"}, {}}));
-  EXPECT_FALSE(are_display_primaries({{"blue", "green", "red"}, {}}));
-  EXPECT_FALSE(are_display_primaries({{"grey"}, {}}));
+TEST(Color, OfBandsFollowsTheRuleOfPictures) {
+  const std::vector<double> values = {1, 2, 3, 4, 5, 6};
+  EXPECT_EQ(linear_colors(BandColor({{"red", "green", "blue"}, {}}), values, 3), values);
+  EXPECT_EQ(linear_colors(BandColor({{"grey"}, {}}), std::vector<double>{1, 2}, 1),
+            (std::vector<double>{1, 1, 1, 2, 2, 2}));
+  EXPECT_EQ(linear_colors(BandColor({{"a", "b"}, {}}), std::vector<double>{1, 2}, 2),
+            (std::vector<double>{1.5, 1.5, 1.5}));
 }
 
 TEST(Color, FollowsTheSrgbTransferFunction) {

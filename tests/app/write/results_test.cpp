@@ -82,7 +82,8 @@ TEST(Results, ThatDoNotFitOnTheDiskLeaveTheEarlierOnesAsTheyWere) {
   write_results(run.result());
   const std::string before = text_of(scratch.path() / "fields.vtu");
   run.solution.fluence.front() = 1e9;
-  for (const rlim_t bytes : {rlim_t{0}, rlim_t{600}, rlim_t{2000}}) {
+  const rlim_t length = before.size();
+  for (const rlim_t bytes : {rlim_t{0}, rlim_t{600}, rlim_t{2000}, length / 2, length - 20}) {
     const FileSizeLimit limit(bytes);
     EXPECT_THROW(write_results(run.result()), FileError) << bytes;
   }

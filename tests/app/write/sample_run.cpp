@@ -69,11 +69,12 @@ Solution sample_solution(const TetrahedralMesh& mesh, std::size_t bands) {
   return solution;
 }
 
-Case sample_case(std::vector<std::string> bands) {
+Case sample_case(std::vector<std::string> bands, std::vector<double> edges) {
   Case input;
   input.file = "sample.toml";
   input.title = "Sample";
   input.bands.names = std::move(bands);
+  input.bands.edges = std::move(edges);
   input.resolved_toml = "title = \"Sample\"\n";
   return input;
 }
@@ -107,8 +108,8 @@ RawMesh cube_of_six() {
   return raw;
 }
 
-SampleRun::SampleRun(std::vector<std::string> bands)
-    : input(sample_case(std::move(bands))),
+SampleRun::SampleRun(std::vector<std::string> bands, std::vector<double> edges)
+    : input(sample_case(std::move(bands), std::move(edges))),
       mesh(cube_of_six()),
       problem(sample_problem(mesh, input.bands)),
       solution(sample_solution(mesh, input.bands.names.size())) {

@@ -16,7 +16,7 @@ RawMesh cube_of_six();
 /// without a solver.
 class SampleRun {
  public:
-  explicit SampleRun(std::vector<std::string> bands);
+  explicit SampleRun(std::vector<std::string> bands, std::vector<double> edges = {});
   SampleRun(const SampleRun&) = delete;
   SampleRun& operator=(const SampleRun&) = delete;
 

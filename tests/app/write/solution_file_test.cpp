@@ -97,6 +97,15 @@ TEST_F(SolutionFile, GivesTheStateBackToTheLastBit) {
   EXPECT_EQ(again.radiance, state.radiance);
 }
 
+TEST_F(SolutionFile, GivesTheStateBackFromAppendedDataToo) {
+  run.input.output.encoding = VtkEncoding::appended_raw;
+  write_checkpoint(run.input, run.problem, state);
+  EXPECT_NE(test::text_of(file()).find("<AppendedData"), std::string::npos);
+  const SavedState again = read();
+  EXPECT_EQ(again.fluence, state.fluence);
+  EXPECT_EQ(again.moments, state.moments);
+}
+
 TEST_F(SolutionFile, IsTakenWhereOnlyTheWayToTheSolutionAndItsReportDiffer) {
   change("\"Sample\"", "\"Another name\"");
   change("1e-06", "1e-09");

@@ -16,6 +16,7 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "app/write/color.h"
 #include "app/write/vtk_files.h"
@@ -94,6 +95,8 @@ TEST(FieldsFile, CanHaveAnyCharacterInTheNamesOfBands) {
   EXPECT_EQ(unit_of(*grid->GetPointData()->GetArray("fluence")).substr(0, 5), "W'<&\"");
   EXPECT_EQ(names_in(*grid->GetFieldData(), "band_names"), bands);
   EXPECT_NE(grid->GetPointData()->GetArray("net_flux_<500 nm"), nullptr);
+  const std::vector<std::string> units = names_in(*grid->GetFieldData(), "units");
+  EXPECT_EQ(std::ranges::count(units, "net_flux_<500 nm: W'<&\"/m^2"), 1);
   EXPECT_EQ(component_names(*walls_of(run)->GetPointData()->GetArray("irradiance")), bands);
 }
 
@@ -193,8 +196,51 @@ TEST(FieldsFile, HasTheUncollidedPartAndTheErrorOfDirectionsWhateverTheBands) {
   }
 }
 
-TEST(FieldsFile, HasNoColoursForOtherBands) {
-  EXPECT_EQ(fields_of(SampleRun({"a", "b", "c"}))->GetPointData()->GetArray("color"), nullptr);
+TEST(FieldsFile, ShowsOneBandAsGrey) {
+  const SampleRun run({"grey"});
+  for (const vtkSmartPointer<vtkDataSet>& data :
+       {vtkSmartPointer<vtkDataSet>(fields_of(run)), vtkSmartPointer<vtkDataSet>(walls_of(run))}) {
+    vtkDataArray* color = data->GetPointData()->GetArray("color");
+    ASSERT_NE(color, nullptr);
+    ASSERT_EQ(color->GetNumberOfComponents(), 3);
+    ASSERT_EQ(color->GetNumberOfTuples(), data->GetNumberOfPoints());
+    for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
+      for (int c = 1; c < 3; ++c) EXPECT_EQ(color->GetComponent(point, c), color->GetComponent(point, 0));
+    EXPECT_GT(color->GetRange(0)[1], color->GetRange(0)[0]);
+    EXPECT_EQ(unit_of(*color).find("grey: mean of the bands; sRGB, white = "), 0U) << unit_of(*color);
+  }
+}
+
+TEST(FieldsFile, SaysWhereItIsFromAndInWhichUnits) {
+  SampleRun run({"red", "green"}, {700, 600, 500});
+  run.input.units = {.length = "cm", .power = "mW"};
+  for (const vtkSmartPointer<vtkDataSet>& data :
+       {vtkSmartPointer<vtkDataSet>(fields_of(run)), vtkSmartPointer<vtkDataSet>(walls_of(run))}) {
+    vtkFieldData& fields = *data->GetFieldData();
+    EXPECT_EQ(names_in(fields, "title"), std::vector<std::string>{"Sample"});
+    EXPECT_EQ(names_in(fields, "program"), std::vector<std::string>{"etendue " + program_version()});
+    const std::vector<std::string> units = names_in(fields, "units");
+    EXPECT_EQ(std::ranges::count(units, "coordinates: cm"), 1);
+    EXPECT_EQ(std::ranges::count(units, "net_flux_red: mW/cm^2"), 1);
+    ASSERT_NE(fields.GetArray("band_edges"), nullptr);
+    EXPECT_EQ(values_of(*fields.GetArray("band_edges")), (std::vector<double>{700, 600, 500}));
+  }
+  EXPECT_EQ(fields_of(SampleRun({"grey"}))->GetFieldData()->GetArray("band_edges"), nullptr);
+}
+
+TEST(FieldsFile, IsXmlAloneUnlessAppendedDataAreAskedFor) {
+  const ScratchFolder scratch;
+  SampleRun run(primaries);
+  const std::filesystem::path path = scratch.path() / "fields.vtu";
+  write_fields(run.result(), path, path);
+  const std::string inline_text = test::text_of(path);
+  EXPECT_EQ(inline_text.find("<AppendedData"), std::string::npos);
+  EXPECT_TRUE(std::ranges::all_of(inline_text, [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+  const std::vector<double> fluence = values_of(*fields_of(run)->GetPointData()->GetArray("fluence"));
+  run.input.output.encoding = VtkEncoding::appended_raw;
+  write_fields(run.result(), path, path);
+  EXPECT_NE(test::text_of(path).find("<AppendedData encoding=\"raw\">"), std::string::npos);
+  EXPECT_EQ(values_of(*fields_of(run)->GetPointData()->GetArray("fluence")), fluence);
 }
 
 TEST(FieldsFile, NamesRegions) {
@@ -204,6 +250,10 @@ TEST(FieldsFile, NamesRegions) {
   ASSERT_NE(region, nullptr);
   for (int c = 0; c < 6; ++c) EXPECT_EQ(region->GetComponent(c, 0), run.mesh.region(CellIndex(c)));
   EXPECT_EQ(names_in(*grid->GetFieldData(), "region_names"), run.mesh.region_names());
+  const std::vector<std::string> names = names_in(*grid->GetCellData(), "region_name");
+  ASSERT_EQ(names.size(), 6U);
+  for (std::size_t c = 0; c < 6; ++c)
+    EXPECT_EQ(names[c], run.mesh.region_names()[run.mesh.cell_regions()[c] == 0 ? 0 : 1]);
 }
 
 TEST(FieldsFile, HoldsOnlyTheFieldsAskedFor) {
@@ -259,9 +309,31 @@ TEST(WallsFile, KeepsWhatArrivesAndLeaves) {
   vtkPointData* data = surface->GetPointData();
   EXPECT_EQ(values_of(*data->GetArray("irradiance")), run.solution.irradiance);
   EXPECT_EQ(values_of(*data->GetArray("exitance")), run.solution.exitance);
-  EXPECT_EQ(data->GetArray("net_flux")->GetComponent(0, 0),
+  EXPECT_EQ(data->GetArray("net_irradiance")->GetComponent(0, 0),
             run.solution.irradiance[0] - run.solution.exitance[0]);
   EXPECT_EQ(unit_of(*data->GetArray("exitance")), "W/m^2");
+}
+
+TEST(WallsFile, HasNetFluxVectorsOfTheSameLayoutAsFields) {
+  for (const std::vector<std::string>& bands : {std::vector<std::string>{"grey"}, primaries}) {
+    const SampleRun run(bands);
+    const auto surface = walls_of(run);
+    const auto grid = fields_of(run);
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+      const std::string name = bands.size() == 1 ? "net_flux" : "net_flux_" + bands[b];
+      vtkDataArray* flux = surface->GetPointData()->GetArray(name.c_str());
+      ASSERT_NE(flux, nullptr) << name;
+      ASSERT_NE(grid->GetPointData()->GetArray(name.c_str()), nullptr) << name;
+      EXPECT_EQ(component_names(*flux), component_names(*grid->GetPointData()->GetArray(name.c_str())));
+      ASSERT_EQ(flux->GetNumberOfTuples(), 36);
+      for (vtkIdType point = 0; point < 36; ++point) {
+        const auto at = static_cast<std::size_t>(point) * bands.size() + b;
+        const double net = run.solution.irradiance[at] - run.solution.exitance[at];
+        const Vec3 normal = run.mesh.area_normal(FaceIndex(static_cast<int>(point / 3))).normalized();
+        EXPECT_LT((Vec3(flux->GetTuple(point)) - net * normal).norm(), 1e-14);
+      }
+    }
+  }
 }
 
 TEST(WallsFile, NamesWalls) {
@@ -271,6 +343,11 @@ TEST(WallsFile, NamesWalls) {
   ASSERT_NE(wall, nullptr);
   for (int f = 0; f < 12; ++f) EXPECT_EQ(wall->GetComponent(f, 0), run.mesh.wall(FaceIndex(f)));
   EXPECT_EQ(names_in(*surface->GetFieldData(), "wall_names"), run.mesh.wall_names());
+  const std::vector<std::string> names = names_in(*surface->GetCellData(), "wall_name");
+  ASSERT_EQ(names.size(), 12U);
+  for (int f = 0; f < 12; ++f)
+    EXPECT_EQ(names[static_cast<std::size_t>(f)],
+              run.mesh.wall_names()[static_cast<std::size_t>(run.mesh.wall(FaceIndex(f)))]);
 }
 
 TEST(WallsFile, HasTrianglesThatFaceOutwards) {
@@ -293,7 +370,7 @@ TEST(DirectionsFile, HasEveryDirectionWithItsWeight) {
   const ScratchFolder scratch;
   const std::filesystem::path path = scratch.path() / "set.vtp";
   const DirectionSet set = directions_thurgood(2);
-  write_directions(set, path);
+  write_directions(set, Case{}, path);
   const auto points = read_back<vtkXMLPolyDataReader, vtkPolyData>(path);
   ASSERT_EQ(points->GetNumberOfPoints(), 32);
   EXPECT_EQ(points->GetNumberOfVerts(), 32);

@@ -39,6 +39,24 @@ TEST(VtuFile, IsReadBackIdentically) {
   }
 }
 
+TEST(VtuFile, IsReadBackIdenticallyFromAppendedDataToo) {
+  const ScratchFolder folder;
+  const TetrahedralMesh mesh = two_region_mesh(1e-3);
+  write_mesh(folder.path() / "m.vtu", mesh, {.encoding = VtkEncoding::appended_raw});
+  EXPECT_NE(bytes_of(folder.path() / "m.vtu").find("<AppendedData"), std::string::npos);
+  expect_same(TetrahedralMesh(read_mesh(folder.path() / "m.vtu")), mesh);
+}
+
+TEST(VtuFile, IsXmlAloneAndHoldsTheTextsThatAreGiven) {
+  const ScratchFolder folder;
+  write_mesh(folder.path() / "m.vtu", two_region_mesh(1e-2), {.field_texts = {{"title", {"<Two> & two"}}}});
+  const std::string text = bytes_of(folder.path() / "m.vtu");
+  EXPECT_EQ(text.find("<AppendedData"), std::string::npos);
+  EXPECT_TRUE(std::ranges::all_of(text, [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+  for (const char* name : {"title", "region_name", "wall_name", "region_names", "wall_names"})
+    EXPECT_NE(text.find(std::string("Name=\"") + name + "\""), std::string::npos) << name;
+}
+
 TEST(VtuFile, IsReplacedWholeAndLeavesNothingElse) {
   const ScratchFolder folder;
   const auto path = folder.write("m.vtu", "an older file");
