@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace etendue {
 namespace {
@@ -59,6 +60,7 @@ bool holds(const TangentCone::Part& normals, const Vec3& direction) {
 }  // namespace
 
 TangentCone::TangentCone(const TetrahedralMesh& mesh, const std::vector<CellPoint>& cells) : solid_angle_(0) {
+  if (cells.empty()) throw std::invalid_argument("a tangent cone needs the cells about its point");
   const double tolerance = on_face * diagonal(mesh);
   for (const CellPoint& at : cells) {
     parts_.push_back(cone_of_cell(mesh, at, tolerance));
