@@ -2,15 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
 #include "app/case/open_walls.h"
 #include "app/command/commands.h"
 #include "app/command/interruption.h"
-#include "app/command/picture_progress.h"
 #include "app/command/progress.h"
 #include "app/command/saved_scene.h"
+#include "app/command/stage_progress.h"
 #include "app/command/verbose_log.h"
 #include "app/write/baked_surface.h"
 #include "app/write/output_folder.h"
@@ -51,7 +50,7 @@ std::vector<int> sky_walls(const BakeRequest& request, const Problem& problem) {
 }
 
 /// What directions brought to the walls, as the solution has it, or looked for by rays.
-WallIrradiance brought(const BakeRequest& request, const SavedScene& scene, const PictureObserver& observer) {
+WallIrradiance brought(const BakeRequest& request, const SavedScene& scene, const StageObserver& observer) {
   const SolveOptions& options = scene.options;
   if (request.gather == 0)
     return WallLight(scene.lights, scene.directions, scene.state, options.order == SpaceOrder::linear ? 3 : 1)
@@ -77,7 +76,7 @@ class Baker {
       sky_ = sky_walls(request, scene.problem);
     else
       observed("looking for the light of walls",
-               [&](const PictureObserver& observer) { brought_ = brought(request, scene, observer); });
+               [&](const StageObserver& observer) { brought_ = brought(request, scene, observer); });
   }
 
   std::string name() const {
@@ -91,7 +90,7 @@ class Baker {
   /// `where` the places are, "4961 vertices".
   Baked at(const std::vector<BakePlace>& places, const std::string& where) const {
     Baked baked;
-    observed(fmt::format("baking {} at {}", name(), where), [&](const PictureObserver& observer) {
+    observed(fmt::format("baking {} at {}", name(), where), [&](const StageObserver& observer) {
       baked = request_.quantity == BakedQuantity::occlusion ? occlusion(places, observer)
                                                             : light(places, observer);
     });
@@ -112,17 +111,13 @@ class Baker {
   /// Does something that takes its time and shows how it goes on.
   template <class Do>
   void observed(const std::string& what, const Do& do_it) const {
-    const auto begun = std::chrono::steady_clock::now();
-    PictureProgress display(resolved_style(request_.progress, out_), what, out_);
-    do_it([&](double share) {
-      display.show(share, std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
-      return !interruption_.noted();
-    });
-    display.finish();
+    ShownStage stage(
+        {resolved_style(request_.progress, out_), out_, [this] { return interruption_.noted(); }}, what);
+    do_it(stage.observer());
   }
 
   /// Visibility as grey.
-  Baked occlusion(const std::vector<BakePlace>& places, const PictureObserver& observer) const {
+  Baked occlusion(const std::vector<BakePlace>& places, const StageObserver& observer) const {
     Baked baked{{"sky_visibility"},
                 bake_sky_visibility(places, scene_.mesh, sky_, scene_.options.threads, observer),
                 {}};
@@ -130,7 +125,7 @@ class Baker {
     return baked;
   }
 
-  Baked light(const std::vector<BakePlace>& places, const PictureObserver& observer) const {
+  Baked light(const std::vector<BakePlace>& places, const StageObserver& observer) const {
     if (interruption_.noted()) return {};
     Baked baked{{}, bake_irradiance(places, scene_.lights, brought_, scene_.options.threads, observer), {}};
     if (baked.values.empty()) return {};
@@ -205,8 +200,9 @@ ExitCode bake_results(const BakeRequest& request, std::ostream& out, std::ostrea
                       "it receives (it is glossy or lets light through); bake the irradiance",
                       wall.name));
   const WallSurface surface = wall_surface(scene.mesh);
-  interruption.note_the_first();
+  // Until light is looked for at the places a signal ends the program at once.
   const Baker baker(request, scene, interruption, out);
+  interruption.note_the_first();
   Baked at_vertices =
       baker.at(vertex_places(surface, scene.mesh), fmt::format("{} vertices", surface.vertices.size()));
   const double exposure = baker.exposure(at_vertices.colors);

@@ -2,6 +2,7 @@
 #include "app/command/begun_run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <thread>
@@ -24,6 +25,18 @@ int thread_count(const Case& input) {
                                  : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+void note_left_out(RunResult& result) {
+  std::size_t points = 0;
+  for (const Probe& probe : result.input.probes) points += probe.points.size();
+  if (result.probes.size() < points)
+    result.left_out.push_back(
+        fmt::format("{} of {} points of probes", points - result.probes.size(), points));
+  // Photons read no sensors.
+  const std::size_t sensors = result.errors ? 0 : result.input.sensors.size();
+  if (result.sensors.size() < sensors)
+    result.left_out.push_back(fmt::format("{} of {} sensors", sensors - result.sensors.size(), sensors));
+}
+
 RunResult result_of(const BegunRun& run, const Solution& solution, std::vector<ProbeRow> probes,
                     int threads) {
   RunResult result{.input = run.input,
@@ -41,7 +54,9 @@ RunResult result_of(const BegunRun& run, const Solution& solution, std::vector<P
 
 ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) {
   if (interrupted) {
-    err << "interrupted: the results are whole and are those of "
+    const std::string missing =
+        result.left_out.empty() ? "" : fmt::format(" but for {}", fmt::join(result.left_out, ", "));
+    err << "interrupted: the results are whole" << missing << " and are those of "
         << (result.solution.converged() ? "the converged solution\n"
                                         : "the last sweep; " + how_to_go_on(result));
     return ExitCode::interrupted;

@@ -36,7 +36,7 @@ struct BegunRun {
   const Case& input;
   const Problem& problem;
   RunSeconds seconds;
-  const Stopwatch& watch;
+  Stopwatch& watch;
   Interruption& interruption;
 };
 
@@ -46,6 +46,9 @@ int thread_count(const Case& input);
 /// What a run by another method than directions came to, so far as all methods have it. `solution` must
 /// outlive the result.
 RunResult result_of(const BegunRun& run, const Solution& solution, std::vector<ProbeRow> probes, int threads);
+
+/// Notes the probes and sensors of the case that a result has not: a signal left them out.
+void note_left_out(RunResult& result);
 
 /// The exit code of a run that has written its results, with the line on standard error that goes with one
 /// other than 0.

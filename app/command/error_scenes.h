@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,10 +15,12 @@ namespace etendue {
 /// them differ from the picture by what the errors make of a pixel.
 class ErrorScenes {
  public:
-  /// `direction_error` is that of the solution, empty where it is not known. The arguments must outlive it.
+  /// `direction_error` is that of the solution, empty where it is not known; `first` as in RayRadiance. The
+  /// arguments must outlive it.
   ErrorScenes(const std::vector<CameraCase>& cameras, const LightSetup& lights,
               const DirectionSet& directions, const SolveOptions& options, const SavedState& state,
-              std::span<const double> direction_error);
+              std::span<const double> direction_error,
+              const std::shared_ptr<const FirstCollisions>& first = nullptr);
   ErrorScenes(const ErrorScenes&) = delete;
   ErrorScenes& operator=(const ErrorScenes&) = delete;
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command/study_level.h"
+#include "app/write/balance_check.h"
 #include "mesh/base/errors.h"
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/angle/direction_set.h"

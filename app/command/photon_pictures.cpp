@@ -60,7 +60,7 @@ bool write_photon_pictures(const PictureOrder& order, const Problem& problem, co
   const MapRadiance map(problem, std::move(hits), options.neighbours);
   return write_pictures(
       order,
-      [&](const Camera& camera, const PictureObserver& observer) {
+      [&](const Camera& camera, const StageObserver& observer) {
         return take_picture(map, camera, threads, observer);
       },
       [](NamedPicture&) { return true; });

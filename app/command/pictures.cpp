@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/command/picture_progress.h"
+#include "app/command/stage_progress.h"
 
 namespace etendue {
 namespace {
@@ -41,13 +41,12 @@ bool uses_formulas(const Problem& problem) {
 }
 
 /// False where it was interrupted.
-bool add_errors(const ErrorScenes& scenes, int threads, const std::function<bool()>& interrupted,
-                NamedPicture& named) {
+bool add_errors(const ErrorScenes& scenes, int threads, const StageDisplay& stages, NamedPicture& named) {
   for (const auto& [of, scene] :
        {std::pair("cells", scenes.of_cells()), std::pair("directions", scenes.of_directions())}) {
     if (scene == nullptr) continue;
-    Picture error =
-        take_picture(*scene, named.camera.camera, threads, [&](double) { return !interrupted(); });
+    ShownStage stage(stages, fmt::format("errors of {} in picture {}", of, named.camera.name));
+    Picture error = take_picture(*scene, named.camera.camera, threads, stage.observer());
     if (!error.whole) return false;
     for (std::size_t i = 0; i < error.radiance.size(); ++i)
       error.radiance[i] = std::abs(error.radiance[i] - named.picture.radiance[i]);
@@ -103,7 +102,7 @@ bool write_pictures(const PictureOrder& order, const TakePicture& take, const Ad
   std::vector<NamedPicture> pictures;
   for (const CameraCase& camera : order.cameras) {
     const Clock::time_point begun = Clock::now();
-    PictureProgress display(order.progress, "picture " + camera.name, out);
+    StageProgress display(order.progress, "picture " + camera.name, out);
     Picture picture = take(camera.camera, [&](double share) {
       display.show(share, seconds_since(begun));
       return !order.interrupted();
@@ -118,7 +117,8 @@ bool write_pictures(const PictureOrder& order, const TakePicture& take, const Ad
     pictures.push_back({camera, std::move(picture), {}});
     if (camera.camera.errors && !add(pictures.back())) return false;
   }
-  const std::vector<std::string> names = add_pictures(order.directory, order.input, pictures);
+  const auto seconds = order.begun ? std::optional(seconds_since(*order.begun)) : std::nullopt;
+  const std::vector<std::string> names = add_pictures(order.directory, order.input, pictures, seconds);
   out << "written to " << order.directory.string() << ":";
   for (const std::string& name : names) out << " " << name;
   out << std::endl;
@@ -127,20 +127,20 @@ bool write_pictures(const PictureOrder& order, const TakePicture& take, const Ad
 
 bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const RayRadiance& scene,
                     const ErrorScenes& error_scenes, int threads, const std::filesystem::path& directory,
-                    ProgressStyle progress, std::ostream& out, const std::function<bool()>& interrupted) {
+                    ProgressStyle progress, std::ostream& out, const std::function<bool()>& interrupted,
+                    std::optional<std::chrono::steady_clock::time_point> begun) {
+  const StageDisplay stages{progress, out, interrupted};
   return write_pictures(
-      {input, cameras, directory, progress, out, interrupted},
-      [&](const Camera& camera, const PictureObserver& observer) {
-        const Clock::time_point begun = Clock::now();
-        PictureProgress display(progress, "looking for the light of walls", out);
+      {input, cameras, directory, progress, out, interrupted, begun},
+      [&](const Camera& camera, const StageObserver& observer) {
+        std::optional<ShownStage> gathering(std::in_place, stages, "looking for the light of walls");
         return take_picture(scene, camera, threads, observer, [&](double share) {
-          display.show(share, seconds_since(begun));
-          const bool goes_on = !interrupted();
-          if (share == 1 || !goes_on) display.finish();
+          const bool goes_on = gathering && gathering->observer()(share);
+          if (share == 1 || !goes_on) gathering.reset();
           return goes_on;
         });
       },
-      [&](NamedPicture& picture) { return add_errors(error_scenes, threads, interrupted, picture); });
+      [&](NamedPicture& picture) { return add_errors(error_scenes, threads, stages, picture); });
 }
 
 }  // namespace etendue

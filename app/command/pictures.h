@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <ostream>
 #include <vector>
 
@@ -18,7 +20,7 @@ namespace etendue {
 void check_views(const std::vector<CameraCase>& cameras, const std::vector<SensorCase>& sensors,
                  const Problem& problem);
 
-using TakePicture = std::function<Picture(const Camera& camera, const PictureObserver& observer)>;
+using TakePicture = std::function<Picture(const Camera& camera, const StageObserver& observer)>;
 /// Adds what a picture is off by; false where it was interrupted.
 using AddErrors = std::function<bool(NamedPicture& picture)>;
 
@@ -30,6 +32,8 @@ struct PictureOrder {
   ProgressStyle progress = ProgressStyle::none;
   std::ostream& out;
   const std::function<bool()>& interrupted;
+  /// When the pictures of a run began: its summary counts them; empty for pictures of saved results.
+  std::optional<std::chrono::steady_clock::time_point> begun = {};
 };
 
 /// Takes the cameras' pictures, whatever they see, and writes them into a directory, with progress. False
@@ -40,6 +44,7 @@ bool write_pictures(const PictureOrder& order, const TakePicture& take, const Ad
 /// said so: then no picture was written.
 bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const RayRadiance& scene,
                     const ErrorScenes& errors, int threads, const std::filesystem::path& directory,
-                    ProgressStyle progress, std::ostream& out, const std::function<bool()>& interrupted);
+                    ProgressStyle progress, std::ostream& out, const std::function<bool()>& interrupted,
+                    std::optional<std::chrono::steady_clock::time_point> begun = {});
 
 }  // namespace etendue

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "mesh/base/errors.h"
+#include "solver/parallel/parallel_for.h"
 
 namespace etendue {
 namespace {
@@ -58,7 +59,8 @@ std::vector<IrradianceMeter> place_probes(const std::vector<Probe>& probes, cons
 }
 
 std::vector<ProbeRow> read_probes(const std::vector<Probe>& probes, const LightSetup& lights,
-                                  const Solution& solution, const CellLocator& locator) {
+                                  const Solution& solution, const CellLocator& locator, int threads,
+                                  const StageObserver& observer) {
   const Problem& problem = lights.problem();
   const auto bands = static_cast<std::ptrdiff_t>(problem.band_count());
   std::vector<ProbeRow> rows;
@@ -66,14 +68,20 @@ std::vector<ProbeRow> read_probes(const std::vector<Probe>& probes, const LightS
   for (const Probe& place : probes)
     for (std::size_t i = 0; i < place.points.size(); ++i) {
       ProbeRow row{place.name, static_cast<int>(i), place.points[i], {}, {}, {}};
-      row.values = probe(problem, solution, locator, row.point);
-      if (!lights.empty()) make_exact(lights, solution, locator, row);
       if (place.normal) {
         row.irradiance.emplace(meter, meter + bands);
         meter += bands;
       }
       rows.push_back(std::move(row));
     }
+  StageCounter counter(rows.size(), observer);
+  parallel_for(rows.size(), threads, 1, [&](std::size_t i) {
+    ProbeRow& row = rows[i];
+    row.values = probe(problem, solution, locator, row.point);
+    if (!lights.empty()) make_exact(lights, solution, locator, row);
+    return counter.add();
+  });
+  std::erase_if(rows, [](const ProbeRow& row) { return row.values.empty(); });
   return rows;
 }
 

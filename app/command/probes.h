@@ -8,6 +8,7 @@
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/lights/light_setup.h"
 #include "solver/ordinates/solve.h"
+#include "solver/parallel/stage_observer.h"
 
 namespace etendue {
 
@@ -17,8 +18,10 @@ std::vector<IrradianceMeter> place_probes(const std::vector<Probe>& probes, cons
                                           const CellLocator& locator);
 
 /// The solution at all probes; its meters are those of place_probes. Uncollided light is computed exactly at
-/// each point, the rest is interpolated.
+/// each point, the rest is interpolated. Where the observer stops it, the points that were not reached are
+/// left out.
 std::vector<ProbeRow> read_probes(const std::vector<Probe>& probes, const LightSetup& lights,
-                                  const Solution& solution, const CellLocator& locator);
+                                  const Solution& solution, const CellLocator& locator, int threads,
+                                  const StageObserver& observer = {});
 
 }  // namespace etendue

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "app/case/build.h"
 #include "app/command/begun_run.h"
@@ -12,6 +14,7 @@
 #include "app/command/pictures.h"
 #include "app/command/progress.h"
 #include "app/command/saved_scene.h"
+#include "app/command/stage_progress.h"
 #include "app/command/verbose_log.h"
 #include "app/write/output_folder.h"
 #include "solver/photons/photon_mesh.h"
@@ -83,14 +86,20 @@ ExitCode render_results(const RenderRequest& request, std::ostream& out, std::os
   const SavedScene saved(std::move(input), request.results, "render", request.threads,
                          verbose_log(request, err));
   check_views(cameras, {}, saved.problem);
-  interruption.note_the_first();
   out << fmt::format("preparing light along rays in {} cells", saved.mesh.cell_count()) << std::endl;
-  const RayRadiance scene(saved.lights, saved.directions, saved.options, saved.state, saved.options.threads);
+  // A signal before the first picture ends the program at once.
+  const ProgressStyle style = resolved_style(request.progress, out);
+  std::optional<ShownStage> following(std::in_place, StageDisplay{style, out, {}},
+                                      "light before its first collision");
+  const auto first = find_first_collisions(saved.lights, saved.options.threads, following->observer());
+  following.reset();
+  const RayRadiance scene(saved.lights, saved.directions, saved.options, saved.state, saved.options.threads,
+                          WallValues::joined, first);
   const ErrorScenes errors(cameras, saved.lights, saved.directions, saved.options, saved.state,
-                           saved.result.direction_error);
-  const bool done =
-      write_pictures(saved.input, cameras, scene, errors, saved.options.threads, directory,
-                     resolved_style(request.progress, out), out, [&] { return interruption.noted(); });
+                           saved.result.direction_error, first);
+  interruption.note_the_first();
+  const bool done = write_pictures(saved.input, cameras, scene, errors, saved.options.threads, directory,
+                                   style, out, [&] { return interruption.noted(); });
   return outcome(done, err);
 }
 

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
+#include <chrono>
+#include <functional>
 #include <numeric>
+#include <optional>
 
 #include "app/case/build.h"
 #include "app/command/begun_run.h"
@@ -14,6 +16,7 @@
 #include "app/command/progress.h"
 #include "app/command/run_report.h"
 #include "app/command/sensors.h"
+#include "app/command/stage_progress.h"
 #include "app/command/verbose_log.h"
 #include "app/write/output_folder.h"
 #include "app/write/results.h"
@@ -139,7 +142,7 @@ bool need_rays(const Case& input, AngularSpace space) {
   });
 }
 
-Solution solve_visibly(UncollidedLight uncollided, const RunDirections& directions,
+Solution solve_visibly(UncollidedLight& uncollided, const RunDirections& directions,
                        const SolveOptions& options, ProgressDisplay& display, Checkpoints checkpoints,
                        const Interruption& interruption, const SetReader& reader) {
   const auto observe = [&](const SweepProgress& progress) {
@@ -147,8 +150,8 @@ Solution solve_visibly(UncollidedLight uncollided, const RunDirections& directio
     checkpoints.consider(progress);
     return interruption.noted() ? SolveControl::stop : SolveControl::proceed;
   };
-  Solution solution = solve_rotated(std::move(uncollided), directions.sets, options, observe,
-                                    directions.first_collided, reader);
+  Solution solution =
+      solve_rotated(uncollided, directions.sets, options, observe, directions.first_collided, reader);
   display.finish();
   return solution;
 }
@@ -171,6 +174,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   seconds.mesh = watch.lap();
   out << mesh_line(mesh) << std::flush;
   const Problem problem = build_problem(input, mesh);
+  seconds.setup = watch.lap();
   if (input.photons)
     return run_by_photons({request, input, problem, seconds, watch, interruption}, out, err, reader);
   if (input.radiosity)
@@ -187,7 +191,11 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   OrdinateBook ordinates(input.sensors, lights, locator);
   SetReader keep_book;
   if (need_all_ordinates(input.sensors, problem.space()))
-    keep_book = [&](const SweptLight& swept) { ordinates.add(options, swept); };
+    keep_book = [&](const SweptLight& swept) {
+      Stopwatch reading;
+      ordinates.add(options, swept);
+      seconds.sensors += reading.lap();
+    };
   SavedState initial;
   if (input.initial) {
     initial = read_initial(*input.initial, input, mesh);
@@ -202,38 +210,61 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
       << refraction_caution(all_directions, problem) << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
 
+  seconds.setup += watch.lap();
   // A signal before this ends the program at once: there is nothing to keep, and rays may take long.
-  UncollidedLight uncollided(lights, options);
+  const ProgressStyle style = resolved_style(request.progress, out);
+  const std::function<bool()> interrupted = [&] { return interruption.noted(); };
+  const StageDisplay stages{style, out, interrupted};
+  std::optional<UncollidedLight> uncollided;
+  {
+    ShownStage stage(stages, "light before its first collision");
+    uncollided.emplace(lights, options, stage.observer());
+  }
   interruption.note_the_first();
-  ProgressDisplay display(resolved_style(request.progress, out), out);
-  const Solution solution = solve_visibly(std::move(uncollided), all_directions, options, display,
+  ProgressDisplay display(style, out);
+  const Solution solution = solve_visibly(*uncollided, all_directions, options, display,
                                           Checkpoints(input, problem, err), interruption, keep_book);
   interruption.note_all();
+  watch.lap();
   std::optional<RayRadiance> scene;
   if (need_rays(input, problem.space()))
-    scene.emplace(lights, directions, options, solution.state, options.threads);
-  RunResult result{
-      .input = input,
-      .problem = problem,
-      .solution = solution,
-      .probes = read_probes(input.probes, lights, solution, locator),
-      .sensors = read_sensors(input.sensors, {lights, ordinates, options, solution, scene, locator}),
-      .balances = balances(problem, solution),
-      .walls = wall_powers(problem, solution),
-      .regions = region_powers(problem, solution),
-      .seconds = seconds,
-      .threads = options.threads};
+    scene.emplace(lights, directions, options, solution.state, options.threads, WallValues::joined,
+                  uncollided->first_collisions());
+  uncollided.reset();
+  seconds.rays = watch.lap();
+  RunResult result{.input = input,
+                   .problem = problem,
+                   .solution = solution,
+                   .probes = {},
+                   .balances = balances(problem, solution),
+                   .walls = wall_powers(problem, solution),
+                   .regions = region_powers(problem, solution),
+                   .seconds = seconds,
+                   .threads = options.threads};
   if (exact) add_exact(*exact, directions, result);
+  result.seconds.measures = watch.lap();
+  result.probes = read_probes(input.probes, lights, solution, locator, options.threads,
+                              ShownStage(stages, "probes").observer());
+  result.seconds.probes = watch.lap();
+  result.sensors = read_sensors(input.sensors, {lights, ordinates, options, solution, scene, locator},
+                                ShownStage(stages, "sensors").observer());
+  result.seconds.sensors += watch.lap();
+  note_left_out(result);
   result.seconds.total = watch.total();
   const WrittenResults written = write_results(result);
   out << convergence_text(result) << uncollided_text(result) << balance_text(result) << powers_text(result)
       << probes_text(result) << sensors_text(result) << exact_text(result) << cautions_text(result)
-      << closing_text(result, written);
-  if (!input.cameras.empty() && !interruption.noted()) {
-    const ErrorScenes errors(input.cameras, lights, directions, options, solution.state,
-                             solution.direction_error);
-    write_pictures(input, input.cameras, *scene, errors, options.threads, input.output.directory,
-                   resolved_style(request.progress, out), out, [&] { return interruption.noted(); });
+      << closing_text(result, written) << std::flush;
+  if (!input.cameras.empty()) {
+    const auto begun = std::chrono::steady_clock::now();
+    bool taken = false;
+    if (!interruption.noted()) {
+      const ErrorScenes errors(input.cameras, lights, directions, options, solution.state,
+                               solution.direction_error, scene->first_collisions());
+      taken = write_pictures(input, input.cameras, *scene, errors, options.threads, input.output.directory,
+                             style, out, interrupted, begun);
+    }
+    if (!taken) result.left_out.emplace_back("pictures");
   }
   if (reader) reader(result);
   return conclude(result, interruption.noted(), err);

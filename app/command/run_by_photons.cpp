@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <chrono>
+#include <functional>
+
 #include "app/command/begun_run.h"
 #include "app/command/memory.h"
 #include "app/command/photon_pictures.h"
@@ -28,18 +31,26 @@ ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& er
     out << "  photons read no sensors in this version: those of the case do nothing here\n";
   run.interruption.note_the_first();
   const ProgressStyle style = resolved_style(run.request.progress, out);
-  PhotonRun found = run_photons({run.input, run.problem, locator, threads, style}, out,
-                                [&] { return run.interruption.noted(); });
+  const std::function<bool()> interrupted = [&] { return run.interruption.noted(); };
+  const StageDisplay stages{style, out, interrupted};
+  RunSeconds seconds = run.seconds;
+  seconds.setup += run.watch.lap();
+  PhotonRun found = run_photons({run.input, run.problem, locator, threads, stages});
+  seconds.probes = found.probe_seconds;
+  seconds.measures = run.watch.lap() - found.solution.seconds.sweep - found.probe_seconds;
   run.interruption.note_all();
   RunResult result = result_of(run, found.solution, std::move(found.probes), threads);
   result.errors = std::move(found.errors);
   const WrittenResults written = write_results(result);
   out << photons_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
-      << errors_text(result) << closing_text(result, written);
-  if (!run.input.cameras.empty() && !run.interruption.noted()) {
-    const std::function<bool()> interrupted = [&] { return run.interruption.noted(); };
-    write_photon_pictures({run.input, run.input.cameras, run.input.output.directory, style, out, interrupted},
-                          run.problem, locator, threads);
+      << errors_text(result) << closing_text(result, written) << std::flush;
+  if (!run.input.cameras.empty()) {
+    const auto begun = std::chrono::steady_clock::now();
+    const bool taken =
+        !interrupted() && write_photon_pictures({run.input, run.input.cameras, run.input.output.directory,
+                                                 style, out, interrupted, begun},
+                                                run.problem, locator, threads);
+    if (!taken) result.left_out.emplace_back("pictures");
   }
   if (reader) reader(result);
   return conclude(result, run.interruption.noted(), err);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <chrono>
+#include <functional>
 #include <optional>
 
 #include "app/case/build.h"
@@ -31,7 +33,12 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   // Until there is light on the walls a signal ends the program at once.
   const RadiosityOptions asked = radiosity_options(run.input, threads);
   const Stopwatch watch;
-  FactorDisplay display(resolved_style(run.request.progress, out), out);
+  RunSeconds seconds = run.seconds;
+  seconds.setup += run.watch.lap();
+  const ProgressStyle style = resolved_style(run.request.progress, out);
+  const std::function<bool()> interrupted = [&] { return run.interruption.noted(); };
+  const StageDisplay stages{style, out, interrupted};
+  FactorDisplay display(style, out);
   RadiosityRoom room(run.problem, asked, [&](const RadiosityStage& stage) {
     display.show(stage, watch.total());
     if (stage.done > 0) return;
@@ -43,11 +50,10 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   display.finish();
   out << fmt::format("form factors in {:.3g} s\n", room.report().factor_seconds) << std::flush;
   run.interruption.note_the_first();
-  FactorDisplay of_cells(resolved_style(run.request.progress, out), out, "light in the cells");
+  FactorDisplay of_cells(style, out, "light in the cells");
   std::optional<double> begun;
-  RadiosityRun found = run_radiosity(
-      {run.input, lights, directions, locator}, room, [&] { return run.interruption.noted(); },
-      [&](double done) {
+  RadiosityRun found =
+      run_radiosity({run.input, lights, directions, locator, stages}, room, [&](double done) {
         if (!begun) of_cells.show({}, *(begun = watch.total()));
         of_cells.show({.done = done}, watch.total());
       });
@@ -55,23 +61,40 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   run.interruption.note_all();
   SolveOptions options = run.input.solve;
   options.threads = threads;
+  const RadiosityReport& report = found.report;
+  seconds.probes = found.probe_seconds;
+  seconds.measures = run.watch.lap() - found.probe_seconds - report.factor_seconds - report.solve_seconds -
+                     report.field_seconds;
   std::optional<RayRadiance> scene;
   if (!run.input.sensors.empty() || !run.input.cameras.empty())
     scene.emplace(lights, directions, options, found.solution.state, threads);
+  seconds.rays = run.watch.lap();
   RunResult result = result_of(run, found.solution, std::move(found.probes), threads);
-  result.sensors = read_sensors(run.input.sensors, {lights, OrdinateBook(run.input.sensors, lights, locator),
-                                                    options, found.solution, scene, locator});
   result.radiosity = std::move(found.report);
   result.passes = std::move(found.passes);
   result.patches = std::move(found.patches);
   result.pass_patches = std::move(found.pass_patches);
+  seconds.measures += run.watch.lap();
+  result.sensors = read_sensors(
+      run.input.sensors,
+      {lights, OrdinateBook(run.input.sensors, lights, locator), options, found.solution, scene, locator},
+      ShownStage(stages, "sensors").observer());
+  seconds.sensors = run.watch.lap();
+  seconds.total = run.watch.total();
+  result.seconds = seconds;
+  note_left_out(result);
   const WrittenResults written = write_results(result);
   out << radiosity_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
-      << sensors_text(result) << closing_text(result, written);
-  if (!run.input.cameras.empty() && !run.interruption.noted()) {
-    const ErrorScenes none(run.input.cameras, lights, directions, options, found.solution.state, {});
-    write_pictures(run.input, run.input.cameras, *scene, none, threads, run.input.output.directory,
-                   resolved_style(run.request.progress, out), out, [&] { return run.interruption.noted(); });
+      << sensors_text(result) << closing_text(result, written) << std::flush;
+  if (!run.input.cameras.empty()) {
+    const auto pictures_begun = std::chrono::steady_clock::now();
+    bool taken = false;
+    if (!interrupted()) {
+      const ErrorScenes none(run.input.cameras, lights, directions, options, found.solution.state, {});
+      taken = write_pictures(run.input, run.input.cameras, *scene, none, threads, run.input.output.directory,
+                             style, out, interrupted, pictures_begun);
+    }
+    if (!taken) result.left_out.emplace_back("pictures");
   }
   if (reader) reader(result);
   return conclude(result, run.interruption.noted(), err);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/command/begun_run.h"
 #include "app/command/method_checks.h"
 #include "app/command/photon_numbers.h"
 #include "app/command/photon_progress.h"
@@ -106,8 +107,10 @@ void check_for_photons(const Case& input, const Problem& problem) {
                               "its source is made for the ordinates of a set, and photons have none");
 }
 
-PhotonRun run_photons(const PhotonRunInput& run, std::ostream& out,
-                      const std::function<bool()>& interrupted) {
+PhotonRun run_photons(const PhotonRunInput& run) {
+  std::ostream& out = run.stages.out;
+  const std::function<bool()>& interrupted = run.stages.interrupted;
+  Stopwatch watch;
   const PhotonCase& wanted = *run.input.photons;
   const std::vector<PhotonProbe> points = probe_points(run.input.probes);
   PhotonOptions options;
@@ -120,7 +123,7 @@ PhotonRun run_photons(const PhotonRunInput& run, std::ostream& out,
     initial = sums_to_start_from(run, out);
     options.initial = &initial;
   }
-  PhotonDisplay display(run.progress, out);
+  PhotonDisplay display(run.stages.style, out);
   PhotonSolution found = solve_photons(
       run.problem, run.locator, options,
       [&](const PhotonProgress& progress) {
@@ -134,17 +137,20 @@ PhotonRun run_photons(const PhotonRunInput& run, std::ostream& out,
         return numbers;
       });
   display.finish();
+  found.solution.seconds.sweep = watch.lap();
   PhotonRun result{std::move(found.solution), {}, {}};
   const std::size_t measured =
       found.sums.derived.size() - 4 * points.size() * static_cast<std::size_t>(run.problem.band_count());
   ProbeRows rows(run);
   const auto estimates = interrupted() ? std::vector<std::vector<ProbeEstimate>>()
                                        : walk_back_from(points, run.problem, run.locator,
-                                                        {wanted.probe_photons, options.seed, run.threads});
+                                                        {wanted.probe_photons, options.seed, run.threads},
+                                                        ShownStage(run.stages, "probes").observer());
   if (!estimates.empty())
     out << fmt::format("probes: {:.3g} histories walked back from each of {} points\n", wanted.probe_photons,
                        points.size());
   result.probes = estimates.empty() ? rows.from_field(found.sums.derived, measured) : rows.from(estimates);
+  result.probe_seconds = watch.lap();
   found.solution = {};
   result.errors = errors_of(run, {result.solution, std::move(found.sums), std::move(found.report)});
   return result;

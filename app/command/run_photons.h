@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <ostream>
 #include <vector>
 
 #include "app/case/case.h"
-#include "app/command/command_line.h"
+#include "app/command/stage_progress.h"
 #include "app/write/results.h"
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/photons/solve_photons.h"
@@ -18,7 +17,7 @@ struct PhotonRunInput {
   const Problem& problem;
   const CellLocator& locator;
   int threads = 1;
-  ProgressStyle progress = ProgressStyle::none;  ///< not automatic
+  const StageDisplay& stages;
 };
 
 /// A solution by photons with all that is measured of it.
@@ -31,7 +30,7 @@ struct PhotonRun {
 /// Throws InputError where photons do not know what the case asks.
 void check_for_photons(const Case& input, const Problem& problem);
 
-/// Walks the histories of a case, and back from its probes. Says on `out` what it does.
-PhotonRun run_photons(const PhotonRunInput& run, std::ostream& out, const std::function<bool()>& interrupted);
+/// Walks the histories of a case, and back from its probes.
+PhotonRun run_photons(const PhotonRunInput& run);
 
 }  // namespace etendue

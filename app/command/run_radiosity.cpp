@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
+#include "app/command/begun_run.h"
 #include "app/command/method_checks.h"
 #include "mesh/base/errors.h"
+#include "solver/parallel/parallel_for.h"
 
 namespace etendue {
 namespace {
@@ -16,21 +20,29 @@ constexpr int rays_to_a_patch = 64;
 // Where light is redirected: a probe looks around along so many times the rays of a patch.
 constexpr int path_rays_of_probe = 16;
 
-std::vector<ProbeRow> probes_of(const Case& input, const Problem& problem, const CellLocator& locator,
-                                const WallLightField& field) {
+std::vector<ProbeRow> probes_of(const RadiosityScene& scene, const WallLightField& field, int threads) {
   std::vector<ProbeRow> rows;
-  for (const Probe& place : input.probes)
+  std::vector<std::optional<Vec3>> normals;
+  for (const Probe& place : scene.input.probes)
     for (std::size_t i = 0; i < place.points.size(); ++i) {
-      ProbeRow row{place.name, static_cast<int>(i), place.points[i], {}, {}};
-      const Vec3 middle = problem.mesh().centroid(locator.find(row.point).front().cell);
-      const WallLightValue value = field.at(row.point + off_the_wall * (middle - row.point), place.normal);
-      for (std::size_t b = 0; b < value.fluence.size(); ++b) {
-        const Vec3& flux = value.net_flux[b];
-        row.values.push_back({value.fluence[b], {flux[0], flux[1], flux[2]}});
-      }
-      if (place.normal) row.irradiance = value.irradiance;
-      rows.push_back(std::move(row));
+      rows.push_back({place.name, static_cast<int>(i), place.points[i], {}, {}});
+      normals.push_back(place.normal);
     }
+  ShownStage stage(scene.stages, "probes");
+  StageCounter counter(rows.size(), stage.observer());
+  const TetrahedralMesh& mesh = scene.lights.problem().mesh();
+  parallel_for(rows.size(), threads, 1, [&](std::size_t i) {
+    ProbeRow& row = rows[i];
+    const Vec3 middle = mesh.centroid(scene.locator.find(row.point).front().cell);
+    const WallLightValue value = field.at(row.point + off_the_wall * (middle - row.point), normals[i]);
+    for (std::size_t b = 0; b < value.fluence.size(); ++b) {
+      const Vec3& flux = value.net_flux[b];
+      row.values.push_back({value.fluence[b], {flux[0], flux[1], flux[2]}});
+    }
+    if (normals[i]) row.irradiance = value.irradiance;
+    return counter.add();
+  });
+  std::erase_if(rows, [](const ProbeRow& row) { return row.values.empty(); });
   return rows;
 }
 
@@ -99,8 +111,7 @@ std::string radiosity_memory_text(const RadiosityMemory& memory) {
                      memory.kept ? "kept" : "made anew in each pass");
 }
 
-RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room,
-                           const std::function<bool()>& interrupted, const FactorProgress& of_cells) {
+RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room, const FactorProgress& of_cells) {
   const Case& input = scene.input;
   const Problem& problem = scene.lights.problem();
   const bool finer = are_finer_than_faces(room.patches());
@@ -111,7 +122,7 @@ RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room,
           room.fields_on_walls(state, run.passes.emplace_back());
           if (finer) run.pass_patches.push_back(light_on_patches(problem, room.patches(), state));
         }
-        return !interrupted();
+        return !scene.stages.interrupted();
       },
       of_cells);
   if (finer) run.patches = light_on_patches(problem, room.patches(), room.solved());
@@ -119,8 +130,12 @@ RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room,
   run.report = room.report();
   // Pictures and sensors follow these walls along rays.
   if (!input.cameras.empty() || !input.sensors.empty()) run.solution.notes = scene.lights.notes();
-  run.probes = probes_of(input, problem, scene.locator,
-                         room.light(rays_to_a_patch, path_rays_of_probe * input.radiosity->path_rays));
+  Stopwatch watch;
+  if (!input.probes.empty())
+    run.probes =
+        probes_of(scene, room.light(rays_to_a_patch, path_rays_of_probe * input.radiosity->path_rays),
+                  thread_count(input));
+  run.probe_seconds = watch.lap();
   return run;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "app/command/stage_progress.h"
 #include "app/write/results.h"
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/angle/direction_set.h"
@@ -23,6 +24,7 @@ struct RadiosityRun {
   /// Light on patches where they are finer than faces: of the solution, and of these passes.
   std::optional<PatchLight> patches;
   std::vector<PatchLight> pass_patches;
+  double probe_seconds = 0;
 };
 
 /// Throws InputError where radiosity does not know what the case asks.
@@ -39,10 +41,11 @@ struct RadiosityScene {
   const LightSetup& lights;  ///< followed along rays by pictures and sensors
   const DirectionSet& directions;
   const CellLocator& locator;
+  const StageDisplay& stages;
 };
 
 /// Solves a case in a room that is made for it. The state of the solution is that of RadiosityRoom.
 RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room,
-                           const std::function<bool()>& interrupted, const FactorProgress& of_cells = {});
+                           const FactorProgress& of_cells = {});
 
 }  // namespace etendue

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/command/text_table.h"
 #include "app/write/balance_check.h"
+#include "app/write/stage_seconds.h"
 #include "app/write/unit_labels.h"
 
 namespace etendue {
@@ -66,10 +68,6 @@ std::string regions_text(const RunResult& result, const UnitLabels& units) {
                      number(power.fluence_mean), number(power.absorbed), number(power.emitted)});
     }
   return section(fmt::format("regions [{}, {}, {}]", units.volume, units.flux, units.power), table);
-}
-
-std::string stage(const char* name, double seconds) {
-  return seconds > 0 ? fmt::format("  {} {:.3g}", name, seconds) : "";
 }
 
 /// What scattering became: effective mean cosine, energy, signs, and why it is discretised so.
@@ -235,12 +233,9 @@ std::string cautions_text(const RunResult& result) {
 }
 
 std::string closing_text(const RunResult& result, const WrittenResults& written) {
-  const SolveSeconds& solve = result.solution.seconds;
-  std::string text = "\ntime [s]" + stage("read", result.seconds.read) + stage("mesh", result.seconds.mesh) +
-                     stage("orders", solve.orders) + stage("sweep", solve.sweep) +
-                     stage("low order", solve.low_order) + stage("lights", solve.lights) +
-                     stage("write", written.seconds) +
-                     fmt::format("  total {:.3g}", result.seconds.total + written.seconds);
+  std::string text = "\ntime [s]";
+  for (const auto& [name, seconds] : stage_seconds(result, written.seconds))
+    if (seconds > 0) text += fmt::format("  {} {:.3g}", name, seconds);
   if (result.solution.sweep_cost == 0)  // by photons or radiosity
     text += fmt::format(" (threads: {})\n", result.threads);
   else

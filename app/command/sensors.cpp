@@ -60,14 +60,16 @@ struct AccountParts {
   RegionAccount uncollided, collided;
 };
 
-AccountParts accounts_of(const SensorCase& sensor, std::size_t number, const SensorScene& scene) {
+AccountParts accounts_of(const SensorCase& sensor, std::size_t number, const SensorScene& scene,
+                         StageCounter& counter) {
   const AccountScope scope = scope_of(sensor, scene.lights.problem().mesh());
-  return {uncollided_account(scene.lights, scene.solution, scope, scene.options.threads),
+  return {uncollided_account(scene.lights, scene.solution, scope, scene.options.threads, &counter),
           scene.ordinates.account(number)};
 }
 
-SensorReading read_surface(const SensorCase& sensor, std::size_t number, const SensorScene& scene) {
-  const auto [uncollided, collided] = accounts_of(sensor, number, scene);
+SensorReading read_surface(const SensorCase& sensor, std::size_t number, const SensorScene& scene,
+                           StageCounter& counter) {
+  const auto [uncollided, collided] = accounts_of(sensor, number, scene, counter);
   const std::vector<double> nothing(collided.path.size(), 0);
   using Quantity = RadiometricQuantity;
   const auto net = [&](const RegionAccount& account) {
@@ -89,8 +91,9 @@ SensorReading read_point(const SensorCase& sensor, std::size_t number, const Sen
   return {{{RadiometricQuantity::irradiance, nothing, found.irradiance, nothing}}, {}};
 }
 
-SensorReading read_region(const SensorCase& sensor, std::size_t number, const SensorScene& scene) {
-  const auto [uncollided, collided] = accounts_of(sensor, number, scene);
+SensorReading read_region(const SensorCase& sensor, std::size_t number, const SensorScene& scene,
+                          StageCounter& counter) {
+  const auto [uncollided, collided] = accounts_of(sensor, number, scene, counter);
   using Quantity = RadiometricQuantity;
   const std::size_t bands = collided.path.size();
   const std::vector<double> nothing(bands, 0);
@@ -116,10 +119,22 @@ SensorReading read_region(const SensorCase& sensor, std::size_t number, const Se
   return reading;
 }
 
-SensorReading read_ordinates(const SensorCase& sensor, std::size_t number, const SensorScene& scene) {
-  if (sensor.sensor.kind == SensorKind::region) return read_region(sensor, number, scene);
-  if (sensor.sensor.kind == SensorKind::flux) return read_surface(sensor, number, scene);
+SensorReading read_ordinates(const SensorCase& sensor, std::size_t number, const SensorScene& scene,
+                             StageCounter& counter) {
+  if (sensor.sensor.kind == SensorKind::region) return read_region(sensor, number, scene, counter);
+  if (sensor.sensor.kind == SensorKind::flux) return read_surface(sensor, number, scene, counter);
   return read_point(sensor, number, scene);
+}
+
+/// Rays, cells and faces that are evaluated for a sensor. `reader` is there where rays are.
+std::size_t parts_of(const SensorCase& sensor, const SensorScene& scene, const SensorReader* reader,
+                     const SensorReader::Locate& locate) {
+  const Problem& problem = scene.lights.problem();
+  if (!reads_ordinates(sensor, problem.space()))
+    return reader->rays_of(placed(sensor, problem.mesh()), locate);
+  const bool has_account = sensor.sensor.kind == SensorKind::region || sensor.sensor.kind == SensorKind::flux;
+  if (scene.lights.empty() || !has_account) return 0;
+  return account_parts(problem.mesh(), scope_of(sensor, problem.mesh()));
 }
 
 std::optional<Fault> fault_of_names(const SensorCase& sensor, const TetrahedralMesh& mesh) {
@@ -178,18 +193,27 @@ void check_sensors(const std::vector<SensorCase>& sensors, const CellLocator& lo
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-std::vector<SensorRow> read_sensors(const std::vector<SensorCase>& sensors, const SensorScene& scene) {
+std::vector<SensorRow> read_sensors(const std::vector<SensorCase>& sensors, const SensorScene& scene,
+                                    const StageObserver& observer) {
   const Problem& problem = scene.lights.problem();
   std::optional<SensorReader> reader;
   if (scene.rays) reader.emplace(scene.lights, *scene.rays);
   const auto locate = [&](const Vec3& point) { return place_of(point, scene.locator); };
-  std::vector<SensorRow> rows;
+  std::size_t parts = 0;
   for (const SensorCase& sensor : sensors)
+    parts += parts_of(sensor, scene, reader ? &*reader : nullptr, locate);
+  StageCounter counter(parts, observer);
+  std::vector<SensorRow> rows;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const SensorCase& sensor = sensors[i];
+    std::optional<SensorReading> reading;
     if (reads_ordinates(sensor, problem.space()))
-      rows.push_back({sensor, read_ordinates(sensor, rows.size(), scene)});
+      reading = read_ordinates(sensor, i, scene, counter);
     else
-      rows.push_back(
-          {sensor, reader.value().read(placed(sensor, problem.mesh()), locate, scene.options.threads)});
+      reading = reader.value().read(placed(sensor, problem.mesh()), locate, scene.options.threads, counter);
+    if (counter.stopped()) return rows;
+    rows.push_back({sensor, *std::move(reading)});
+  }
   return rows;
 }
 

@@ -27,7 +27,9 @@ struct SensorScene {
   const CellLocator& locator;
 };
 
-/// What the sensors show; they must have been checked.
-std::vector<SensorRow> read_sensors(const std::vector<SensorCase>& sensors, const SensorScene& scene);
+/// What the sensors show; they must have been checked. Where the observer stops it, the sensors that were not
+/// read are left out.
+std::vector<SensorRow> read_sensors(const std::vector<SensorCase>& sensors, const SensorScene& scene,
+                                    const StageObserver& observer = {});
 
 }  // namespace etendue

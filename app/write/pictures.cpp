@@ -47,7 +47,8 @@ std::string exr_of(const Case& input, const NamedPicture& named, const BandColor
 }  // namespace
 
 std::vector<std::string> add_pictures(const std::filesystem::path& directory, const Case& input,
-                                      const std::vector<NamedPicture>& pictures) {
+                                      const std::vector<NamedPicture>& pictures,
+                                      std::optional<double> seconds) {
   const BandColor rule(input.bands);
   OutputFolder folder(directory);
   for (const NamedPicture& named : pictures) {
@@ -58,7 +59,7 @@ std::vector<std::string> add_pictures(const std::filesystem::path& directory, co
     folder.add_text(camera.name + ".png", toned_png(picture.pixels, colors, camera.exposure, camera.tone));
   }
   const std::vector<std::string> names = folder.names();
-  const std::string summary = summary_with_files(directory, names);
+  const std::string summary = summary_with_files(directory, names, seconds);
   if (!summary.empty()) folder.add_text("summary.json", summary);
   folder.publish({});
   return names;

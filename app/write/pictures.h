@@ -26,8 +26,10 @@ struct NamedPicture {
 /// summary.json where there is one. NAME.exr holds linear numbers: R, G, B as BandColor has them, and
 /// `radiance.BAND` and
 /// `error.cells.BAND`, `error.directions.BAND` of each band. NAME.png went through exposure and tone curve.
-/// Returns the names of the files. Throws FileError.
+/// Returns the names of the files. The summary counts the seconds that the pictures of a run took where they
+/// are given. Throws FileError.
 std::vector<std::string> add_pictures(const std::filesystem::path& directory, const Case& input,
-                                      const std::vector<NamedPicture>& pictures);
+                                      const std::vector<NamedPicture>& pictures,
+                                      std::optional<double> seconds = {});
 
 }  // namespace etendue

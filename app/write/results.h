@@ -22,7 +22,12 @@ namespace etendue {
 struct RunSeconds {
   double read = 0;
   double mesh = 0;
-  double total = 0;  ///< from the start of the program to the start of the writing
+  double setup = 0;     ///< problem, lights, directions and checks
+  double rays = 0;      ///< what rays of sensors and cameras look at
+  double probes = 0;    ///< beside the solution
+  double sensors = 0;   ///< beside the solution
+  double measures = 0;  ///< powers of walls and regions, balances, errors
+  double total = 0;     ///< from the start of the program to the start of the writing
 };
 
 /// The standard errors of a probe's values.
@@ -82,6 +87,10 @@ struct RunResult {
   std::optional<ExactComparison> exact = {};  ///< of a case that says what the answer is
   RunSeconds seconds;
   int threads = 1;
+  std::vector<std::string> left_out = {};  ///< what an interruption left out: "3 of 5 sensors"
+
+  /// Whether a signal ended the iteration, or the reading of probes and sensors.
+  bool interrupted() const { return solution.interrupted || !left_out.empty(); }
 };
 
 /// What was written, and how long that took.

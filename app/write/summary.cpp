@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/write/balance_check.h"
+#include "app/write/stage_seconds.h"
 
 namespace etendue {
 namespace {
@@ -102,19 +103,6 @@ Json as_json(const NegativeCensus& census) {
   return {{"count", census.count}, {"smallest", census.smallest}};
 }
 
-Json stage_seconds(const RunResult& result, double writing) {
-  const SolveSeconds& solve = result.solution.seconds;
-  return {{"read", result.seconds.read},
-          {"mesh", result.seconds.mesh},
-          {"orders", solve.orders},
-          {"sweep", solve.sweep},
-          {"low_order", solve.low_order},
-          {"low_order_setup", solve.low_order_setup},
-          {"lights", solve.lights},
-          {"write", writing},
-          {"total", result.seconds.total + writing}};
-}
-
 /// Whether a listed name is a plain file name: nothing outside the directory may be removed.
 bool is_plain_name(const std::string& name) {
   return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
@@ -158,7 +146,8 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["units"] = {{"length", result.input.units.length}, {"power", result.input.units.power}};
   summary["threads"] = result.threads;
   summary["converged"] = solution.converged();
-  summary["interrupted"] = solution.interrupted;
+  summary["interrupted"] = result.interrupted();
+  if (!result.left_out.empty()) summary["left_out"] = result.left_out;
   summary["balanced"] = is_balanced(result);
   summary["tolerance"] = result.input.solve.tolerance;
   summary["balance_tolerance"] = result.input.balance_tolerance;
@@ -184,7 +173,8 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
       return Json{{"fluence_L2", error.l2}, {"fluence_Linf", error.linf}};
     });
   summary["lagged_faces"] = solution.lagged_faces;
-  summary["seconds"] = stage_seconds(result, seconds_writing);
+  for (const auto& [name, seconds] : stage_seconds(result, seconds_writing))
+    summary["seconds"][name] = seconds;
   summary["sweep_cost"] = solution.sweep_cost;
   summary["peak_memory"] = peak_memory();
   summary["notes"] = solution.notes;
@@ -202,13 +192,22 @@ std::vector<std::string> files_of_earlier_run(const std::filesystem::path& direc
   return names;
 }
 
-std::string summary_with_files(const std::filesystem::path& directory, const std::vector<std::string>& more) {
+std::string summary_with_files(const std::filesystem::path& directory, const std::vector<std::string>& more,
+                               std::optional<double> seconds_of_pictures) {
   Json summary = summary_in(directory);
   if (summary.empty()) return "";
   std::vector<std::string> names = files_of_earlier_run(directory);
   for (const std::string& name : more)
     if (std::count(names.begin(), names.end(), name) == 0) names.push_back(name);
   summary["files"] = names;
+  if (seconds_of_pictures && summary["seconds"].is_object() &&
+      summary["seconds"].value("total", Json()).is_number()) {
+    Json& seconds = summary["seconds"];
+    const double total = seconds["total"];
+    seconds.erase("total");
+    seconds["pictures"] = *seconds_of_pictures;
+    seconds["total"] = total + *seconds_of_pictures;
+  }
   return text_of(summary);
 }
 

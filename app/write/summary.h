@@ -18,8 +18,10 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
 /// where it is not ours.
 std::vector<std::string> files_of_earlier_run(const std::filesystem::path& directory);
 
-/// The text of the summary.json in this directory with more names among its files; empty where there is none.
-std::string summary_with_files(const std::filesystem::path& directory, const std::vector<std::string>& more);
+/// The text of the summary.json in this directory with more names among its files, and with the seconds of
+/// the run's pictures where they are given; empty where there is none.
+std::string summary_with_files(const std::filesystem::path& directory, const std::vector<std::string>& more,
+                               std::optional<double> seconds_of_pictures = {});
 
 /// The case that a summary.json holds, resolved, and the file that it was read from; empty where there is
 /// none.

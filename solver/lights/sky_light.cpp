@@ -9,6 +9,7 @@
 
 #include "mesh/tetrahedra/sheet_faces.h"
 #include "mesh/tetrahedra/vertex_cells.h"
+#include "solver/parallel/parallel_for.h"
 #include "solver/problem/cell_rule.h"
 
 namespace etendue {
@@ -101,7 +102,7 @@ struct Beginnings {
 class BeamGroup {
  public:
   BeamGroup(const LightPaths& paths, const SkySource& sky, const Beginnings& beginnings, std::size_t first,
-            int threads)
+            int threads, StageCounter& counter)
       : paths_(paths),
         sky_(sky),
         first_(first),
@@ -111,14 +112,13 @@ class BeamGroup {
       views_.push_back(paths.matter().view(sky.directions()[first + k]));
     depth_.resize(beginnings.cells.size() * count_ * bands_);
     way_.assign(beginnings.cells.size() * count_, several_ways);
-#pragma omp parallel num_threads(threads)
-    {
-      std::vector<double> transmittance(bands_);
-#pragma omp for schedule(dynamic, 64)
-      for (std::size_t v = 0; v < beginnings.cells.size(); ++v)
-        for (std::size_t k = 0; k < count_ && beginnings.on_sheet[v] == 0; ++k)
-          look_from_vertex(beginnings, v, k, transmittance);
-    }
+    parallel_for(
+        beginnings.cells.size(), threads, 64, [&] { return std::vector<double>(bands_); },
+        [&](std::size_t v, std::vector<double>& transmittance) {
+          for (std::size_t k = 0; k < count_ && beginnings.on_sheet[v] == 0; ++k)
+            look_from_vertex(beginnings, v, k, transmittance);
+          return counter.add();
+        });
   }
 
   void add(const LitCell& cell, NodalMoments& moments) const {
@@ -222,7 +222,7 @@ class BeamGroup {
 
 }  // namespace
 
-void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads,
+void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads, StageCounter& counter,
                    const std::function<void(const LitCell&, NodalMoments&)>& begin,
                    const std::function<void(const LitCell&, const NodalMoments&)>& add) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
@@ -230,20 +230,26 @@ void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads,
   beginnings.on_sheet.assign(beginnings.cells.size(), 0);
   for (const std::int32_t v : vertices_of_sheets(mesh)) beginnings.on_sheet[static_cast<std::size_t>(v)] = 1;
   for (std::size_t first = 0; first < sky.directions().size(); first += group) {
-    const BeamGroup beams(paths, sky, beginnings, first, threads);
-#pragma omp parallel num_threads(threads)
-    {
-      NodalMoments moments(4, paths.matter().empty() ? 4 : 6, paths.bands());
-#pragma omp for schedule(dynamic, 64)
-      for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-        const LitCell cell(paths, CellIndex(c));
-        moments.clear();
-        begin(cell, moments);
-        beams.add(cell, moments);
-        add(cell, moments);
-      }
-    }
+    const BeamGroup beams(paths, sky, beginnings, first, threads, counter);
+    const bool whole = !counter.stopped() &&
+                       parallel_for(
+                           static_cast<std::size_t>(mesh.cell_count()), threads, 64,
+                           [&] { return NodalMoments(4, paths.matter().empty() ? 4 : 6, paths.bands()); },
+                           [&](std::size_t c, NodalMoments& moments) {
+                             const LitCell cell(paths, CellIndex(static_cast<std::int64_t>(c)));
+                             moments.clear();
+                             begin(cell, moments);
+                             beams.add(cell, moments);
+                             add(cell, moments);
+                             return counter.add();
+                           });
+    if (!whole) return;
   }
+}
+
+std::size_t sky_visits(const TetrahedralMesh& mesh, const SkySource& sky) {
+  const std::size_t groups = (sky.directions().size() + group - 1) / group;
+  return groups * (static_cast<std::size_t>(mesh.cell_count()) + mesh.points().size());
 }
 
 }  // namespace etendue

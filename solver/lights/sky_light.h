@@ -5,6 +5,7 @@
 
 #include "solver/lights/cell_light.h"
 #include "solver/lights/sky_source.h"
+#include "solver/parallel/stage_observer.h"
 
 namespace etendue {
 
@@ -16,9 +17,12 @@ namespace etendue {
 /// `begin` is called with the moments of a cell before light is added to them. `add` is called with the
 /// integrals over a cell (with what is absorbed and scatters where some matter depends on directions or
 /// varies in cells), several times for each cell, each of several beams, and by several threads at a time for
-/// different cells.
-void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads,
+/// different cells. The counter counts sky_visits() parts and may stop it.
+void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads, StageCounter& counter,
                    const std::function<void(const LitCell&, NodalMoments&)>& begin,
                    const std::function<void(const LitCell&, const NodalMoments&)>& add);
+
+/// How often add_sky_light() comes to a vertex or a cell.
+std::size_t sky_visits(const TetrahedralMesh& mesh, const SkySource& sky);
 
 }  // namespace etendue

@@ -10,6 +10,7 @@
 #include "solver/lights/extended_light.h"
 #include "solver/lights/face_light.h"
 #include "solver/lights/sky_light.h"
+#include "solver/parallel/parallel_for.h"
 #include "solver/problem/cell_rule.h"
 
 namespace etendue {
@@ -114,65 +115,90 @@ void add_moments(const LightPaths& paths, const LitCell& cell, const NodalMoment
     field.collisions.add(cell.index, cell.volume, *moments.by_direction());
 }
 
+/// What a thread works with.
+struct Workspace {
+  LightBeams beams;
+  NodalMoments moments;
+};
+
 void add_cells(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
-               const std::optional<ExtendedLight>& extended, int threads, UncollidedField& field) {
+               const std::optional<ExtendedLight>& extended, int threads, StageCounter& counter,
+               UncollidedField& field) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const RayMatter& matter = paths.matter();
   const DirectionalCells directional(paths);
-#pragma omp parallel num_threads(threads)
-  {
-    LightBeams beams(paths.bands());
-    NodalMoments moments(4, matter.empty() ? 4 : 6, paths.bands());
-#pragma omp for schedule(dynamic, 64)
-    for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-      const LitCell cell(paths, CellIndex(c));
-      moments.clear();
-      if (!extended) {
-        directional.prepare(cell.index, field.collisions, AngularDetail::fine, moments);
-        add_directly(paths, source, creases, cell, beams, moments);
-      } else {
-        moments.leave_out_directions();
-        extended->add(cell, beams, moments);
-        if (!matter.empty() && matter.depends_on_direction(mesh.region(cell.index)))
-          add_directional_losses(paths, source, cell, beams, moments);
-        else if (matter.varies(cell.index))
-          add_varying_losses(paths, cell, moments);
-        directional.prepare(cell.index, field.collisions, AngularDetail::medium, moments);
-        if (moments.by_direction() != nullptr)
-          add_extended_collisions(paths, source, cell, scattered_power(paths, cell, moments), beams,
-                                  *moments.by_direction());
-      }
-      add_moments(paths, cell, moments, field);
+  const auto add_cell = [&](std::size_t c, Workspace& work) {
+    const LitCell cell(paths, CellIndex(static_cast<std::int64_t>(c)));
+    NodalMoments& moments = work.moments;
+    moments.clear();
+    if (!extended) {
+      directional.prepare(cell.index, field.collisions, AngularDetail::fine, moments);
+      add_directly(paths, source, creases, cell, work.beams, moments);
+    } else {
+      moments.leave_out_directions();
+      extended->add(cell, work.beams, moments);
+      if (!matter.empty() && matter.depends_on_direction(mesh.region(cell.index)))
+        add_directional_losses(paths, source, cell, work.beams, moments);
+      else if (matter.varies(cell.index))
+        add_varying_losses(paths, cell, moments);
+      directional.prepare(cell.index, field.collisions, AngularDetail::medium, moments);
+      if (moments.by_direction() != nullptr)
+        add_extended_collisions(paths, source, cell, scattered_power(paths, cell, moments), work.beams,
+                                *moments.by_direction());
     }
-  }
+    add_moments(paths, cell, moments, field);
+    return counter.add();
+  };
+  parallel_for(
+      static_cast<std::size_t>(mesh.cell_count()), threads, 64,
+      [&] {
+        return Workspace{LightBeams(paths.bands()), NodalMoments(4, matter.empty() ? 4 : 6, paths.bands())};
+      },
+      add_cell);
 }
 
 void add_walls(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
-               const std::optional<ExtendedLight>& extended, int threads, std::vector<double>& irradiance) {
+               const std::optional<ExtendedLight>& extended, int threads, StageCounter& counter,
+               std::vector<double>& irradiance) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::size_t bands = paths.bands();
-#pragma omp parallel num_threads(threads)
-  {
-    LightBeams beams(bands);
-    NodalMoments moments(3, 1, bands);
-#pragma omp for schedule(dynamic, 64)
-    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
-      const FaceIndex face(f);
-      moments.clear();
-      if (extended)
-        extended->add(face, beams, moments);
-      else
-        add_irradiance(paths, source, creases, face, beams, moments);
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t b = 0; b < bands; ++b)
-          irradiance[(face.at() * 3 + i) * bands + b] += moments.nodal(i, 0, b, mesh.area(face));
-    }
+  const auto add_face = [&](std::size_t f, Workspace& work) {
+    const FaceIndex face(static_cast<std::int64_t>(f));
+    NodalMoments& moments = work.moments;
+    moments.clear();
+    if (extended)
+      extended->add(face, work.beams, moments);
+    else
+      add_irradiance(paths, source, creases, face, work.beams, moments);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t b = 0; b < bands; ++b)
+        irradiance[(face.at() * 3 + i) * bands + b] += moments.nodal(i, 0, b, mesh.area(face));
+    return counter.add();
+  };
+  parallel_for(
+      static_cast<std::size_t>(mesh.boundary_face_count()), threads, 64,
+      [&] {
+        return Workspace{LightBeams(bands), NodalMoments(3, 1, bands)};
+      },
+      add_face);
+}
+
+/// How often cells, faces and vertices are visited for all sources.
+std::size_t visits(const TetrahedralMesh& mesh, const LightSources& sources) {
+  std::size_t count = 0;
+  for (const auto& source : sources) {
+    const WideSource* wide = source->as_wide();
+    const SkySource* sky = wide != nullptr ? wide->as_sky() : nullptr;
+    count += sky != nullptr ? sky_visits(mesh, *sky) : static_cast<std::size_t>(mesh.cell_count());
+    count += static_cast<std::size_t>(mesh.boundary_face_count());
   }
+  return count;
 }
 
 }  // namespace
 
-UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads) {
+UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads,
+                                 const StageObserver& observer) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   UncollidedField field;
   field.fluence.assign(static_cast<std::size_t>(mesh.cell_count()) * 4 * paths.bands(), 0);
@@ -183,7 +209,9 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
   field.collisions = empty_collisions(paths, sources);
   const DirectionalCells directional(paths);
   const std::vector<Crease> creases = creases_of(paths);
+  StageCounter counter(visits(mesh, sources), observer);
   for (const auto& source : sources) {
+    if (counter.stopped()) return field;
     field.by_source.emplace_back(field.fluence.size(), 0);
     if (!paths.matter().empty()) field.collided_by_source.emplace_back(field.fluence.size(), 0);
     const WideSource* wide = source->as_wide();
@@ -193,7 +221,7 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
     const CreasePlanes planes(paths, creases, *source);
     if (wide != nullptr && wide->as_sky() != nullptr)
       add_sky_light(
-          paths, *wide->as_sky(), threads,
+          paths, *wide->as_sky(), threads, counter,
           [&](const LitCell& cell, NodalMoments& moments) {
             directional.prepare(cell.index, field.collisions, AngularDetail::coarse, moments);
           },
@@ -201,8 +229,9 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
             add_moments(paths, cell, moments, field);
           });
     else
-      add_cells(paths, *source, planes, extended, threads, field);
-    add_walls(paths, *source, planes, extended, threads, field.irradiance);
+      add_cells(paths, *source, planes, extended, threads, counter, field);
+    if (counter.stopped()) return field;
+    add_walls(paths, *source, planes, extended, threads, counter, field.irradiance);
     for (std::size_t i = 0; i < field.fluence.size(); ++i) field.fluence[i] += field.by_source.back()[i];
   }
   field.glossy = GlossyBeams(paths, sources, threads);

@@ -7,6 +7,7 @@
 #include "solver/lights/collision_field.h"
 #include "solver/lights/glossy_beams.h"
 #include "solver/lights/light_source.h"
+#include "solver/parallel/stage_observer.h"
 
 namespace etendue {
 
@@ -28,7 +29,9 @@ struct UncollidedField {
 /// Integrates the light of the sources: of a point in its polar frame, where the distance squared cancels, of
 /// a beam in columns along it, both in closed form on the way through a cell and cut along the edges of
 /// shadows (CreasePlanes), or by four points where it is even; of a light with an extent by what it meets on
-/// its way to the vertices (ExtendedLight). The same bits for any number of threads.
-UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads);
+/// its way to the vertices (ExtendedLight). The same bits for any number of threads. An observer that stops
+/// it leaves the field incomplete.
+UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads,
+                                 const StageObserver& observer = {});
 
 }  // namespace etendue

@@ -332,7 +332,9 @@ class Run {
     if (error <= options_.tolerance) return 0;
     if (error >= first_error_) return -1;
     const double progress = std::log(first_error_ / error) / std::log(first_error_ / options_.tolerance);
-    return seconds * (1 - progress) / progress;
+    // Whole sweeps, and one that finds the true residual.
+    const double sweep = seconds / sweeps_;
+    return sweep * (std::ceil(seconds * (1 - progress) / progress / sweep) + 1);
   }
 
   TransportSweep& sweep_;

@@ -77,6 +77,7 @@ struct SolveSeconds {
   double low_order = 0;
   double low_order_setup = 0;  ///< the part of low_order that is done once
   double lights = 0;
+  double setup = 0;  ///< before the first sweep: coefficients, scattering, memory; without the orders
 };
 
 /// The radiance of one ordinate, kept on request.

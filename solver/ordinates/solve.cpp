@@ -278,6 +278,11 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
                const SolveObserver& observer) {
   if (problem.space() != directions.space())
     throw std::invalid_argument("a plane problem needs directions in the plane, and only that");
+  using Clock = std::chrono::steady_clock;
+  const auto seconds_between = [](Clock::time_point a, Clock::time_point b) {
+    return std::chrono::duration<double>(b - a).count();
+  };
+  const Clock::time_point begun = Clock::now();
   const std::vector<double> extinction = extinction_of(problem);
   SolveOptions with_emission = options;
   const OrdinateLights lights(problem, directions, options.angular_input);
@@ -292,7 +297,9 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   solution.method = iteration->name();
   solution.directions = directions.count();
 
-  const auto start = std::chrono::steady_clock::now();
+  const Clock::time_point start = Clock::now();
+  solution.seconds.orders = sweep.order_seconds();
+  solution.seconds.setup = seconds_between(begun, start) - solution.seconds.orders;
   std::optional<SingleTransportSweep> single;
   if (options.precision == Precision::mixed && options.method != Method::source_iteration &&
       !sweep.is_direct())
@@ -341,9 +348,7 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     solution.seconds.low_order_setup = low_order.diffusion->setup_seconds();
     solution.seconds.low_order = low_order.diffusion->seconds() + solution.seconds.low_order_setup;
   }
-  solution.seconds.sweep = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() -
-                           solution.seconds.low_order;
-  solution.seconds.orders = sweep.order_seconds();
+  solution.seconds.sweep = seconds_between(start, Clock::now()) - solution.seconds.low_order;
   solution.half_range = sweep.walls().emission_range();
   solution.by_direction = emission.powers();
   if (!lights.empty()) {

@@ -6,7 +6,7 @@
 namespace etendue {
 
 Picture take_picture(const MapRadiance& map, const Camera& camera, int threads,
-                     const PictureObserver& observer) {
+                     const StageObserver& observer) {
   const RayEntry entry(map.problem().mesh());
   const auto make_look = [&]() -> RayLook {
     return [&, work = std::make_shared<MapRadiance::Workspace>()](const CameraRay& ray,

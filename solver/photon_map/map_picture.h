@@ -8,6 +8,6 @@ namespace etendue {
 
 /// A picture as the photon map has it. Of the camera its samples count, not its shafts and gather.
 Picture take_picture(const MapRadiance& map, const Camera& camera, int threads,
-                     const PictureObserver& observer = {});
+                     const StageObserver& observer = {});
 
 }  // namespace etendue

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "solver/parallel/parallel_for.h"
 #include "solver/photons/batch_statistics.h"
 #include "solver/photons/photon_kernel.h"
 #include "solver/photons/photon_mesh.h"
@@ -38,14 +39,16 @@ class Walk {
   Walk(const PhotonMesh& mesh, const PhotonProbe& probe, const CellLocator& locator, double range)
       : mesh_(mesh), probe_(probe), cells_(locator.find(probe.point)), range_(range) {}
 
-  ProbeEstimate estimate(const PhotonKernels& kernels, const ProbeOptions& options,
-                         std::uint64_t number) const {
+  ProbeEstimate estimate(const PhotonKernels& kernels, const ProbeOptions& options, std::uint64_t number,
+                         StageCounter& counter) const {
     const auto size = static_cast<std::size_t>(std::max(1.0, options.histories / batches));
     BatchStatistics statistics;
-    for (int batch = 0; batch < batches; ++batch) {
+    for (int batch = 0; batch < batches && !counter.stopped(); ++batch) {
       const std::uint64_t first = (number * batches + static_cast<std::uint64_t>(batch)) * size;
       statistics.add(walk_batch(kernels, options.seed, first, size), static_cast<double>(size));
+      counter.add();
     }
+    if (counter.stopped()) return {};
     const auto value = [&](std::size_t i) { return Estimate{statistics.mean(i), statistics.error(i)}; };
     ProbeEstimate estimate{value(0), {value(1), value(2), value(3)}, {}};
     if (probe_.normal) estimate.irradiance = value(4);
@@ -99,19 +102,23 @@ class Walk {
 
 std::vector<std::vector<ProbeEstimate>> walk_back_from(const std::vector<PhotonProbe>& probes,
                                                        const Problem& problem, const CellLocator& locator,
-                                                       const ProbeOptions& options) {
+                                                       const ProbeOptions& options,
+                                                       const StageObserver& observer) {
   if (!problem.lights().empty() || !is_reciprocal(problem)) return {};
   const PhotonKernels kernels = choose_photon_kernels();
   const DirectionalInput input(problem);
   std::vector<std::vector<ProbeEstimate>> found(
       probes.size(), std::vector<ProbeEstimate>(static_cast<std::size_t>(problem.band_count())));
   const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
+  StageCounter counter(probes.size() * batches * static_cast<std::size_t>(problem.band_count()), observer);
   for (int band = 0; band < problem.band_count(); ++band) {
     const PhotonMesh mesh(problem, input, band);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-    for (std::size_t i = 0; i < probes.size(); ++i)
-      found[i][static_cast<std::size_t>(band)] =
-          Walk(mesh, probes[i], locator, full_range(problem.space())).estimate(kernels, options, i);
+    const bool whole = parallel_for(probes.size(), threads, 1, [&](std::size_t i) {
+      const Walk walk(mesh, probes[i], locator, full_range(problem.space()));
+      found[i][static_cast<std::size_t>(band)] = walk.estimate(kernels, options, i, counter);
+      return !counter.stopped();
+    });
+    if (!whole) return {};
   }
   return found;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/tetrahedra/cell_locator.h"
+#include "solver/parallel/stage_observer.h"
 #include "solver/problem/problem.h"
 
 namespace etendue {
@@ -38,9 +39,11 @@ struct ProbeOptions {
 /// Light at points, without any cell around them that it is averaged over: histories start there and go back
 /// along the light, which scatters and is reflected the same way backwards (reciprocity), and collect what
 /// media and walls emit. Points must lie in the mesh. Empty where the problem has lights: backward histories
-/// do not meet a point or a beam; and where a kernel does not claim to be reciprocal. [probe][band]
+/// do not meet a point or a beam; and where a kernel does not claim to be reciprocal; and where the observer
+/// stopped it. [probe][band]
 std::vector<std::vector<ProbeEstimate>> walk_back_from(const std::vector<PhotonProbe>& probes,
                                                        const Problem& problem, const CellLocator& locator,
-                                                       const ProbeOptions& options);
+                                                       const ProbeOptions& options,
+                                                       const StageObserver& observer = {});
 
 }  // namespace etendue

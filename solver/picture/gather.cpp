@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 
 #include "solver/parallel/parallel_for.h"
@@ -59,34 +58,28 @@ bool uses_irradiance(const Wall& wall) {
 }  // namespace
 
 WallIrradiance gather(const RayRadiance& scene, int rays, int shadow_rays, int threads,
-                      const std::function<bool(double)>& observer) {
+                      const StageObserver& observer) {
   if (rays == 0) return {};
   const TetrahedralMesh& mesh = scene.problem().mesh();
   const auto faces = static_cast<std::size_t>(mesh.boundary_face_count());
   WallIrradiance result{std::vector<double>(faces * 3 * scene.bands(), 0), std::vector<double>(faces, pi)};
   const std::vector<std::vector<WallCorner>> planes = corners_by_plane(mesh);
   const std::vector<Vec3> directions = half_range_rays(rays);
-  std::mutex observing;
-  std::size_t done = 0;
-  const auto go_on = [&] {
-    const std::lock_guard<std::mutex> lock(observing);
-    ++done;
-    return !observer || observer(static_cast<double>(done) / static_cast<double>(planes.size()));
-  };
+  StageCounter counter(planes.size(), observer);
   const auto bring = [&](std::size_t p, RayRadiance::Workspace& work) {
     bool seen = false;
     for (const WallCorner& corner : planes[p])
       seen = seen || uses_irradiance(scene.problem().wall(mesh.wall(corner.face)));
-    if (!seen) return go_on();
+    if (!seen) return counter.add();
     const std::vector<double> irradiance =
         irradiance_at(scene, planes[p].front(), directions, shadow_rays, work);
     for (const WallCorner& corner : planes[p])
       for (std::size_t b = 0; b < irradiance.size(); ++b)
         result.values[(corner.face.at() * 3 + corner.node) * irradiance.size() + b] = irradiance[b];
-    return go_on();
+    return counter.add();
   };
   const bool whole = parallel_for(
-      planes.size(), threads, 8, [&] { return RayRadiance::Workspace(scene); }, bring);
+      planes.size(), threads, 1, [&] { return RayRadiance::Workspace(scene); }, bring);
   if (!whole) return {};
   return result;
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <functional>
-
+#include "solver/parallel/stage_observer.h"
 #include "solver/picture/ray_radiance.h"
 
 namespace etendue {
@@ -18,6 +17,6 @@ namespace etendue {
 /// threads. The observer is called now and then with the share that is done; false stops it, and nothing
 /// comes back.
 WallIrradiance gather(const RayRadiance& scene, int rays, int shadow_rays, int threads,
-                      const std::function<bool(double)>& observer = {});
+                      const StageObserver& observer = {});
 
 }  // namespace etendue

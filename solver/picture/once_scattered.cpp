@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "solver/angle/scattered_light.h"
 
@@ -11,38 +12,28 @@ namespace {
 
 constexpr double per_sphere = 1 / (4 * std::numbers::pi);
 
-/// What scatters of a field, the sum over its lights.
-std::vector<double> scattered_of(const Problem& problem, const UncollidedField& field) {
-  const auto bands = static_cast<std::size_t>(problem.band_count());
-  std::vector<double> scattered(field.fluence.size(), 0);
-  for (std::size_t at = 0; at < scattered.size(); ++at) {
-    for (const std::vector<double>& source : field.collided_by_source) scattered[at] += source[at];
-    if (field.collided_by_source.empty())
-      scattered[at] = problem.scattering()[at / (4 * bands) * bands + at % bands] * field.fluence[at];
-  }
-  return scattered;
-}
-
 }  // namespace
 
 OnceScattered::Memory::Memory(const OnceScattered& scattered)
-    : known(scattered.collisions_.empty() ? 0 : scattered.collisions_.directions().size(), 0),
+    : known(scattered.first_->collisions.empty() ? 0 : scattered.first_->collisions.directions().size(), 0),
       values(known.size() * scattered.ways()),
       matter(scattered.matter_.kind_count()) {}
 
-OnceScattered::OnceScattered(const LightSetup& lights, int threads)
-    : lights_(lights), problem_(lights.problem()), phases_(problem_), matter_(lights.paths().matter()) {
+OnceScattered::OnceScattered(const LightSetup& lights, std::shared_ptr<const FirstCollisions> first)
+    : lights_(lights),
+      problem_(lights.problem()),
+      phases_(problem_),
+      matter_(lights.paths().matter()),
+      first_(std::move(first)) {
   if (lights.empty()) return;
-  UncollidedField field = uncollided_field(lights.paths(), lights.sources(), threads);
-  scattered_ = scattered_of(problem_, field);
-  collisions_ = std::move(field.collisions);
   for (std::size_t kind = 0; kind < matter_.kind_count(); ++kind) {
     const auto* leaves = std::get_if<LeafCanopy>(&matter_.scattering(static_cast<int>(kind)));
     normals_.push_back(leaves != nullptr ? leaf_normals(leaves->angles) : LeafNormals{});
   }
-  if (collisions_.empty() || normals_.empty()) return;
-  for (std::size_t i = 0; i < collisions_.directions().size(); ++i)
-    for (const PathCoefficients& kind : matter_.view(collisions_.directions().direction(i)).kinds)
+  const CollisionField& collisions = first_->collisions;
+  if (collisions.empty() || normals_.empty()) return;
+  for (std::size_t i = 0; i < collisions.directions().size(); ++i)
+    for (const PathCoefficients& kind : matter_.view(collisions.directions().direction(i)).kinds)
       unit_scattering_.push_back(kind.scattering);
 }
 
@@ -64,7 +55,7 @@ const double* OnceScattered::scattered_from(std::size_t direction, const Vec3& t
   double* const values = &memory.values[direction * ways()];
   if (memory.known[direction] == memory.ray) return values;
   memory.known[direction] = memory.ray;
-  const Vec3& incident = collisions_.directions().direction(direction);
+  const Vec3& incident = first_->collisions.directions().direction(direction);
   const std::size_t phases = phases_.phases().size();
   for (std::size_t p = 0; p < phases; ++p)
     values[p] = phase_value(phases_.phases()[p], std::clamp(travel.dot(incident), -1., 1.)) - per_sphere;
@@ -79,15 +70,16 @@ const double* OnceScattered::scattered_from(std::size_t direction, const Vec3& t
 
 void OnceScattered::add_at_vertices(CellIndex cell, const Vec3& travel, Memory& memory,
                                     std::span<double> values) const {
-  if (scattered_.empty()) return;
+  if (first_->scattered.empty()) return;
   const std::size_t bands = lights_.paths().bands();
-  for (std::size_t i = 0; i < 4 * bands; ++i) values[i] += per_sphere * scattered_[cell.at() * 4 * bands + i];
-  if (collisions_.empty()) return;
+  for (std::size_t i = 0; i < 4 * bands; ++i)
+    values[i] += per_sphere * first_->scattered[cell.at() * 4 * bands + i];
+  if (first_->collisions.empty()) return;
   const int region = problem_.mesh().region(cell);
-  const std::span<const std::int32_t> incident = collisions_.directions_at(cell);
+  const std::span<const std::int32_t> incident = first_->collisions.directions_at(cell);
   for (std::size_t k = 0; k < incident.size(); ++k) {
     const double* shares = scattered_from(static_cast<std::size_t>(incident[k]), travel, memory);
-    const std::span<const double> power = collisions_.values(cell, k);
+    const std::span<const double> power = first_->collisions.values(cell, k);
     for (std::size_t b = 0; b < bands; ++b)
       if (const int way = way_of(region, b); way >= 0)
         for (std::size_t i = 0; i < 4; ++i) values[i * bands + b] += shares[way] * power[i * bands + b];

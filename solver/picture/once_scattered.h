@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "solver/angle/leaf_canopy.h"
+#include "solver/lights/first_collisions.h"
 #include "solver/lights/light_setup.h"
 #include "solver/problem/phase_list.h"
 
@@ -23,7 +25,9 @@ inline constexpr LightDetail shaft_light{0.7, 0.03, 0.6, 0.9, TriangleRule::thre
 class OnceScattered {
  public:
   /// The lights must outlive it.
-  OnceScattered(const LightSetup& lights, int threads);
+  OnceScattered(const LightSetup& lights, std::shared_ptr<const FirstCollisions> first);
+
+  const std::shared_ptr<const FirstCollisions>& first() const { return first_; }
 
   /// What scatters along one ray, by the direction from which it comes: cells on the ray share it.
   struct Memory {
@@ -61,8 +65,7 @@ class OnceScattered {
   PhaseList phases_;
   const RayMatter& matter_;
   std::vector<LeafNormals> normals_;  ///< [kind] of leaves
-  std::vector<double> scattered_;  ///< [cell][4][band] all that scatters [power/length^3]; empty: no lights
-  CollisionField collisions_;
+  std::shared_ptr<const FirstCollisions> first_;
   std::vector<double> unit_scattering_;  ///< [incident direction][kind] for a density of 1 [1/length]
 };
 

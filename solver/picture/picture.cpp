@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <mutex>
+#include <numeric>
 
 #include "solver/parallel/parallel_for.h"
 #include "solver/picture/gather.h"
@@ -25,34 +25,43 @@ void add_rays(const RayLook& look, const Camera& camera, const CameraRays& rays,
     }
 }
 
+/// A step of about the golden section of all rows that comes to each of them.
+std::size_t step_between_rows(std::size_t rows) {
+  constexpr double golden = 0.6180339887498949;
+  auto step = static_cast<std::size_t>(golden * static_cast<double>(rows)) + 1;
+  while (std::gcd(step, rows) != 1) ++step;
+  return step;
+}
+
 }  // namespace
 
 Picture take_picture(std::size_t bands, const std::function<RayLook()>& make_look, const Camera& camera,
-                     int threads, const PictureObserver& observer) {
+                     int threads, const StageObserver& observer) {
   const CameraRays rays(camera);
   const int columns = camera.pixels[0], lines = camera.pixels[1];
   Picture picture{camera.pixels, bands, {}};
   picture.radiance.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(lines) * bands, 0);
-  int done = 0;
-  std::mutex observing;
-  const auto take_row = [&](std::size_t row, const RayLook& look) {
-    for (int column = 0; column < columns; ++column)
+  StageCounter counter(static_cast<std::size_t>(columns) * static_cast<std::size_t>(lines), observer);
+  // Rows far from one another come one after the other, so that the share that is done tells the time.
+  const std::size_t step = step_between_rows(static_cast<std::size_t>(lines));
+  const auto take_row = [&](std::size_t i, const RayLook& look) {
+    const std::size_t row = i * step % static_cast<std::size_t>(lines);
+    for (int column = 0; column < columns && !counter.stopped(); ++column) {
       add_rays(
           look, camera, rays, column, static_cast<int>(row),
           std::span(picture.radiance)
               .subspan((row * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)) * bands,
                        bands));
-    const std::lock_guard<std::mutex> lock(observing);
-    ++done;
-    return !observer || observer(static_cast<double>(done) / lines);
+      counter.add();
+    }
+    return !counter.stopped();
   };
-  parallel_for(static_cast<std::size_t>(lines), threads, 1, make_look, take_row);
-  picture.whole = done == lines;
+  picture.whole = parallel_for(static_cast<std::size_t>(lines), threads, 1, make_look, take_row);
   return picture;
 }
 
 Picture take_picture(const RayRadiance& scene, const Camera& camera, int threads,
-                     const PictureObserver& observer, const PictureObserver& gathering) {
+                     const StageObserver& observer, const StageObserver& gathering) {
   const WallIrradiance gathered = gather(scene, camera.gather, camera.shadow_rays, threads, gathering);
   if (camera.gather > 0 && gathered.values.empty()) return {camera.pixels, scene.bands(), {}, false};
   const RayView view{.shafts = camera.shafts,

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/parallel/stage_observer.h"
 #include "solver/picture/camera.h"
 #include "solver/picture/ray_radiance.h"
 
@@ -25,21 +26,18 @@ struct Picture {
   }
 };
 
-/// Called now and then with the share of the picture that is done; false stops it.
-using PictureObserver = std::function<bool(double)>;
-
 /// Writes the radiance [band] that a camera sees along a ray; each thread has one of its own.
 using RayLook = std::function<void(const CameraRay& ray, std::span<double> radiance)>;
 
 /// Takes a picture of whatever the makers of looks see: the mean over a grid of rays in each pixel. The same
 /// bits for any number of threads.
 Picture take_picture(std::size_t bands, const std::function<RayLook()>& make_look, const Camera& camera,
-                     int threads, const PictureObserver& observer);
+                     int threads, const StageObserver& observer);
 
 /// Takes a picture: the mean of the radiance over a grid of rays in each pixel. What no ray meets is dark.
 /// The same bits for any number of threads. `gathering` is called while the light of walls is looked for,
 /// before the first pixel, where the camera asks for that.
 Picture take_picture(const RayRadiance& radiance, const Camera& camera, int threads,
-                     const PictureObserver& observer = {}, const PictureObserver& gathering = {});
+                     const StageObserver& observer = {}, const StageObserver& gathering = {});
 
 }  // namespace etendue

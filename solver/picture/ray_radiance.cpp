@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "solver/angle/gauss_legendre.h"
 #include "solver/lights/attenuation.h"
@@ -56,12 +57,13 @@ struct RayRadiance::Turn {
 };
 
 RayRadiance::RayRadiance(const LightSetup& lights, const DirectionSet& directions,
-                         const SolveOptions& options, const SavedState& state, int threads, WallValues walls)
+                         const SolveOptions& options, const SavedState& state, int threads, WallValues walls,
+                         std::shared_ptr<const FirstCollisions> first)
     : lights_(lights),
       problem_(lights.problem()),
       bands_(lights.paths().bands()),
       collided_(lights, directions, options, state),
-      once_(lights, threads),
+      once_(lights, first ? std::move(first) : find_first_collisions(lights, threads)),
       walls_(lights, directions, state, options.order == SpaceOrder::linear ? 3 : 1, walls),
       entry_(problem_.mesh()) {
   find_dark_cells();

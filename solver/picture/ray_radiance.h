@@ -41,10 +41,11 @@ struct RayView {
 /// scattered, goes through the whole extinction; the rest through that of CollidedSource.
 class RayRadiance {
  public:
-  /// `options` are those of the solution (elements, meters). The arguments must
-  /// outlive it. Throws InputError where the state is not of this kind.
+  /// `options` are those of the solution (elements, meters). The arguments must outlive it. Without first
+  /// collisions the lights are followed anew. Throws InputError where the state is not of this kind.
   RayRadiance(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
-              const SavedState& state, int threads, WallValues walls = WallValues::joined);
+              const SavedState& state, int threads, WallValues walls = WallValues::joined,
+              std::shared_ptr<const FirstCollisions> first = nullptr);
 
   /// What one thread works with.
   struct Workspace {
@@ -70,6 +71,8 @@ class RayRadiance {
   };
 
   std::size_t bands() const { return bands_; }
+  /// For other solutions of the same problem.
+  const std::shared_ptr<const FirstCollisions>& first_collisions() const { return once_.first(); }
 
   /// A point of a cell where the ray starts, or where it comes in through the back of a wall; empty where it
   /// meets nothing.

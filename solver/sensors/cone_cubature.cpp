@@ -132,7 +132,7 @@ bool Cone::holds(const Vec3& direction) const {
 }
 
 ConeIntegrals integrate_over_cone(const Cone& cone, std::size_t count, const ConeFunctions& functions,
-                                  double relative, int most) {
+                                  double relative, int most, const std::function<bool()>& go_on) {
   const OnPatches rule(cone, count, functions);
   ConeIntegrals sum{std::vector<double>(count, 0), std::vector<double>(count, 0), 0};
   std::vector<Patch> patches;
@@ -153,7 +153,8 @@ ConeIntegrals integrate_over_cone(const Cone& cone, std::size_t count, const Con
   for (int quarter = 0; quarter < 4; ++quarter)
     add({{cone.half_angle / 2, (quarter + 0.5) * pi / 2}, {cone.half_angle / 2, pi / 4}, {}, {}, 0, 0});
   add_up();
-  while (!fine_enough(sum, relative) && sum.directions + 2 * OnPatches::points <= most) {
+  while (!fine_enough(sum, relative) && sum.directions + 2 * OnPatches::points <= most &&
+         (!go_on || go_on())) {
     for (Patch& patch : patches) weigh(patch, sum.values);
     const auto worst = std::max_element(patches.begin(), patches.end(),
                                         [](const Patch& a, const Patch& b) { return a.worst < b.worst; });

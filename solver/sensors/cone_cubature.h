@@ -31,7 +31,8 @@ struct ConeIntegrals {
 /// Integrals of `count` functions over a cone by patches of polar angle and azimuth, each with the 17 points
 /// of Genz and Malik (1980) of degree 7 and their embedded rule of degree 5. The patch of the largest error
 /// is halved until the errors are below `relative` of the integrals or `most` directions have been taken.
+/// Where `go_on` says no, the integrals are not complete.
 ConeIntegrals integrate_over_cone(const Cone& cone, std::size_t count, const ConeFunctions& functions,
-                                  double relative, int most);
+                                  double relative, int most, const std::function<bool()>& go_on = {});
 
 }  // namespace etendue

@@ -21,6 +21,12 @@ using std::numbers::pi;
 /// Estimated relative error at which no more rays are sent.
 constexpr double sum_tolerance = 1e-6;
 
+/// Rays that an integral takes at least.
+constexpr int fewest_rays = 68;
+
+/// Rays that are counted of an integral.
+std::size_t counted_rays(int rays) { return static_cast<std::size_t>(std::max(rays, fewest_rays)); }
+
 /// A point lies on a wall that is so near, in units of the size of the mesh.
 constexpr double on_wall = 1e-9;
 
@@ -64,17 +70,6 @@ Measurement mean_of(const GridReading& grid, std::size_t bands, const std::vecto
   return mean;
 }
 
-/// Calls read(i, workspace) for the points of a sensor on all threads.
-template <class Read>
-void for_all_points(std::size_t count, const RayRadiance& scene, int threads, const Read& read) {
-  parallel_for(
-      count, threads, 1, [&] { return RayRadiance::Workspace(scene); },
-      [&](std::size_t i, RayRadiance::Workspace& work) {
-        read(i, work);
-        return true;
-      });
-}
-
 void add_to(std::vector<double>& sum, const std::vector<double>& values, double factor) {
   for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += factor * values[b];
 }
@@ -90,59 +85,91 @@ double SensorReader::on_wall_within(const TetrahedralMesh& mesh) {
   return on_wall * (high - low).norm();
 }
 
+ConeIntegrals SensorReader::integrate(const Cone& cone, std::size_t count, const ConeFunctions& functions,
+                                      int rays, Worker& work) const {
+  ConeIntegrals found = integrate_over_cone(
+      cone, count,
+      [&](const Vec3& direction, std::span<double> values) {
+        // What a stopped sensor would read is thrown away.
+        if (work.counter.stopped()) return;
+        functions(direction, values);
+        work.counter.add();
+      },
+      sum_tolerance, rays, [&] { return !work.counter.stopped(); });
+  const auto taken = static_cast<std::size_t>(found.directions);
+  if (taken < counted_rays(rays)) work.counter.add(counted_rays(rays) - taken);
+  return found;
+}
+
+/// Calls read(i, worker) for the points of a sensor on all threads.
+template <class Read>
+void SensorReader::for_all_points(std::size_t count, int threads, StageCounter& counter,
+                                  const Read& read) const {
+  parallel_for(
+      count, threads, 1,
+      [&] {
+        return Worker{RayRadiance::Workspace(scene_), counter};
+      },
+      [&](std::size_t i, Worker& work) {
+        read(i, work);
+        return !counter.stopped();
+      });
+}
+
 Vec3 grid_point(const Sensor& sensor, int i, int j) {
   return sensor.position + (i + 0.5) / sensor.count[0] * sensor.sides[0] +
          (j + 0.5) / sensor.count[1] * sensor.sides[1];
 }
 
-SensorReader::AtPoint SensorReader::radiance(const PointInCell& place, const Vec3& looking,
-                                             RayRadiance::Workspace& work, WallSeen wall) const {
+SensorReader::AtPoint SensorReader::radiance(const PointInCell& place, const Vec3& looking, Worker& work,
+                                             WallSeen wall) const {
   const std::size_t bands = scene_.bands();
   const bool diffuse = wall == WallSeen::whole;
   AtPoint found{std::vector<double>(bands), std::vector<double>(bands), std::vector<double>(bands, 0)};
-  scene_.along(place, looking, {.first_wall_diffuse = diffuse, .lights_shown = false}, work, found.collided);
+  scene_.along(place, looking, {.first_wall_diffuse = diffuse, .lights_shown = false}, work.rays,
+               found.collided);
   if (lights_.empty()) return found;
-  scene_.along(place, looking, {.first_wall_diffuse = diffuse, .lights_shown = true}, work, found.uncollided);
+  scene_.along(place, looking, {.first_wall_diffuse = diffuse, .lights_shown = true}, work.rays,
+               found.uncollided);
   for (std::size_t b = 0; b < bands; ++b) found.uncollided[b] -= found.collided[b];
   return found;
 }
 
 SensorReader::AtPoint SensorReader::irradiance(const PointInCell& place, const Vec3& normal, int rays,
-                                               RayRadiance::Workspace& work) const {
+                                               Worker& work) const {
   const RayView view{.lights_shown = false, .shadow_rays = quick_shadow_rays};
-  const ConeIntegrals rest = integrate_over_cone(
+  const ConeIntegrals rest = integrate(
       {normal, pi / 2}, scene_.bands(),
       [&](const Vec3& direction, std::span<double> values) {
-        scene_.along(place, direction, view, work, values);
+        scene_.along(place, direction, view, work.rays, values);
         for (double& value : values) value *= normal.dot(direction);
       },
-      sum_tolerance, rays);
+      rays, work);
   return {direct_.at(place, normal).irradiance, rest.values, rest.errors};
 }
 
 SensorReader::AtPoint SensorReader::fluence(const PointInCell& place, const Sensor& sensor,
-                                            RayRadiance::Workspace& work) const {
+                                            Worker& work) const {
   const RayView view{.lights_shown = false, .shadow_rays = quick_shadow_rays};
-  const ConeIntegrals rest = integrate_over_cone(
+  const ConeIntegrals rest = integrate(
       {Vec3::UnitZ(), pi}, scene_.bands(),
       [&](const Vec3& direction, std::span<double> values) {
-        scene_.along(place, direction, view, work, values);
+        scene_.along(place, direction, view, work.rays, values);
       },
-      sum_tolerance, sensor.rays);
+      sensor.rays, work);
   return {direct_.at(place, Vec3::UnitZ()).fluence, rest.values, rest.errors};
 }
 
 // Lights with an extent are seen by the rays; those without are beams, which no ray meets.
 std::vector<SensorReader::AtPoint> SensorReader::over_cone(const PointInCell& place, const Cone& cone,
                                                            std::span<const Vec3> normals, int rays,
-                                                           RayRadiance::Workspace& work,
-                                                           WallSeen wall) const {
+                                                           Worker& work, WallSeen wall) const {
   const std::size_t bands = scene_.bands();
   const auto weight = [](const Vec3& normal, const Vec3& looking) {
     return normal.isZero() ? 1 : std::max(0.0, normal.dot(looking));
   };
   // [normal][uncollided, collided][band]
-  const ConeIntegrals seen = integrate_over_cone(
+  const ConeIntegrals seen = integrate(
       cone, 2 * bands * normals.size(),
       [&](const Vec3& looking, std::span<double> values) {
         const AtPoint here = radiance(place, looking, work, wall);
@@ -152,7 +179,7 @@ std::vector<SensorReader::AtPoint> SensorReader::over_cone(const PointInCell& pl
             values[(2 * i + 1) * bands + b] = weight(normals[i], looking) * here.collided[b];
           }
       },
-      sum_tolerance, rays);
+      rays, work);
   LightBeams beams(bands);
   for (const auto& source : lights_.sources())
     if (source->as_wide() == nullptr) source->add_beams(place, Sight::attenuated, fine_light, beams);
@@ -171,8 +198,8 @@ std::vector<SensorReader::AtPoint> SensorReader::over_cone(const PointInCell& pl
   return found;
 }
 
-void SensorReader::read_cone(const PointInCell& place, const Sensor& sensor, SensorReading& reading) const {
-  RayRadiance::Workspace work(scene_);
+void SensorReader::read_cone(const PointInCell& place, const Sensor& sensor, Worker& work,
+                             SensorReading& reading) const {
   const Cone cone{sensor.direction, sensor.half_angle};
   const std::array<Vec3, 2> normals = {Vec3::Zero(), cone.axis};
   std::vector<AtPoint> found = over_cone(place, cone, normals, sensor.rays, work);
@@ -183,17 +210,20 @@ void SensorReader::read_cone(const PointInCell& place, const Sensor& sensor, Sen
                                     found[i].uncollided, found[i].collided, found[i].error});
 }
 
-void SensorReader::read_grid(const Sensor& sensor, const Locate& locate, int threads,
+void SensorReader::read_grid(const Sensor& sensor, const Locate& locate, int threads, StageCounter& counter,
                              SensorReading& reading) const {
   const std::size_t bands = scene_.bands(), points = value_count(sensor);
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   reading.grid = {std::vector<double>(points * bands, none), std::vector<double>(points * bands, none)};
   std::vector<double> errors(points * bands, 0);
-  for_all_points(points, scene_, threads, [&](std::size_t p, RayRadiance::Workspace& work) {
+  for_all_points(points, threads, counter, [&](std::size_t p, Worker& work) {
     const auto columns = static_cast<std::size_t>(sensor.count[0]);
     const Vec3 point = grid_point(sensor, static_cast<int>(p % columns), static_cast<int>(p / columns));
     const std::optional<PointInCell> place = locate(point);
-    if (!place) return;
+    if (!place) {
+      counter.add(counted_rays(sensor.rays));
+      return;
+    }
     const AtPoint here = irradiance(*place, sensor.direction, sensor.rays, work);
     for (std::size_t b = 0; b < bands; ++b) {
       reading.grid.uncollided[p * bands + b] = here.uncollided[b];
@@ -228,7 +258,7 @@ std::vector<SensorReader::FluxPoint> SensorReader::flux_points(const Sensor& sen
 }
 
 std::vector<SensorReader::AtPoint> SensorReader::both_sides(const FluxPoint& point, const Sensor& sensor,
-                                                            RayRadiance::Workspace& work) const {
+                                                            Worker& work) const {
   const std::array<Vec3, 2> normals = {point.normal, -point.normal};
   if (sensor.half_angle > 0)
     return over_cone(point.place, {sensor.direction, sensor.half_angle}, normals, sensor.rays, work);
@@ -240,24 +270,24 @@ std::vector<SensorReader::AtPoint> SensorReader::both_sides(const FluxPoint& poi
 // The wall as it is seen at no distance, mirrors and all; what it reflects diffusely is the same in all
 // directions, and of the lights as exact as their irradiance. To be reflected diffusely is to collide.
 SensorReader::AtPoint SensorReader::exitance(const PointInCell& place, const Vec3& inwards, int rays,
-                                             RayRadiance::Workspace& work) const {
+                                             Worker& work) const {
   const std::array<Vec3, 1> normal = {-inwards};
   const Cone half{-inwards, pi / 2};
   const std::vector<double> lit = direct_.at(place, inwards).irradiance;
-  const RayRadiance::DiffuseWall wall = scene_.diffuse_wall(place, -inwards, lit, work);
+  const RayRadiance::DiffuseWall wall = scene_.diffuse_wall(place, -inwards, lit, work.rays);
   if (wall.distance > on_wall_) return over_cone(place, half, normal, rays, work).front();
   AtPoint sent = over_cone(place, half, normal, rays, work, WallSeen::without_diffuse).front();
   add_to(sent.collided, wall.radiance, pi);
   return sent;
 }
 
-void SensorReader::read_flux(const Sensor& sensor, const Locate& locate, int threads,
+void SensorReader::read_flux(const Sensor& sensor, const Locate& locate, int threads, StageCounter& counter,
                              SensorReading& reading) const {
   const std::vector<FluxPoint> points = flux_points(sensor, locate);
   std::vector<std::vector<AtPoint>> found(points.size());
-  for_all_points(points.size(), scene_, threads, [&](std::size_t p, RayRadiance::Workspace& work) {
-    found[p] = both_sides(points[p], sensor, work);
-  });
+  for_all_points(points.size(), threads, counter,
+                 [&](std::size_t p, Worker& work) { found[p] = both_sides(points[p], sensor, work); });
+  if (counter.stopped()) return;
   const std::vector<double> nothing(scene_.bands(), 0);
   Measurement forward{Quantity::flux_forward, nothing, nothing, nothing};
   Measurement backward{Quantity::flux_backward, nothing, nothing, nothing};
@@ -277,41 +307,65 @@ void SensorReader::read_flux(const Sensor& sensor, const Locate& locate, int thr
   reading.measurements = {forward, backward, net};
 }
 
-SensorReading SensorReader::read(const Sensor& sensor, const Locate& locate, int threads) const {
-  SensorReading reading;
-  if (sensor.kind == SensorKind::grid) {
-    read_grid(sensor, locate, threads, reading);
-    return reading;
-  }
-  if (sensor.kind == SensorKind::flux) {
-    read_flux(sensor, locate, threads, reading);
-    return reading;
-  }
-  if (sensor.kind == SensorKind::intensity) {
-    reading.grid = wall_intensity(lights_, scene_, sensor.wall, sensor.count[0], sensor.count[1], threads);
-    reading.measurements.push_back(most_of(reading.grid, scene_.bands(), Quantity::intensity_most));
-    return reading;
-  }
+void SensorReader::read_point(const Sensor& sensor, const Locate& locate, StageCounter& counter,
+                              SensorReading& reading) const {
   const PointInCell place = locate(sensor.position).value();
-  if (sensor.kind == SensorKind::cone) {
-    read_cone(place, sensor, reading);
-    return reading;
-  }
-  RayRadiance::Workspace work(scene_);
+  Worker work{RayRadiance::Workspace(scene_), counter};
+  if (sensor.kind == SensorKind::cone) return read_cone(place, sensor, work, reading);
   const auto add = [&](Quantity quantity, AtPoint here) {
     reading.measurements.push_back(
         {quantity, std::move(here.uncollided), std::move(here.collided), std::move(here.error)});
   };
-  if (sensor.kind == SensorKind::radiance)
+  if (sensor.kind == SensorKind::radiance) {
     add(Quantity::radiance, radiance(place, sensor.direction, work));
-  else if (sensor.kind == SensorKind::exitance || sensor.kind == SensorKind::radiosity)
+    counter.add();
+  } else if (sensor.kind == SensorKind::exitance || sensor.kind == SensorKind::radiosity) {
     add(sensor.kind == SensorKind::exitance ? Quantity::exitance : Quantity::radiosity,
         exitance(place, sensor.direction, sensor.rays, work));
-  else if (sensor.kind == SensorKind::fluence)
+  } else if (sensor.kind == SensorKind::fluence) {
     add(Quantity::fluence, fluence(place, sensor, work));
-  else
+  } else {
     add(Quantity::irradiance, irradiance(place, sensor.direction, sensor.rays, work));
+  }
+}
+
+std::optional<SensorReading> SensorReader::read(const Sensor& sensor, const Locate& locate, int threads,
+                                                StageCounter& counter) const {
+  SensorReading reading;
+  if (sensor.kind == SensorKind::grid) {
+    read_grid(sensor, locate, threads, counter, reading);
+  } else if (sensor.kind == SensorKind::flux) {
+    read_flux(sensor, locate, threads, counter, reading);
+  } else if (sensor.kind == SensorKind::intensity) {
+    reading.grid =
+        wall_intensity(lights_, scene_, sensor.wall, sensor.count[0], sensor.count[1], threads, &counter);
+    reading.measurements.push_back(most_of(reading.grid, scene_.bands(), Quantity::intensity_most));
+  } else {
+    read_point(sensor, locate, counter, reading);
+  }
+  if (counter.stopped()) return std::nullopt;
   return reading;
+}
+
+SensorReading SensorReader::read(const Sensor& sensor, const Locate& locate, int threads) const {
+  StageCounter counter(rays_of(sensor, locate), {});
+  return read(sensor, locate, threads, counter).value();
+}
+
+std::size_t SensorReader::rays_of(const Sensor& sensor, const Locate& locate) const {
+  const std::size_t rays = counted_rays(sensor.rays);
+  switch (sensor.kind) {
+    case SensorKind::grid:
+      return value_count(sensor) * rays;
+    case SensorKind::flux:
+      return flux_points(sensor, locate).size() * (sensor.half_angle > 0 ? rays : 2 * rays);
+    case SensorKind::intensity:
+      return intensity_rays(scene_.problem().mesh(), sensor.wall, value_count(sensor));
+    case SensorKind::radiance:
+      return 1;
+    default:
+      return rays;
+  }
 }
 
 }  // namespace etendue

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/lights/light_irradiance.h"
+#include "solver/parallel/stage_observer.h"
 #include "solver/picture/ray_radiance.h"
 #include "solver/sensors/cone_cubature.h"
 #include "solver/sensors/measurement.h"
@@ -29,28 +30,40 @@ class SensorReader {
   /// least at order 2 in 1/count; so are the faces of a wall. The same bits for any number of threads.
   using Locate = std::function<std::optional<PointInCell>(const Vec3&)>;
   SensorReading read(const Sensor& sensor, const Locate& locate, int threads) const;
+  /// The same, with its rays counted; empty where the counter stopped it.
+  std::optional<SensorReading> read(const Sensor& sensor, const Locate& locate, int threads,
+                                    StageCounter& counter) const;
+  /// Rays that the counter counts while a sensor is read.
+  std::size_t rays_of(const Sensor& sensor, const Locate& locate) const;
 
  private:
   static double on_wall_within(const TetrahedralMesh& mesh);
   struct AtPoint {
     std::vector<double> uncollided, collided, error;
   };
+  /// What one thread works with.
+  struct Worker {
+    RayRadiance::Workspace rays;
+    StageCounter& counter;
+  };
+  /// Integrals by so many rays at most, which are counted.
+  ConeIntegrals integrate(const Cone& cone, std::size_t count, const ConeFunctions& functions, int rays,
+                          Worker& work) const;
+  template <class Read>
+  void for_all_points(std::size_t count, int threads, StageCounter& counter, const Read& read) const;
   /// Integral over the half range about a normal, times the cosine, or over the sphere.
-  AtPoint irradiance(const PointInCell& place, const Vec3& normal, int rays,
-                     RayRadiance::Workspace& work) const;
+  AtPoint irradiance(const PointInCell& place, const Vec3& normal, int rays, Worker& work) const;
   /// What a wall sends into the domain at a point of it.
-  AtPoint exitance(const PointInCell& place, const Vec3& inwards, int rays,
-                   RayRadiance::Workspace& work) const;
-  AtPoint fluence(const PointInCell& place, const Sensor& sensor, RayRadiance::Workspace& work) const;
+  AtPoint exitance(const PointInCell& place, const Vec3& inwards, int rays, Worker& work) const;
+  AtPoint fluence(const PointInCell& place, const Sensor& sensor, Worker& work) const;
   /// How the wall counts that a ray meets first.
   enum class WallSeen { whole, without_diffuse };
-  AtPoint radiance(const PointInCell& place, const Vec3& looking, RayRadiance::Workspace& work,
+  AtPoint radiance(const PointInCell& place, const Vec3& looking, Worker& work,
                    WallSeen wall = WallSeen::whole) const;
   /// Integrals over a cone, times the cosine to each of the normals where it is positive; a normal of zero
   /// stands for the integral itself.
   std::vector<AtPoint> over_cone(const PointInCell& place, const Cone& cone, std::span<const Vec3> normals,
-                                 int rays, RayRadiance::Workspace& work,
-                                 WallSeen wall = WallSeen::whole) const;
+                                 int rays, Worker& work, WallSeen wall = WallSeen::whole) const;
   /// A point of a rule on a polygon or a wall, and the area that it stands for.
   struct FluxPoint {
     PointInCell place;
@@ -60,11 +73,14 @@ class SensorReader {
   std::vector<FluxPoint> flux_points(const Sensor& sensor, const Locate& locate) const;
   /// What falls on both sides at a point: on that of the normal, and on the other. What falls on the back of
   /// a wall is what the wall sends in.
-  std::vector<AtPoint> both_sides(const FluxPoint& point, const Sensor& sensor,
-                                  RayRadiance::Workspace& work) const;
-  void read_cone(const PointInCell& place, const Sensor& sensor, SensorReading& reading) const;
-  void read_grid(const Sensor& sensor, const Locate& locate, int threads, SensorReading& reading) const;
-  void read_flux(const Sensor& sensor, const Locate& locate, int threads, SensorReading& reading) const;
+  std::vector<AtPoint> both_sides(const FluxPoint& point, const Sensor& sensor, Worker& work) const;
+  void read_cone(const PointInCell& place, const Sensor& sensor, Worker& work, SensorReading& reading) const;
+  void read_grid(const Sensor& sensor, const Locate& locate, int threads, StageCounter& counter,
+                 SensorReading& reading) const;
+  void read_flux(const Sensor& sensor, const Locate& locate, int threads, StageCounter& counter,
+                 SensorReading& reading) const;
+  void read_point(const Sensor& sensor, const Locate& locate, StageCounter& counter,
+                  SensorReading& reading) const;
 
   const RayRadiance& scene_;
   const LightSetup& lights_;

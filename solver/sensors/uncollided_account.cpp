@@ -224,7 +224,7 @@ class Emission {
 }  // namespace
 
 RegionAccount uncollided_account(const LightSetup& lights, const Solution& solution,
-                                 const AccountScope& scope, int threads) {
+                                 const AccountScope& scope, int threads, StageCounter* counter) {
   const TetrahedralMesh& mesh = lights.problem().mesh();
   RegionAccount account(lights.paths().bands());
   if (lights.empty()) return account;
@@ -233,15 +233,20 @@ RegionAccount uncollided_account(const LightSetup& lights, const Solution& solut
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
     if (mesh.region(CellIndex(c)) == scope.region) cells.emplace_back(c);
   std::vector<RegionAccount> parts(cells.size() + scope.surface.size(), RegionAccount(account.path.size()));
-  parallel_for(parts.size(), threads, 16, [&](std::size_t i) {
+  parallel_for(parts.size(), threads, 4, [&](std::size_t i) {
     if (i < cells.size())
       add_cell(lights, solution, cells[i], scope.cone, parts[i]);
     else
       add_face(lights, scope.surface[i - cells.size()], scope.cone, parts[i]);
-    return true;
+    return counter == nullptr || counter->add();
   });
   for (const RegionAccount& part : parts) account.add(part, 1);
   return account;
+}
+
+std::size_t account_parts(const TetrahedralMesh& mesh, const AccountScope& scope) {
+  return scope.surface.size() +
+         static_cast<std::size_t>(std::ranges::count(mesh.cell_regions(), scope.region));
 }
 
 }  // namespace etendue

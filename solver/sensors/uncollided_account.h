@@ -3,6 +3,7 @@
 
 #include "solver/lights/light_setup.h"
 #include "solver/ordinates/solution.h"
+#include "solver/parallel/stage_observer.h"
 #include "solver/sensors/region_account.h"
 
 namespace etendue {
@@ -12,8 +13,12 @@ namespace etendue {
 /// cells it is the fluence that the solution has, of which a cone holds the share of the beams there; through
 /// faces it flows as the beams say. Both are sums over points, more of them where the cone's edge goes
 /// through (integrate_over_simplex). So it closes as far as these sums are good, which is what its residual
-/// tells. A light inside of the domain is counted in the region of its middle.
+/// tells. A light inside of the domain is counted in the region of its middle. A counter may stop it; then
+/// the numbers are not complete.
 RegionAccount uncollided_account(const LightSetup& lights, const Solution& solution,
-                                 const AccountScope& scope, int threads);
+                                 const AccountScope& scope, int threads, StageCounter* counter = nullptr);
+
+/// Cells and faces that the counter counts.
+std::size_t account_parts(const TetrahedralMesh& mesh, const AccountScope& scope);
 
 }  // namespace etendue

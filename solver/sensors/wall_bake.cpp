@@ -2,7 +2,6 @@
 #include "solver/sensors/wall_bake.h"
 
 #include <algorithm>
-#include <mutex>
 #include <numbers>
 
 #include "solver/lights/light_irradiance.h"
@@ -16,28 +15,21 @@ using std::numbers::pi;
 /// Part of the way from a vertex to the middle of its face.
 constexpr double off_the_vertex = 0.02;
 
-/// So many places are looked at before the observer is asked.
-constexpr std::size_t places_at_once = 16;
-
 /// [place][band]; empty where it was stopped.
 std::vector<double> light_at(const std::vector<BakePlace>& places, const LightSetup& lights, int threads,
-                             const PictureObserver& observer) {
+                             const StageObserver& observer) {
   const TetrahedralMesh& mesh = lights.problem().mesh();
   const std::size_t bands = lights.paths().bands();
   std::vector<double> values(places.size() * bands);
   const LightIrradiance direct(lights);
-  std::mutex observing;
-  std::size_t done = 0;
-  const bool whole = parallel_for(places.size(), threads, places_at_once, [&](std::size_t i) {
+  StageCounter counter(places.size(), observer);
+  const bool whole = parallel_for(places.size(), threads, 4, [&](std::size_t i) {
     const BakePlace& place = places[i];
     const UncollidedAtPoint light =
         direct.at({mesh.owner(place.face), place.position}, -mesh.area_normal(place.face).normalized());
     std::copy(light.irradiance.begin(), light.irradiance.end(),
               values.begin() + static_cast<std::ptrdiff_t>(i * bands));
-    const std::lock_guard<std::mutex> lock(observing);
-    ++done;
-    return !observer || done % places_at_once != 0 ||
-           observer(static_cast<double>(done) / static_cast<double>(places.size()));
+    return counter.add();
   });
   if (!whole) values.clear();
   return values;
@@ -78,7 +70,7 @@ std::vector<BakePlace> vertex_places(const WallSurface& surface, const Tetrahedr
 
 std::vector<double> bake_irradiance(const std::vector<BakePlace>& places, const LightSetup& lights,
                                     const WallIrradiance& brought, int threads,
-                                    const PictureObserver& observer) {
+                                    const StageObserver& observer) {
   const std::size_t bands = lights.paths().bands();
   std::vector<double> values(places.size() * bands, 0);
   if (!lights.empty()) values = light_at(places, lights, threads, observer);
@@ -105,7 +97,7 @@ std::vector<double> bake_radiosity(const std::vector<BakePlace>& places, const P
 
 std::vector<double> bake_sky_visibility(const std::vector<BakePlace>& places, const TetrahedralMesh& mesh,
                                         const std::vector<int>& sky, int threads,
-                                        const PictureObserver& observer) {
+                                        const StageObserver& observer) {
   std::vector<Medium> media;
   for (const std::string& name : mesh.region_names())
     media.push_back(

@@ -40,7 +40,7 @@ std::vector<BakePlace> vertex_places(const WallSurface& surface, const Tetrahedr
 /// where the observer stopped it.
 std::vector<double> bake_irradiance(const std::vector<BakePlace>& places, const LightSetup& lights,
                                     const WallIrradiance& brought, int threads,
-                                    const PictureObserver& observer = {});
+                                    const StageObserver& observer = {});
 
 /// What the wall sends back and emits, per area, [place][band] [power/length^2]: (diffuse) E + pi L.
 std::vector<double> bake_radiosity(const std::vector<BakePlace>& places, const Problem& problem,
@@ -50,6 +50,6 @@ std::vector<double> bake_radiosity(const std::vector<BakePlace>& places, const P
 /// `sky` shine, all others are black, and nothing is between them. Empty where the observer stopped it.
 std::vector<double> bake_sky_visibility(const std::vector<BakePlace>& places, const TetrahedralMesh& mesh,
                                         const std::vector<int>& sky, int threads,
-                                        const PictureObserver& observer = {});
+                                        const StageObserver& observer = {});
 
 }  // namespace etendue

@@ -90,7 +90,7 @@ double polar_angle(int k, int count) { return count > 1 ? pi / 2 * k / (count - 
 double azimuth_angle(int k, int count) { return 2 * pi * k / count; }
 
 GridReading wall_intensity(const LightSetup& lights, const RayRadiance& scene, int wall, int azimuths,
-                           int polar_angles, int threads) {
+                           int polar_angles, int threads, StageCounter* counter) {
   const TetrahedralMesh& mesh = lights.problem().mesh();
   const WallFrame frame(mesh, wall);
   const std::vector<WallPoint> points = points_of(mesh, wall);
@@ -105,6 +105,7 @@ GridReading wall_intensity(const LightSetup& lights, const RayRadiance& scene, i
     const std::span uncollided = std::span(reading.uncollided).subspan(i * bands, bands);
     std::vector<double> other(bands), all(bands);
     for (const WallPoint& point : points) {
+      if (counter != nullptr && !counter->add()) return false;
       const double across = point.area.dot(direction);
       // Along the wall nothing leaves; rounding must not make rays run in it.
       if (across <= 1e-12 * point.area.norm()) continue;
@@ -121,6 +122,10 @@ GridReading wall_intensity(const LightSetup& lights, const RayRadiance& scene, i
   parallel_for(
       count, threads, 1, [&] { return RayRadiance::Workspace(scene); }, look);
   return reading;
+}
+
+std::size_t intensity_rays(const TetrahedralMesh& mesh, int wall, std::size_t directions) {
+  return directions * points_of(mesh, wall).size();
 }
 
 }  // namespace etendue

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "solver/parallel/stage_observer.h"
 #include "solver/picture/ray_radiance.h"
 #include "solver/sensors/measurement.h"
 
@@ -28,8 +29,12 @@ double azimuth_angle(int k, int count);
 ///
 /// by three points of degree 2 on each of its faces, L along rays. Light of points and spots that goes out
 /// straight adds what they send in that direction, times its transmittance; a sun's has no intensity. Rows
-/// are polar angles, columns azimuths. The same bits for any number of threads.
+/// are polar angles, columns azimuths. The same bits for any number of threads. A counter counts
+/// intensity_rays() and may stop it; then the numbers are not complete.
 GridReading wall_intensity(const LightSetup& lights, const RayRadiance& scene, int wall, int azimuths,
-                           int polar_angles, int threads);
+                           int polar_angles, int threads, StageCounter* counter = nullptr);
+
+/// Rays of so many directions.
+std::size_t intensity_rays(const TetrahedralMesh& mesh, int wall, std::size_t directions);
 
 }  // namespace etendue

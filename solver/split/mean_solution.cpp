@@ -85,6 +85,7 @@ void MeanSolution::add_iteration(const Solution& solution) {
   seconds.low_order += solution.seconds.low_order;
   seconds.low_order_setup += solution.seconds.low_order_setup;
   seconds.lights += solution.seconds.lights;
+  seconds.setup += solution.seconds.setup;
   sum_.lagged_faces += solution.lagged_faces;
   sum_.sweep_cost += solution.sweep_cost;
   sum_.interrupted = sum_.interrupted || solution.interrupted;

@@ -134,6 +134,7 @@ void OnceCollided::sweep(const Problem& problem, const SolveOptions& options) {
     once_ = solve(problem, finer_, once);
     seconds.orders += once_.seconds.orders;
     seconds.sweep += once_.seconds.sweep;
+    seconds.setup += once_.seconds.setup;
     ++sweeps_;
     traces = traces_of(once_.state);
     once.initial = &traces;
@@ -148,6 +149,7 @@ void OnceCollided::add_to(Solution& rest) const {
   add(rest.meters, once_.meters);
   rest.seconds.orders += once_.seconds.orders;
   rest.seconds.sweep += once_.seconds.sweep;
+  rest.seconds.setup += once_.seconds.setup;
   rest.seconds.lights += seconds_;
   rest.notes.insert(rest.notes.begin(),
                     fmt::format("light that collided once: {} {} of {} directions", sweeps_,

@@ -40,10 +40,11 @@ std::size_t estimate_rotated_memory(const LightSetup& lights, const std::vector<
 Solution solve_rotated(const LightSetup& lights, const std::vector<DirectionSet>& sets,
                        const SolveOptions& options, const SolveObserver& observer,
                        const std::vector<DirectionSet>& first_collided, const SetReader& reader) {
-  return solve_rotated(UncollidedLight(lights, options), sets, options, observer, first_collided, reader);
+  UncollidedLight uncollided(lights, options);
+  return solve_rotated(uncollided, sets, options, observer, first_collided, reader);
 }
 
-Solution solve_rotated(UncollidedLight uncollided, const std::vector<DirectionSet>& sets,
+Solution solve_rotated(UncollidedLight& uncollided, const std::vector<DirectionSet>& sets,
                        const SolveOptions& options, const SolveObserver& observer,
                        const std::vector<DirectionSet>& first_collided, const SetReader& reader) {
   MeanSolution mean;
@@ -81,7 +82,7 @@ Solution solve_rotated(UncollidedLight uncollided, const std::vector<DirectionSe
         fmt::format("mean of {} rotated sets of directions; the standard error of the fluence is {:.2g} % "
                     "(root mean square over the volume)",
                     count, 100 * relative_direction_error(uncollided.lights().problem().mesh(), solution)));
-  std::move(uncollided).finish(solution);
+  uncollided.finish(solution);
   return solution;
 }
 

@@ -17,7 +17,7 @@ Solution solve_rotated(const LightSetup& lights, const std::vector<DirectionSet>
                        const std::vector<DirectionSet>& first_collided = {}, const SetReader& reader = {});
 
 /// The same with uncollided light that was found before, which is handed over to the solution.
-Solution solve_rotated(UncollidedLight uncollided, const std::vector<DirectionSet>& sets,
+Solution solve_rotated(UncollidedLight& uncollided, const std::vector<DirectionSet>& sets,
                        const SolveOptions& options, const SolveObserver& observer = {},
                        const std::vector<DirectionSet>& first_collided = {}, const SetReader& reader = {});
 

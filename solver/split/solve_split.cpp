@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <numbers>
+#include <utility>
 
 #include "solver/lights/beam_source.h"
 #include "solver/lights/sky_source.h"
 #include "solver/ordinates/node_means.h"
+#include "solver/parallel/parallel_for.h"
 #include "solver/split/first_collision.h"
 #include "solver/split/once_collided.h"
 
@@ -135,26 +137,28 @@ void add_lights_inside(const LightSetup& lights, Solution& solution) {
   }
 }
 
-void add_meters(const LightSetup& lights, const SolveOptions& options, Solution& solution) {
+void add_meters(const LightSetup& lights, const SolveOptions& options, int threads, Solution& solution) {
   const TetrahedralMesh& mesh = lights.problem().mesh();
   const std::size_t bands = lights.paths().bands();
-  for (std::size_t i = 0; i < options.meters.size(); ++i) {
+  parallel_for(options.meters.size(), threads, 1, [&](std::size_t i) {
     const CellPoint& place = options.meters[i].cells.front();
     Vec3 position = Vec3::Zero();
     for (std::size_t k = 0; k < 4; ++k)
       position += place.barycentric[k] * mesh.point(VertexIndex(mesh.vertices(place.cell)[k]));
     const LightAtPoint light = lights.at({place.cell, position}, options.meters[i].normal);
     for (std::size_t b = 0; b < bands; ++b) solution.meters[i * bands + b] += light.irradiance[b];
-  }
+    return true;
+  });
 }
 
 }  // namespace
 
-UncollidedLight::UncollidedLight(const LightSetup& lights, const SolveOptions& options)
+UncollidedLight::UncollidedLight(const LightSetup& lights, const SolveOptions& options,
+                                 const StageObserver& observer)
     : lights_(lights), threads_(thread_count(options)) {
   if (lights.empty()) return;
   const auto start = Clock::now();
-  field_ = uncollided_field(lights.paths(), lights.sources(), threads_);
+  field_ = uncollided_field(lights.paths(), lights.sources(), threads_, observer);
   seconds_ = seconds_since(start);
 }
 
@@ -195,6 +199,7 @@ Solution UncollidedLight::solve_rest(const DirectionSet& directions, const Direc
     return whole;
   }
   Solution solution = sweep_rest(directions, first_collided, options, observer, reader);
+  const auto swept = Clock::now();
   solution.notes.insert(solution.notes.begin(), lights_.notes().begin(), lights_.notes().end());
   solution.lights.balance = balance_of(lights_, field_);
   add_exitance(lights_, field_, solution);
@@ -208,15 +213,18 @@ Solution UncollidedLight::solve_rest(const DirectionSet& directions, const Direc
   add(solution.fluence, field_.fluence);
   add(solution.net_flux, field_.net_flux);
   add(solution.irradiance, field_.irradiance);
-  add_meters(lights_, options, solution);
+  add_meters(lights_, options, threads_, solution);
   solution.negative = negative_census(solution.fluence, lights_.paths().bands());
+  solution.seconds.lights += seconds_since(swept);
   return solution;
 }
 
-void UncollidedLight::finish(Solution& solution) && {
+void UncollidedLight::finish(Solution& solution) {
   solution.seconds.lights += seconds_;
-  solution.lights.fluence = std::move(field_.fluence);
+  solution.lights.fluence = field_.fluence;
   solution.lights.net_flux = std::move(field_.net_flux);
+  first_collisions_ = std::make_shared<const FirstCollisions>(
+      first_collisions_of(lights_.problem(), std::exchange(field_, {})));
 }
 
 Solution solve_split(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
@@ -224,7 +232,7 @@ Solution solve_split(const LightSetup& lights, const DirectionSet& directions, c
                      const SetReader& reader) {
   UncollidedLight uncollided(lights, options);
   Solution solution = uncollided.solve_rest(directions, first_collided, options, observer, reader);
-  std::move(uncollided).finish(solution);
+  uncollided.finish(solution);
   return solution;
 }
 

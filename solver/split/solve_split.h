@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
+#include "solver/lights/first_collisions.h"
 #include "solver/lights/light_setup.h"
 #include "solver/ordinates/solve.h"
 #include "solver/ordinates/swept_light.h"
@@ -11,8 +14,8 @@ namespace etendue {
 /// solved on.
 class UncollidedLight {
  public:
-  /// `lights` must outlive it.
-  UncollidedLight(const LightSetup& lights, const SolveOptions& options);
+  /// `lights` must outlive it. The observer must not stop the rays.
+  UncollidedLight(const LightSetup& lights, const SolveOptions& options, const StageObserver& observer = {});
 
   /// The rest by discrete ordinates, with the first collisions as a source, and both together. Light that
   /// collides once is swept on the directions `first_collided` where that is not null; its radiance is kept
@@ -22,8 +25,10 @@ class UncollidedLight {
                       const SolveOptions& options, const SolveObserver& observer,
                       const SetReader& reader = {}) const;
   const LightSetup& lights() const { return lights_; }
-  /// Hands the uncollided part over to a solution.
-  void finish(Solution& solution) &&;
+  /// Hands the uncollided part over to a solution. Of the field only first_collisions() are left.
+  void finish(Solution& solution);
+  /// After finish(): for pictures and sensors of the same problem.
+  std::shared_ptr<const FirstCollisions> first_collisions() const { return first_collisions_; }
 
  private:
   Solution sweep_rest(const DirectionSet& directions, const DirectionSet* first_collided,
@@ -33,6 +38,7 @@ class UncollidedLight {
   const LightSetup& lights_;
   int threads_;
   UncollidedField field_;
+  std::shared_ptr<const FirstCollisions> first_collisions_;
   double seconds_ = 0;
 };
 

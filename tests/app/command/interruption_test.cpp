@@ -108,6 +108,38 @@ TEST(Interruption, WhileMeshingLeavesNothing) {
   EXPECT_EQ(ScratchFolder::names_in(folder.path()), (std::vector<std::string>{"case.toml", "said"}));
 }
 
+/// A sensor that takes minutes: 40,000 points with 20,000 rays each.
+constexpr const char* long_sensor = R"(
+[[sensor]]
+kind = "grid"
+name = "desk"
+position = [0.1, 0.1, 0.2]
+along = [0.8, 0, 0]
+across = [0, 0.8, 0]
+parts = [200, 200]
+rays = 20000
+)";
+
+TEST(Interruption, WhileReadingSensorsLeavesWholeResultsWithoutThem) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const CaseFolder folder(test::small_case() + long_sensor);
+    Process run({"run", folder.file(), "--progress", "plain"}, said_in(folder));
+    ASSERT_TRUE(run.says("sensors: ")) << text_of(said_in(folder));
+    const auto sent = std::chrono::steady_clock::now();
+    run.send(signal);
+    EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
+    EXPECT_LT(std::chrono::steady_clock::now() - sent, std::chrono::seconds(2));
+    EXPECT_EQ(ScratchFolder::names_in(folder.results()),
+              (std::vector<std::string>{"fields.vtu", "history.csv", "probes.csv", "regions.csv",
+                                        "solution.vtu", "summary.json", "walls.csv", "walls.vtp"}));
+    const json summary = json::parse(text_of(std::filesystem::path(folder.results()) / "summary.json"));
+    EXPECT_EQ(summary["converged"], true);
+    EXPECT_EQ(summary["interrupted"], true);
+    EXPECT_EQ(summary["left_out"], json{"1 of 1 sensors"});
+    EXPECT_NE(text_of(said_in(folder)).find("but for 1 of 1 sensors"), std::string::npos);
+  }
+}
+
 // Rays may take long, and before the first sweep there is nothing to keep.
 TEST(Interruption, WhileFollowingLightsLeavesNothing) {
   const ScratchFolder folder;

@@ -41,7 +41,7 @@ TEST(Probes, WithANormalGetAMeterForEachPoint) {
   EXPECT_FALSE(meters[1].cells.empty());
 
   run.solution.meters = {1, 2, 3, 4};
-  const std::vector<ProbeRow> rows = read_probes(probes, LightSetup(run.problem), run.solution, locator);
+  const std::vector<ProbeRow> rows = read_probes(probes, LightSetup(run.problem), run.solution, locator, 1);
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_FALSE(rows[0].irradiance);
   EXPECT_EQ(rows[0].values.size(), 2U);

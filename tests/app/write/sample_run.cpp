@@ -127,7 +127,7 @@ RunResult SampleRun::result() const {
           .balances = std::vector<Balance>(bands, {1, 2, 1.5, 1.5, 0}),
           .walls = {mesh.wall_names().size(), std::vector<WallPower>(bands, {1, 0.1, 0.7, 0.4, 0.2, 0.2})},
           .regions = {mesh.region_names().size(), std::vector<RegionPower>(bands, {0.5, 1.1, 0.3, 0.2})},
-          .seconds = {0.5, 1.5, 4},
+          .seconds = {.read = 0.5, .mesh = 1.5, .setup = 0.375, .probes = 0.25, .total = 6},
           .threads = 2};
 }
 

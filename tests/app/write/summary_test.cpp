@@ -17,7 +17,7 @@ using Names = std::vector<std::string>;
 
 TEST(Summary, HoldsWhatTheContractNames) {
   test::SampleRun run({"red", "green"});
-  run.solution.seconds = {0.25, 2, 0.75, 0.5, 0};
+  run.solution.seconds = {0.25, 2, 0.75, 0.5, 0, 0.125};
   const json summary = json::parse(summary_json(run.result(), {"fields.vtu", "summary.json"}, 0.75));
   EXPECT_EQ(summary["title"], "Sample");
   EXPECT_EQ(summary["version"], program_version());
@@ -33,13 +33,18 @@ TEST(Summary, HoldsWhatTheContractNames) {
   EXPECT_EQ(summary["kernels"][0]["backend"], "moments, degree 3");
   EXPECT_EQ(summary["seconds"], (json{{"read", 0.5},
                                       {"mesh", 1.5},
+                                      {"setup", 0.5},
+                                      {"lights", 0},
                                       {"orders", 0.25},
                                       {"sweep", 2},
-                                      {"low_order", 0.75},
                                       {"low_order_setup", 0.5},
-                                      {"lights", 0},
+                                      {"low_order", 0.25},
+                                      {"rays", 0},
+                                      {"probes", 0.25},
+                                      {"sensors", 0},
+                                      {"measures", 0},
                                       {"write", 0.75},
-                                      {"total", 4.75}}));
+                                      {"total", 6.75}}));
   EXPECT_EQ(summary["sweep_cost"], 0);
   EXPECT_GT(summary["peak_memory"], 1 << 20);
   EXPECT_EQ(summary["case"], "title = \"Sample\"\n");
@@ -58,6 +63,41 @@ TEST(Summary, MarksAnInterruptedSolutionAsNotConverged) {
   const json summary = json::parse(summary_json(run.result(), {}, 0));
   EXPECT_EQ(summary["converged"], false);
   EXPECT_EQ(summary["interrupted"], true);
+}
+
+// No stage counts twice, and none is missing.
+TEST(Summary, SecondsOfTheStagesAddUpToTheTotal) {
+  test::SampleRun run({"grey"});
+  run.solution.seconds = {0.25, 2, 0.75, 0.5, 0.25, 0.125};
+  RunResult result = run.result();
+  result.seconds = {.read = 0.5, .mesh = 1.5, .setup = 0.375, .probes = 0.25, .sensors = 1, .total = 7};
+  const json seconds = json::parse(summary_json(result, {}, 0.75))["seconds"];
+  double sum = 0;
+  for (const auto& [name, value] : seconds.items())
+    if (name != "total") sum += value.get<double>();
+  EXPECT_DOUBLE_EQ(sum, 7.75);
+  EXPECT_DOUBLE_EQ(seconds["total"], 7.75);
+}
+
+TEST(Summary, CountsThePicturesOfARun) {
+  const ScratchFolder scratch;
+  const test::SampleRun run({"grey"});
+  write_text(scratch.path() / "summary.json", summary_json(run.result(), {"summary.json"}, 0.75));
+  const json before = json::parse(test::text_of(scratch.path() / "summary.json"))["seconds"];
+  const json after = json::parse(summary_with_files(scratch.path(), {"front.png"}, 2.5))["seconds"];
+  EXPECT_EQ(after["pictures"], 2.5);
+  EXPECT_EQ(after["total"].get<double>(), before["total"].get<double>() + 2.5);
+  EXPECT_EQ(json::parse(summary_with_files(scratch.path(), {"front.png"}))["seconds"], before);
+}
+
+TEST(Summary, NamesWhatASignalLeftOut) {
+  const test::SampleRun run({"grey"});
+  RunResult result = run.result();
+  result.left_out = {"3 of 5 sensors"};
+  const json summary = json::parse(summary_json(result, {}, 0));
+  EXPECT_EQ(summary["interrupted"], true);
+  EXPECT_EQ(summary["converged"], true);
+  EXPECT_EQ(summary["left_out"], json{"3 of 5 sensors"});
 }
 
 TEST(Summary, ListsTheFilesOfAnEarlierRun) {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+
+#include "app/command/command_line.h"
+#include "solver/parallel/stage_observer.h"
+
+namespace etendue {
+
+/// Shows the progress of a stage of a run (a picture, lights, sensors): drawn over itself, or as lines at
+/// intervals, the first after a second.
+class StageProgress {
+ public:
+  /// `style` must not be automatic; `name` is of what is made, "picture front".
+  StageProgress(ProgressStyle style, std::string name, std::ostream& out)
+      : style_(style), name_(std::move(name)), out_(out) {}
+
+  /// The share that is done, after so many seconds. The time that is left is computed from the first call on:
+  /// what was prepared before takes none of it.
+  void show(double share, double seconds);
+  /// Ends the line that was drawn over.
+  void finish();
+
+ private:
+  ProgressStyle style_;
+  std::string name_;
+  std::ostream& out_;
+  std::optional<double> shown_at_ = {};              ///< [s]
+  std::optional<std::array<double, 2>> first_ = {};  ///< share and seconds of the first call
+  bool drawn_ = false;
+};
+
+/// What a command needs to show its stages and to stop them.
+struct StageDisplay {
+  ProgressStyle style = ProgressStyle::none;  ///< not automatic
+  std::ostream& out;
+  std::function<bool()> interrupted;
+};
+
+/// A stage that begins now and is shown until this ends. After a signal a stage of a fraction of a second is
+/// still done, so that little is left out.
+class ShownStage {
+ public:
+  ShownStage(const StageDisplay& display, std::string name)
+      : progress_(display.style, std::move(name), display.out), interrupted_(display.interrupted) {}
+  ~ShownStage() { progress_.finish(); }
+  ShownStage(const ShownStage&) = delete;
+  ShownStage& operator=(const ShownStage&) = delete;
+
+  /// Shows shares, and stops the stage where the run is interrupted; this must outlive it.
+  StageObserver observer();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  StageProgress progress_;
+  std::function<bool()> interrupted_;
+  Clock::time_point begun_ = Clock::now();
+};
+
+}  // namespace etendue
