@@ -157,7 +157,15 @@ MethodAnswer answer_of(const RunResult& run) {
   answer.cells = node_means(run.solution.fluence, 4, run.problem.bands().names.size());
   answer.cell_errors = run.errors ? run.errors->fluence_mean : std::vector<double>(answer.cells.size(), 0);
   answer.seconds = run.seconds.total;
-  answer.whole = !run.solution.interrupted;
+  answer.whole = !run.interrupted();
+  const std::string method = run.errors ? "photons" : run.radiosity ? "radiosity" : "ordinates";
+  for (const std::string& note : {balance_warning(run), balance_caution(run)})
+    if (!note.empty()) answer.notes.push_back(method + ": " + note.substr(0, note.find('\n')));
+  if (run.errors && run.errors->unreached_probes > 0)
+    answer.notes.push_back(fmt::format(
+        "{}: {} values of probes were reached by no history; their errors are upper bounds, three "
+        "histories' worth",
+        method, run.errors->unreached_probes));
   return answer;
 }
 

@@ -72,8 +72,15 @@ std::string errors_text(const RunResult& result) {
     for (std::size_t b = 0; b < bands.size() && row.errors; ++b)
       add(fmt::format("{} {}", row.name, row.index), b, "fluence", row.errors->values[b].fluence,
           row.values[b].fluence);
-  if (rows > longest_table) return "\nstandard errors: many, see the tables\n";
-  return titled("standard errors", table);
+  const std::string unreached =
+      errors.unreached_probes == 0
+          ? ""
+          : fmt::format(
+                "  {} values of probes were reached by no history: their errors are upper bounds, three "
+                "histories' worth\n",
+                errors.unreached_probes);
+  if (rows > longest_table) return "\nstandard errors: many, see the tables\n" + unreached;
+  return titled("standard errors", table) + unreached;
 }
 
 }  // namespace etendue

@@ -12,6 +12,7 @@
 #include "app/command/progress.h"
 #include "app/command/run_photons.h"
 #include "app/command/run_report.h"
+#include "app/command/unreached.h"
 
 namespace etendue {
 
@@ -41,6 +42,11 @@ ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& er
   run.interruption.note_all();
   RunResult result = result_of(run, found.solution, std::move(found.probes), threads);
   result.errors = std::move(found.errors);
+  bound_unreached(result, locator, found.walked_back);
+  seconds.measures += run.watch.lap();
+  seconds.total = run.watch.total();
+  result.seconds = seconds;
+  note_left_out(result);
   const WrittenResults written = write_results(result);
   out << photons_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
       << errors_text(result) << closing_text(result, written) << std::flush;

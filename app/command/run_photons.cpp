@@ -146,6 +146,7 @@ PhotonRun run_photons(const PhotonRunInput& run) {
                                        : walk_back_from(points, run.problem, run.locator,
                                                         {wanted.probe_photons, options.seed, run.threads},
                                                         ShownStage(run.stages, "probes").observer());
+  if (!estimates.empty()) result.walked_back = wanted.probe_photons;
   if (!estimates.empty())
     out << fmt::format("probes: {:.3g} histories walked back from each of {} points\n", wanted.probe_photons,
                        points.size());

@@ -25,6 +25,8 @@ struct PhotonRun {
   Solution solution;
   std::vector<ProbeRow> probes;
   RunErrors errors;
+  double probe_seconds = 0;  ///< of walking back
+  double walked_back = 0;    ///< histories of each probe; 0 where probes read the field of the cells
 };
 
 /// Throws InputError where photons do not know what the case asks.

@@ -161,7 +161,7 @@ std::string balance_text(const RunResult& result) {
                    fmt::format("{:.1e}", balance.residual)});
   }
   return section("balance [" + result.input.units.power + "]: emitted + inflow = absorbed + outflow", table) +
-         balance_warning(result);
+         balance_warning(result) + balance_caution(result);
 }
 
 std::string uncollided_text(const RunResult& result) {

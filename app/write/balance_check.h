@@ -15,4 +15,8 @@ bool is_balanced(const RunResult& result);
 /// One line that names the bands that are not balanced, and their residuals; empty where all are.
 std::string balance_warning(const RunResult& result);
 
+/// One line that names the bands that are balanced within solve.balance_tolerance, but not within three
+/// tenths of it (3e-3 where nothing else is asked for); empty where there are none.
+std::string balance_caution(const RunResult& result);
+
 }  // namespace etendue

@@ -65,7 +65,8 @@ struct RunErrors {
   std::vector<std::vector<double>> net;  ///< [wall][band] of incoming - outgoing, which are not independent
   std::vector<std::vector<RegionPower>> regions;
   PhotonReport report;
-  double histories = 0;  ///< per band, all runs
+  double histories = 0;      ///< per band, all runs
+  int unreached_probes = 0;  ///< values of probes that no history reached: their errors are upper bounds
 };
 
 /// All that the writers need; nothing of it is changed by them.

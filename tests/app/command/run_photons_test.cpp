@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
 
 #include "tests/app/command/small_case.h"
 
@@ -49,6 +53,64 @@ TEST(RunPhotons, WritesWhatOtherMethodsWriteWithErrors) {
   EXPECT_EQ(summary["method"], "photons");
   EXPECT_EQ(summary["photons"]["histories"], 3000);
   for (const json& balance : summary["balance"]) EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-2);
+}
+
+std::vector<std::vector<std::string>> rows_of(const std::string& table) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line);
+    rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+  }
+  return rows;
+}
+
+/// The numbers of a column of a table.
+std::vector<double> column_of(const std::string& table, const std::string& name) {
+  const auto rows = rows_of(table);
+  const auto column = static_cast<std::size_t>(std::ranges::find(rows.front(), name) - rows.front().begin());
+  std::vector<double> numbers;
+  for (std::size_t i = 1; i < rows.size(); ++i) numbers.push_back(std::stod(rows[i].at(column)));
+  return numbers;
+}
+
+const std::vector<std::string> without_light_inside = {"--set", "media.smoke.absorption=1e6", "--set",
+                                                       "media.smoke.scattering=0"};
+
+// In matter of a million free paths no history comes from the floor to the middle: of 500 that are walked
+// back fewer than three would, each with 4 pi times the floor's radiance at most.
+TEST(RunPhotons, ProbesThatNoHistoryReachesHaveAnUpperBoundAsError) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says(by_photons(folder, folder.results(), without_light_inside));
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "3 values of probes were reached by no history")) << outcome.out;
+  const std::string table = text_of(folder.path() / "results/probes.csv");
+  EXPECT_EQ(column_of(table, "fluence"), std::vector<double>(3, 0));
+  const std::vector<double> errors = column_of(table, "fluence_error");
+  for (std::size_t b = 0; b < 3; ++b)
+    EXPECT_NEAR(errors[b], 3 * 4 * std::numbers::pi * (1 - 0.2 * static_cast<double>(b)) / 500, 1e-9);
+  for (const double error : column_of(text_of(folder.path() / "results/walls.csv"), "incoming_error"))
+    EXPECT_GT(error, 0);
+}
+
+TEST(RunPhotons, ComparisonCountsUnreachedProbesInFiniteErrors) {
+  const CaseFolder folder;
+  std::vector<std::string> arguments = {
+      "compare", folder.file(),        "--methods", "ordinates,photons",
+      "--set",   "solve.photons=1000", "--set",     "solve.probe_photons=500"};
+  arguments.insert(arguments.end(), without_light_inside.begin(), without_light_inside.end());
+  const Outcome outcome = etendue_says(arguments);
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "photons: 3 values of probes were reached by no history")) << outcome.out;
+  const auto rows = rows_of(text_of(folder.path() / "results/comparison.csv"));
+  int probes = 0;
+  for (const std::vector<std::string>& row : rows) {
+    if (!row.front().starts_with("\"probe")) continue;
+    ++probes;
+    EXPECT_LT(std::abs(std::stod(row.back())), 3) << row.front();
+  }
+  EXPECT_EQ(probes, 6);  // fluence and irradiance in three bands
 }
 
 // Three standard errors of the residual are allowed beside the tolerance.
