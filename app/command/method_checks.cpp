@@ -18,4 +18,12 @@ void refuse_what_needs_ordinates(const Case& input, const std::string& method,
                     method)));
 }
 
+void require_lights_of_first_collided(const Case& input, const LightSetup& lights) {
+  if (!input.first_collided || !lights.empty()) return;
+  throw InputError(fault_at(input.first_collided->origin, "",
+                            "nothing of this case is a light that is followed along rays, so nothing "
+                            "collides first; use uncollided = true where light comes from, or no "
+                            "first_collided"));
+}
+
 }  // namespace etendue

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/case/case.h"
+#include "solver/lights/light_setup.h"
 
 namespace etendue {
 
@@ -11,5 +12,8 @@ namespace etendue {
 /// radiance, of which `why_not_exact` says the reason, or the radiance of an ordinate.
 void refuse_what_needs_ordinates(const Case& input, const std::string& method,
                                  const std::string& why_not_exact);
+
+/// Throws InputError where a case has directions for light that collides first and no light that does.
+void require_lights_of_first_collided(const Case& input, const LightSetup& lights);
 
 }  // namespace etendue

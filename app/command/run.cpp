@@ -9,7 +9,9 @@
 
 #include "app/case/build.h"
 #include "app/command/begun_run.h"
+#include "app/command/exact_setup.h"
 #include "app/command/memory.h"
+#include "app/command/method_checks.h"
 #include "app/command/phase_text.h"
 #include "app/command/pictures.h"
 #include "app/command/probes.h"
@@ -41,25 +43,6 @@ SolveOptions solve_options(const Case& input, const DirectionSet& directions,
   }
   options.meters = std::move(meters);
   return options;
-}
-
-/// What a case that says what the answer is adds to a run.
-struct ExactSetup {
-  ExactRadiance radiance;
-  ExactInput input;
-
-  ExactSetup(const Problem& problem, const DirectionSet& directions, const std::string& formula)
-      : radiance(formula), input(problem, directions, radiance) {}
-};
-
-std::unique_ptr<ExactSetup> exact_setup(const Case& input, const Problem& problem,
-                                        const DirectionSet& directions) {
-  if (!input.exact) return nullptr;
-  try {
-    return std::make_unique<ExactSetup>(problem, directions, input.exact->radiance);
-  } catch (const InputError& error) {
-    throw InputError(fault_at(input.exact->origin, "", error.faults().front().text));
-  }
 }
 
 /// Errors, and the powers that the exact radiance brings.
@@ -103,11 +86,7 @@ struct RunDirections {
 };
 
 RunDirections run_directions(const Case& input, const Problem& problem, const LightSetup& lights) {
-  if (input.first_collided && lights.empty())
-    throw InputError(fault_at(input.first_collided->origin, "",
-                              "nothing of this case is a light that is followed along rays, so nothing "
-                              "collides first; use uncollided = true where light comes from, or no "
-                              "first_collided"));
+  require_lights_of_first_collided(input, lights);
   return {build_rotated_directions(input, problem), build_first_collided_directions(input, problem)};
 }
 
@@ -185,7 +164,8 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   const DirectionSet& directions = all_directions.sets.front();
   const CellLocator locator(mesh);
   check_sensors(input.sensors, locator, problem);
-  const std::unique_ptr<ExactSetup> exact = exact_setup(input, problem, directions);
+  std::optional<ExactSetup> exact;
+  if (input.exact) exact.emplace(input, problem, directions);
   SolveOptions options = solve_options(input, directions, place_probes(input.probes, mesh, locator));
   if (exact) options.angular_input = &exact->input;
   OrdinateBook ordinates(input.sensors, lights, locator);

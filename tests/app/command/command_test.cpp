@@ -77,6 +77,50 @@ TEST(Command, CheckDescribesACaseAndMakesNothing) {
   EXPECT_EQ(ScratchFolder::names_in(folder.path()), std::vector<std::string>{"case.toml"});
 }
 
+/// A message up to the place in the mesh that it names: meshes differ.
+std::string without_place(const std::string& message) { return message.substr(0, message.find(" at (")); }
+
+/// The fault that `check` and `run` both find in a case.
+std::string fault_of(const std::string& text) {
+  const CaseFolder folder(text);
+  const Outcome checked = etendue_says({"check", folder.file()});
+  EXPECT_EQ(checked.out, "");
+  const Outcome run = etendue_says({"run", folder.file()});
+  EXPECT_EQ(checked.code, run.code);
+  EXPECT_EQ(without_place(checked.err), without_place(run.err));
+  return checked.err;
+}
+
+TEST(Command, CheckRefusesMeshFilesThatARunCannotRead) {
+  const std::string rest = R"(
+[media."*"]
+absorption = 1
+[walls."*"]
+diffuse = 0.5
+)";
+  EXPECT_TRUE(has(fault_of("[mesh]\nfile = \"part.step\"\n" + rest), "is not the name of a mesh file"));
+  EXPECT_TRUE(has(fault_of("[mesh]\nfile = \"missing.msh\"\n" + rest), "missing.msh"));
+  EXPECT_TRUE(has(fault_of("[mesh]\nsurface = \"missing.stl\"\n" + rest), "missing.stl"));
+}
+
+TEST(Command, CheckRefusesWhatOnlyTheProblemOfARunShows) {
+  const std::string lamp = "[[light]]\nname = \"lamp\"\nkind = \"point\"\npower = 1\nposition = ";
+  const std::string room = test::small_case();
+  EXPECT_TRUE(has(fault_of(room + "[walls.zmax]\nrefractive_index = 1.5\n" + lamp + "[0.5, 0.5, 0.5]\n"),
+                  "refracts, from within"));
+  EXPECT_TRUE(has(fault_of(room + lamp + "[2, 0, 0]\n"), "reaches out of the mesh"));
+  EXPECT_TRUE(has(fault_of(room + "[[probe]]\nname = \"out\"\npoints = [[2, 0, 0]]\n"), "lies outside"));
+  EXPECT_TRUE(has(fault_of(room + "[media.smok]\nabsorption = 1\n"), "smok"));
+  EXPECT_TRUE(has(fault_of(room + "[[sensor]]\nname = \"s\"\nkind = \"flux\"\nwall = \"roof\"\n"), "roof"));
+}
+
+// A mirror that takes ordinates out of the set: only the solver knows.
+TEST(Command, CheckRefusesMirrorsThatTheDirectionsDoNotAllow) {
+  std::string text = test::small_case();
+  text.replace(text.find("order = 2"), 9, "order = 2\nrotation = \"random\"");
+  EXPECT_TRUE(has(fault_of(text + "[walls.zmax]\nspecular = 0.5\n"), "a mirrored ordinate must be in it"));
+}
+
 TEST(Command, CheckWithMeshReportsVolumesAndAreas) {
   const CaseFolder folder;
   const Outcome outcome = etendue_says({"check", folder.file(), "--mesh"});
