@@ -8,6 +8,7 @@
 
 #include "app/command/text_table.h"
 #include "app/write/balance_check.h"
+#include "app/write/negative_fluence.h"
 #include "app/write/stage_seconds.h"
 #include "app/write/unit_labels.h"
 
@@ -135,6 +136,45 @@ std::string positivity_text(const RunResult& result) {
   return text;
 }
 
+/// Parts of the whole fluence below which negative values do not matter to powers and means, and above which
+/// they do.
+constexpr double harmless_share = 1e-3, harmful_share = 1e-2;
+
+std::string weight_of_negative(double share) {
+  if (share <= harmless_share)
+    return "powers and means do not suffer from so little, since each cell keeps its balance; single values "
+           "around such places do";
+  if (share <= harmful_share)
+    return "each cell keeps its balance, so powers hardly suffer; values and means around such places do";
+  return "WARNING: that is much; trust no value around such places, and powers there only after a run with "
+         "smaller cells";
+}
+
+/// How much of the fluence is negative and where, whether it matters, and what helps.
+std::string negative_text(const RunResult& result) {
+  std::string text;
+  double largest = 0;
+  const UnitLabels units(result.input.units);
+  const std::vector<NegativeFluence> negative = negative_fluence(result.problem, result.solution);
+  for (std::size_t b = 0; b < negative.size(); ++b) {
+    const NegativeFluence& band = negative[b];
+    if (band.count == 0) continue;
+    largest = std::max(largest, band.share);
+    text += fmt::format(
+        "  negative fluence in band {}: {} of {} values, together {:.2g} % of all fluence; smallest {:.3g} "
+        "{} "
+        "in {} at ({:.4g}, {:.4g}, {:.4g})\n",
+        band_name(result, b), band.count, 4L * result.problem.mesh().cell_count(), 100 * band.share,
+        band.smallest, units.flux,
+        result.problem.mesh().region_names()[static_cast<std::size_t>(band.region)], band.place.x(),
+        band.place.y(), band.place.z());
+  }
+  if (text.empty()) return "";
+  return text + "    " + weight_of_negative(largest) +
+         "\n    what helps: smaller cells there, or space.positivity = \"rescale\" where no value may be "
+         "negative (docs/positivity.md)\n";
+}
+
 }  // namespace
 
 std::string convergence_text(const RunResult& result) {
@@ -220,12 +260,7 @@ std::string exact_text(const RunResult& result) {
 
 std::string cautions_text(const RunResult& result) {
   std::string text = positivity_text(result);
-  const std::vector<NegativeCensus>& census = result.solution.negative;
-  for (std::size_t b = 0; b < census.size(); ++b)
-    if (census[b].count > 0)
-      text += fmt::format("  negative fluence in band {}: {} of {} values, smallest {:.3g} {}\n",
-                          band_name(result, b), census[b].count, 4L * result.problem.mesh().cell_count(),
-                          census[b].smallest, UnitLabels(result.input.units).flux);
+  text += negative_text(result);
   if (result.solution.lagged_faces > 0)
     text += fmt::format("  {} faces, over all directions, were lagged to break cycles of the sweep order\n",
                         result.solution.lagged_faces);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/write/balance_check.h"
+#include "app/write/negative_fluence.h"
 #include "app/write/stage_seconds.h"
 
 namespace etendue {
@@ -99,8 +100,10 @@ Json as_json(const KernelReport& kernel) {
           {"forward", {kernel.smallest_forward, kernel.largest_forward}}};
 }
 
-Json as_json(const NegativeCensus& census) {
-  return {{"count", census.count}, {"smallest", census.smallest}};
+Json as_json(const NegativeFluence& negative) {
+  Json json = {{"count", negative.count}, {"smallest", negative.smallest}, {"share", negative.share}};
+  if (negative.count > 0) json["place"] = {negative.place.x(), negative.place.y(), negative.place.z()};
+  return json;
 }
 
 /// Whether a listed name is a plain file name: nothing outside the directory may be removed.
@@ -159,7 +162,8 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
         array_of(solution.lights.balance, [](const UncollidedBalance& b) { return as_json(b); });
   if (result.errors) summary["photons"] = as_json(*result.errors);
   if (result.radiosity) summary["radiosity"] = as_json(*result.radiosity);
-  summary["negative"] = array_of(solution.negative, [](const NegativeCensus& n) { return as_json(n); });
+  summary["negative"] = array_of(negative_fluence(result.problem, solution),
+                                 [](const NegativeFluence& n) { return as_json(n); });
   if (!solution.fixups.empty())
     summary["positivity"] = array_of(fixup_totals(solution), [](const FixupTotal& total) {
       return Json{{"cells", total.cells},

@@ -52,8 +52,42 @@ TEST(RunReport, PointsToTheFileWhereProbesAreMany) {
 TEST(RunReport, CautionsOnlyWhereThereIsReason) {
   SampleRun run({"grey"});
   EXPECT_EQ(cautions_text(run.result()), "");
-  run.solution.negative[0] = {3, -0.25};
-  EXPECT_TRUE(has(cautions_text(run.result()), "3 of 24 values, smallest -0.25 W/m^2"));
+  // Vertex 0 of the last cell; all 24 values stand for a quarter of a cell of 1/6 each, the others are 1.
+  std::fill(run.solution.fluence.begin(), run.solution.fluence.end(), 1);
+  run.solution.fluence[20] = -0.25;
+  const std::string text = cautions_text(run.result());
+  const Vec3& place = run.mesh.point(VertexIndex(run.mesh.vertices(CellIndex(5))[0]));
+  EXPECT_TRUE(has(text, "1 of 24 values, together 1.1 % of all fluence; smallest -0.25 W/m^2")) << text;
+  EXPECT_TRUE(has(text, fmt::format("at ({:.4g}, {:.4g}, {:.4g})", place.x(), place.y(), place.z()))) << text;
+  EXPECT_TRUE(has(text, "WARNING: that is much")) << text;
+  EXPECT_TRUE(has(text, "space.positivity = \"rescale\"")) << text;
+  EXPECT_TRUE(has(text, "docs/positivity.md")) << text;
+}
+
+TEST(RunReport, SaysThatALittleNegativeFluenceDoesNotMatter) {
+  SampleRun run({"grey"});
+  std::fill(run.solution.fluence.begin(), run.solution.fluence.end(), 1);
+  run.solution.fluence[20] = -0.01;
+  const std::string text = cautions_text(run.result());
+  EXPECT_TRUE(has(text, "together 0.043 % of all fluence")) << text;
+  EXPECT_TRUE(has(text, "powers and means do not suffer")) << text;
+  EXPECT_FALSE(has(text, "WARNING")) << text;
+}
+
+TEST(RunReport, CautionsWhereTheBalanceIsOffByLessThanItsTolerance) {
+  const SampleRun run({"red", "green"});
+  RunResult result = run.result();
+  result.balances[1].residual = -4e-3;
+  const std::string text = balance_text(result);
+  EXPECT_TRUE(
+      has(text, "warning: -0.4 % in band green of the power is lost (negative: gained), more than 0.3 %"))
+      << text;
+  EXPECT_FALSE(has(text, "NOT BALANCED")) << text;
+  result.balances[1].residual = 2.9e-3;
+  EXPECT_FALSE(has(balance_text(result), "warning"));
+  result.balances[1].residual = 0.02;
+  EXPECT_TRUE(has(balance_text(result), "NOT BALANCED"));
+  EXPECT_FALSE(has(balance_text(result), "warning: "));
 }
 
 TEST(RunReport, SaysHowToOpenTheFiles) {
