@@ -101,15 +101,7 @@ def _phase_table(slope, curvature):
 
 
 def _choose_methods(scene):
-    """Asks half of the scattering media for a method, of those beside a void always for moments."""
-    media = scene.case["media"]
-    void = any(not entry for entry in media.values())
-    for entry in media.values():
-        if "phase" not in entry:
-            continue
-        if void:
-            entry["scattering_method"] = "moments"
-        elif scene.draw.chance(0.5):
+    """Asks half of the scattering media for a method."""
+    for entry in scene.case["media"].values():
+        if "phase" in entry and scene.draw.chance(0.5):
             entry["scattering_method"] = scene.draw.one_of(("moments", "dense", "galerkin"))
-    if void and any(set(MATRIX) & entry.keys() for entry in media.values()):
-        scene.features.add("void beside a scattering matrix")

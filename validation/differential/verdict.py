@@ -7,9 +7,6 @@ import statistics
 BEYOND = 4        # units: a difference that errors do not explain
 SHARE = 0.01      # of all values may be beyond, since errors are estimates
 LIMIT = 8         # units: none may be beyond
-# What the program is known not to do well yet, by a feature of the scene: reported, not judged.
-KNOWN = {"wall: refracting": "known: ordinates are not accurate at refracting walls",
-         "void beside a scattering matrix": "known: ordinates may give no numbers in a void beside a dense scattering matrix"}
 
 
 @dataclasses.dataclass
@@ -22,20 +19,16 @@ class Outcome:
     seconds: float
 
     @property
-    def known(self):
-        return [reason for feature, reason in KNOWN.items() if feature in self.scene.features]
-
-    @property
     def beyond(self):
         return [row for row in self.rows if abs(row.units) > BEYOND]
 
     def print(self, verbose):
         worst = max((abs(row.units) for row in self.rows), default=0)
-        state = "known" if self.known else "ok" if not self.beyond and not self.faults else "look"
+        state = "ok" if not self.beyond and not self.faults else "look"
         title = self.scene.case["title"].partition(": ")[2]
         print(f"seed {self.scene.seed:4} {state:6} {len(self.beyond)} of {len(self.rows)} values beyond {BEYOND} units, "
               f"worst {worst:.1f}, median {median_units(self.rows):.2f}, {self.seconds:.1f} s  {title}", flush=True)
-        for text in [*self.known, *self.faults]:
+        for text in self.faults:
             print(f"    {text}")
         for row in self.rows if verbose else self.beyond:
             print("    " + row_text(row))
@@ -52,13 +45,12 @@ def median_units(rows):
 
 def print_end(outcomes, options, seconds):
     """Prints the last lines and returns whether the set passes."""
-    judged = [outcome for outcome in outcomes if not outcome.known]
-    rows = [row for outcome in judged for row in outcome.rows]
-    beyond = sum(len(outcome.beyond) for outcome in judged)
+    rows = [row for outcome in outcomes for row in outcome.rows]
+    beyond = sum(len(outcome.beyond) for outcome in outcomes)
     wide = sum(row.wide for row in rows)
-    faults = [fault for outcome in judged for fault in outcome.faults]
+    faults = [fault for outcome in outcomes for fault in outcome.faults]
     share = 100 / max(1, len(rows))
-    print(f"{len(outcomes)} scenes, {len(judged)} of them judged, {len(rows)} values, {seconds:.0f} s: {beyond} beyond {BEYOND} units "
+    print(f"{len(outcomes)} scenes, {len(rows)} values, {seconds:.0f} s: {beyond} beyond {BEYOND} units "
           f"({share * beyond:.2f} %), median {median_units(rows):.2f} units, {share * wide:.1f} % with a bar above 3 %, "
           f"{len(faults)} faults")
     agree = beyond <= SHARE * len(rows) and max((abs(row.units) for row in rows), default=0) <= LIMIT
