@@ -7,6 +7,8 @@ import math
 from differential.slot import Slot
 
 CELLS = 500  # of the largest volume; TetGen makes two to six times as many
+# Of a cube as wide as a body, in the run with finer cells in bodies: about half as long as the edges of their facets.
+BODY_CELLS = {"block": 64, "ball": 500, "rod": 500}
 SIDES = ("xmin", "xmax", "ymin", "ymax", "zmin", "zmax")
 KINDS = ("block", "ball", "rod", "crate", "chest", "stone", "pillar", "sheet", "slanted sheet")
 
@@ -71,6 +73,7 @@ def _add_body(scene, mesh, kind, floor):
     radius = round(min(b - a for a, b in zip(low, high)) / 2, 3)
     if kind in ("block", "ball", "rod"):
         scene.regions[kind] = 2 * radius
+        scene.body_volumes[kind] = (2 * radius) ** 3 / BODY_CELLS[kind]
         scene.occupied.append(slot)
     if kind == "block":
         mesh["box"].append({"region": "block", "min": low, "max": high})

@@ -21,6 +21,7 @@ class Scene:
     slots: list = dataclasses.field(default_factory=list)     # free ones
     occupied: list = dataclasses.field(default_factory=list)  # those whose bodies are regions
     regions: dict = dataclasses.field(default_factory=dict)   # name: size [m], without the room itself
+    body_volumes: dict = dataclasses.field(default_factory=dict)  # of fine cells, by body [m^3]
     surfaces: dict = dataclasses.field(default_factory=dict)  # wall name: "side", "plane", "curved", "sheet"
     size: list = dataclasses.field(default_factory=list)      # of the room
     open_side: str = ""                                       # a black side, by which light leaves
@@ -33,6 +34,11 @@ class Scene:
     @property
     def radiosity(self):
         return "radiosity" in self.features
+
+    @property
+    def coefficients_by_place(self):
+        """Whether a medium has absorption or scattering by a formula of the place, which photons read as means of cells."""
+        return bool({"room: formula", "body: formula"} & self.features)
 
     @property
     def text(self):

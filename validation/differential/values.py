@@ -13,8 +13,12 @@ TABLES = {"walls": ("wall", ("incoming",)), "regions": ("region", ("absorbed", "
 FLOOR = 1e-3       # of the mean of the quantity over the scene: smaller errors are not asked for
 WIDE = 0.03        # of a value: a bar beyond this judges little
 # An error that falls with the power 3/2 of the size of cells, as where radiance has kinks, is this part of the change
-# on cells twice as large.
-OF_CHANGE = {"mesh": 1 / (2 ** 1.5 - 1), "patches": 1 / (2 ** 1.5 - 1), "directions": 1.0}
+# on cells twice as large, or half as large.
+ON_LARGER, ON_SMALLER = 1 / (2 ** 1.5 - 1), 1 / (1 - 2 ** -1.5)
+# With a quarter of the rays, drawn anew, the variance of the change is 1 + 4 times that of the value.
+OF_CHANGE = {"mesh": ON_LARGER, "bodies": ON_SMALLER, "patches": ON_LARGER, "directions": 1.0, "rays": 1 / math.sqrt(5)}
+# The runs whose changes tell the errors of mesh and directions, by method.
+CHANGED = {"ordinates": (("mesh", "bodies"), ("directions",)), "radiosity": (("patches",), ("rays",))}
 # Of the normal distribution: the median of |x| is this part of its standard deviation.
 MEDIAN_OF_NORMAL = 0.6745
 
@@ -32,7 +36,7 @@ class Compared:
     second: float
     noise: float
     mesh: float
-    directions: float
+    directions: float  # of radiosity that of its rays
     floor: float
 
     @property
@@ -70,10 +74,10 @@ def values_of(result):
 
 def compare(scene, method, results):
     """All values that both methods have. `results` are those of the runs by name."""
-    base, other = ("radiosity", ["patches"]) if method == "radiosity" else ("ordinates", ["mesh", "directions"])
-    if not {base, "photons", *other} <= results.keys():
+    other = [name for names in CHANGED[method] for name in names if name != "bodies" or scene.body_volumes]
+    if not {method, "photons", *other} <= results.keys():
         return []
-    first, second = values_of(results[base]), values_of(results["photons"])
+    first, second = values_of(results[method]), values_of(results["photons"])
     changes = {name: errors_from(first, values_of(results[name]), OF_CHANGE[name]) for name in other}
     floors = floors_of(first)
     found = []
@@ -81,9 +85,8 @@ def compare(scene, method, results):
         if key not in second:
             continue
         where, quantity, band = key
-        errors = [changes[name].get(key, 0.0) for name in other] + [0.0]
-        found.append(Compared(scene.seed, method, where, quantity, band, value, *second[key], errors[0], errors[1],
-                              floors[quantity, band]))
+        errors = [math.hypot(*(changes[name].get(key, 0.0) for name in names if name in changes)) for names in CHANGED[method]]
+        found.append(Compared(scene.seed, method, where, quantity, band, value, *second[key], *errors, floors[quantity, band]))
     return found
 
 
