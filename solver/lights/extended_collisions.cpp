@@ -73,33 +73,43 @@ class FoundLight {
   DirectionalMoments& found_;
 };
 
-bool any_missing(std::span<const double> power, const std::vector<double>& sums) {
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    if (power[i] > 0 && !(sums[i] > 0)) return true;
-  return false;
+/// Multiplies the values of each direction by factors [4][band].
+void scale(const std::vector<double>& factors, DirectionalMoments& moments) {
+  for (std::size_t k = 0; k < moments.found().size(); ++k) {
+    const std::span<double> values = moments.values(k);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] *= factors[i];
+  }
 }
 
 }  // namespace
 
+// Where no ray finds light that the integrals have, its directions are those in empty space: of those nodes
+// and bands alone.
 void add_extended_collisions(const LightPaths& paths, const LightSource& source, const LitCell& cell,
                              std::span<const double> power, LightBeams& beams, DirectionalMoments& sum) {
-  FoundLight found(paths, source, cell, beams, sum);
-  const auto look = [&](Sight sight) {
+  /// Samples the light, and scales it to the power of the entries that count; returns the others.
+  const auto sample = [&](Sight sight, std::vector<char> wanted, DirectionalMoments& moments) {
+    FoundLight found(paths, source, cell, beams, moments);
     if (source.is_near(cell.centroid, near_in_sizes * cell.size))
       found.look(cell_rule(), sight);
     else
       found.look(four_point_rule(), sight);
+    std::vector<double> factors = found.sums();
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      const bool counts = wanted[i] != 0 && factors[i] > 0;
+      factors[i] = counts ? power[i] / factors[i] : 0;
+      if (counts) wanted[i] = 0;
+    }
+    scale(factors, moments);
+    return wanted;
   };
-  look(Sight::attenuated);
-  std::vector<double> sums = found.sums();
-  if (any_missing(power, sums)) {
-    look(Sight::clear);
-    sums = found.sums();
-  }
-  for (std::size_t k = 0; k < sum.found().size(); ++k) {
-    const std::span<double> values = sum.values(k);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] *= sums[i] > 0 ? power[i] / sums[i] : 0;
-  }
+  std::vector<char> wanted(power.size());
+  std::ranges::transform(power, wanted.begin(), [](double value) { return value > 0; });
+  wanted = sample(Sight::attenuated, wanted, sum);
+  if (std::ranges::count(wanted, 1) == 0) return;
+  DirectionalMoments clear = sum;
+  sample(Sight::clear, wanted, clear);
+  sum.add(clear);
 }
 
 }  // namespace etendue
