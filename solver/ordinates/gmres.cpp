@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "solver/ordinates/band_vectors.h"
 #include "solver/ordinates/diffusion_acceleration.h"
@@ -36,7 +37,8 @@ class BandHessenberg {
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix_, Eigen::ComputeThinU | Eigen::ComputeThinV);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(columns + 1);
     right(0) = start_;
-    smallest_ = std::min(1.0, svd.singularValues().minCoeff());
+    // Of a singular matrix the error is unknown, not infinite.
+    smallest_ = std::clamp(svd.singularValues().minCoeff(), std::numeric_limits<double>::epsilon(), 1.0);
     solution_ = svd.solve(right);
     residual_ = right - matrix_ * solution_;
   }
