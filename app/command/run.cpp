@@ -16,6 +16,7 @@
 #include "app/command/pictures.h"
 #include "app/command/probes.h"
 #include "app/command/progress.h"
+#include "app/command/resolution_text.h"
 #include "app/command/run_report.h"
 #include "app/command/sensors.h"
 #include "app/command/stage_progress.h"
@@ -88,6 +89,11 @@ struct RunDirections {
 RunDirections run_directions(const Case& input, const Problem& problem, const LightSetup& lights) {
   require_lights_of_first_collided(input, lights);
   return {build_rotated_directions(input, problem), build_first_collided_directions(input, problem)};
+}
+
+/// Of light that has collided once, where that is swept on a set of its own.
+const DirectionSet& finest(const RunDirections& directions) {
+  return directions.first_collided.empty() ? directions.sets.front() : directions.first_collided.front();
 }
 
 std::string directions_line(const RunDirections& directions) {
@@ -187,7 +193,8 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
       problem.band_count(), matrix_memory_text(problem, directions));
   out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions), problem.band_count(),
                      options.threads)
-      << refraction_caution(all_directions, problem) << memory << std::flush;
+      << refraction_caution(all_directions, problem)
+      << resolution_text(resolution_of(problem, finest(all_directions), locator)) << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
 
   seconds.setup += watch.lap();
