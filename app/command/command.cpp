@@ -27,6 +27,7 @@ struct Dispatch {
   ExitCode operator()(const CheckRequest& request) const { return check_case(request, out, err); }
   ExitCode operator()(const MeshRequest& request) const { return mesh_case(request, out, err); }
   ExitCode operator()(const DirectionsRequest& request) const { return show_directions(request, out); }
+  ExitCode operator()(const NewRequest& request) const { return new_case(request, out); }
   ExitCode operator()(const KeysRequest& request) const {
     out << (request.path.empty() ? key_reference() : key_help(request.path));
     return ExitCode::done;

@@ -16,6 +16,7 @@ namespace etendue {
 namespace {
 
 const char* const examples = R"(Examples:
+  etendue new room
   etendue run cases/smoke-room/case.toml
   etendue run case.toml --set solve.tolerance=1e-8 --set directions.order=2 --output fine
   etendue render smoke-room --camera front
@@ -65,6 +66,7 @@ class Parser {
     add_check();
     add_mesh();
     add_directions();
+    add_new();
     add_keys();
     for (CLI::App* command : app_.get_subcommands({})) command->footer(examples_of(command->get_name()));
   }
@@ -92,6 +94,15 @@ class Parser {
     for (const CLI::App* command : app_.get_subcommands({})) names.push_back(command->get_name());
     throw InputError(fmt::format("command line: {}: no such command{}; use {} (see etendue --help)",
                                  arguments.front(), suggestion(arguments.front(), names), enumerate(names)));
+  }
+
+  void add_new() {
+    new_command_ = app_.add_subcommand("new", "Write a commented case to begin with");
+    new_command_->add_option("kind", new_.kind, "room, furnace, tissue or shield")
+        ->required()
+        ->type_name("KIND");
+    new_command_->add_option("-o,--output", new_.output, "The file to write; default: KIND.toml")
+        ->type_name("FILE");
   }
 
   void add_keys() {
@@ -285,6 +296,7 @@ class Parser {
     if (check_command_->parsed()) return check_;
     if (mesh_command_->parsed()) return mesh_;
     if (directions_command_->parsed()) return directions_;
+    if (new_command_->parsed()) return new_;
     return keys_;
   }
 
@@ -355,6 +367,7 @@ class Parser {
   CLI::App* check_command_ = nullptr;
   CLI::App* mesh_command_ = nullptr;
   CLI::App* directions_command_ = nullptr;
+  CLI::App* new_command_ = nullptr;
   RunRequest run_;
   RenderRequest render_;
   BakeRequest bake_;
@@ -362,6 +375,7 @@ class Parser {
   CompareRequest compare_;
   CheckRequest check_;
   MeshRequest mesh_;
+  NewRequest new_;
   KeysRequest keys_;
   DirectionsRequest directions_;
   std::optional<std::string> output_;

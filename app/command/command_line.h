@@ -93,13 +93,18 @@ struct KeysRequest {
   std::string path;  ///< of one table or key; empty: the whole reference page
 };
 
+struct NewRequest {
+  std::string kind;
+  std::filesystem::path output;  ///< empty: KIND.toml
+};
+
 /// Help or version.
 struct ShowText {
   std::string text;
 };
 
 using Request = std::variant<RunRequest, RenderRequest, BakeRequest, StudyRequest, CompareRequest,
-                             CheckRequest, MeshRequest, DirectionsRequest, KeysRequest, ShowText>;
+                             CheckRequest, MeshRequest, DirectionsRequest, NewRequest, KeysRequest, ShowText>;
 
 /// What the arguments (without the program's name) ask for. Throws InputError.
 Request parse_command_line(const std::vector<std::string>& arguments);

@@ -25,5 +25,6 @@ ExitCode compare_case(const CompareRequest& request, std::ostream& out, std::ost
 ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream& err);
 ExitCode mesh_case(const MeshRequest& request, std::ostream& out, std::ostream& err);
 ExitCode show_directions(const DirectionsRequest& request, std::ostream& out);
+ExitCode new_case(const NewRequest& request, std::ostream& out);
 
 }  // namespace etendue
