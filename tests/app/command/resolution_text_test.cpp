@@ -21,7 +21,8 @@ TEST(ResolutionText, CautionsOnlyOfCellsAndDirectionsThatAreTooCoarse) {
 
   Resolution thick = fine;
   thick.transport_thickness_at_lights = 2.3;
-  EXPECT_TRUE(has(resolution_text(thick), "caution: cells at lights are 2.3 transport mean free paths thick"));
+  EXPECT_TRUE(
+      has(resolution_text(thick), "caution: cells at lights are 2.3 transport mean free paths thick"));
   EXPECT_TRUE(has(resolution_text(thick), "mesh.max_volume"));
 
   Resolution wide = fine;
