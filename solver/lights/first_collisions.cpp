@@ -8,12 +8,11 @@ namespace etendue {
 
 FirstCollisions first_collisions_of(const Problem& problem, UncollidedField field) {
   const auto bands = static_cast<std::size_t>(problem.band_count());
-  FirstCollisions found{std::vector<double>(field.fluence.size(), 0), std::move(field.collisions)};
-  for (std::size_t at = 0; at < found.scattered.size(); ++at) {
-    for (const std::vector<double>& source : field.collided_by_source) found.scattered[at] += source[at];
-    if (field.collided_by_source.empty())
-      found.scattered[at] = problem.scattering()[at / (4 * bands) * bands + at % bands] * field.fluence[at];
-  }
+  FirstCollisions found{std::move(field.collided), std::move(field.collisions)};
+  if (!found.scattered.empty()) return found;
+  found.scattered = std::move(field.fluence);
+  for (std::size_t at = 0; at < found.scattered.size(); ++at)
+    found.scattered[at] *= problem.scattering()[at / (4 * bands) * bands + at % bands];
   return found;
 }
 

@@ -86,7 +86,7 @@ std::vector<double> scattered_power(const LightPaths& paths, const LitCell& cell
   return power;
 }
 
-/// Adds the integrals over a cell to the field of the last source.
+/// Adds the integrals over a cell to the field.
 void add_moments(const LightPaths& paths, const LitCell& cell, const NodalMoments& moments,
                  UncollidedField& field) {
   const std::size_t bands = paths.bands();
@@ -101,11 +101,11 @@ void add_moments(const LightPaths& paths, const LitCell& cell, const NodalMoment
     for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t node = cell.index.at() * 4 + i;
       const double fluence = moments.nodal(i, 0, b, cell.volume);
-      field.by_source.back()[node * bands + b] += fluence;
+      field.fluence[node * bands + b] += fluence;
       for (std::size_t axis = 0; axis < 3; ++axis)
         field.net_flux[(node * 3 + axis) * bands + b] += moments.nodal(i, 1 + axis, b, cell.volume);
       if (matter.empty()) continue;
-      field.collided_by_source.back()[node * bands + b] +=
+      field.collided[node * bands + b] +=
           uneven ? moments.nodal(i, NodalMoments::collided, b, cell.volume) : here.scattering * fluence;
       field.absorbed[cell.index.at() * bands + b] +=
           uneven ? moments.at(i, NodalMoments::absorbed, b) / cell.volume : here.absorption * fluence / 4;
@@ -204,16 +204,16 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
   field.fluence.assign(static_cast<std::size_t>(mesh.cell_count()) * 4 * paths.bands(), 0);
   field.net_flux.assign(3 * field.fluence.size(), 0);
   field.irradiance.assign(static_cast<std::size_t>(mesh.boundary_face_count()) * 3 * paths.bands(), 0);
-  if (!paths.matter().empty())
+  if (!paths.matter().empty()) {
+    field.collided.assign(field.fluence.size(), 0);
     field.absorbed.assign(static_cast<std::size_t>(mesh.cell_count()) * paths.bands(), 0);
+  }
   field.collisions = empty_collisions(paths, sources);
   const DirectionalCells directional(paths);
   const std::vector<Crease> creases = creases_of(paths);
   StageCounter counter(visits(mesh, sources), observer);
   for (const auto& source : sources) {
     if (counter.stopped()) return field;
-    field.by_source.emplace_back(field.fluence.size(), 0);
-    if (!paths.matter().empty()) field.collided_by_source.emplace_back(field.fluence.size(), 0);
     const WideSource* wide = source->as_wide();
     std::optional<ExtendedLight> extended;
     if (wide != nullptr && wide->as_extended() != nullptr)
@@ -232,7 +232,6 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
       add_cells(paths, *source, planes, extended, threads, counter, field);
     if (counter.stopped()) return field;
     add_walls(paths, *source, planes, extended, threads, counter, field.irradiance);
-    for (std::size_t i = 0; i < field.fluence.size(); ++i) field.fluence[i] += field.by_source.back()[i];
   }
   field.glossy = GlossyBeams(paths, sources, threads);
   return field;

@@ -14,16 +14,15 @@ namespace etendue {
 /// Uncollided light of all sources on the mesh: projections on the functions that are linear in each cell and
 /// on each boundary face.
 struct UncollidedField {
-  std::vector<std::vector<double>> by_source;  ///< [source][cell][4][band] fluence [power/length^2]
-  std::vector<double> fluence;                 ///< [cell][4][band] their sum
-  std::vector<double> net_flux;                ///< [cell][4][3][band]
-  std::vector<double> irradiance;              ///< [boundary face][3][band]
-  CollisionField collisions;                   ///< what scatters by direction, and from where it comes
-  GlossyBeams glossy;                          ///< the directions of the light at glossy walls
+  std::vector<double> fluence;     ///< [cell][4][band] [power/length^2]
+  std::vector<double> net_flux;    ///< [cell][4][3][band]
+  std::vector<double> irradiance;  ///< [boundary face][3][band]
+  CollisionField collisions;       ///< what scatters by direction, and from where it comes
+  GlossyBeams glossy;              ///< the directions of the light at glossy walls
   // Where something in the problem depends on the direction of light or varies in cells; else empty, and both
   // are coefficients times fluence.
-  std::vector<std::vector<double>> collided_by_source;  ///< [source][cell][4][band] [power/length^3]
-  std::vector<double> absorbed;                         ///< [cell][band] [power/length^3]
+  std::vector<double> collided;  ///< [cell][4][band] [power/length^3]
+  std::vector<double> absorbed;  ///< [cell][band] [power/length^3]
 };
 
 /// Integrates the light of the sources: of a point in its polar frame, where the distance squared cancels, of

@@ -92,11 +92,8 @@ bool FirstCollision::depends_on_direction(CellIndex cell) const {
 
 double FirstCollision::scattered(CellIndex cell, std::size_t node, std::size_t band) const {
   const std::size_t at = (cell.at() * 4 + node) * static_cast<std::size_t>(problem_.band_count()) + band;
-  if (field_.collided_by_source.empty())
-    return problem_.scattering(cell, static_cast<int>(band)) * field_.fluence[at];
-  double sum = 0;
-  for (const std::vector<double>& source : field_.collided_by_source) sum += source[at];
-  return sum;
+  if (field_.collided.empty()) return problem_.scattering(cell, static_cast<int>(band)) * field_.fluence[at];
+  return field_.collided[at];
 }
 
 void FirstCollision::add_projected_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const {
@@ -138,12 +135,12 @@ void FirstCollision::add_inflow(OrdinateIndex m, FaceIndex face, std::span<doubl
 std::size_t FirstCollision::memory(const LightSetup& lights, const DirectionSet& directions) {
   const TetrahedralMesh& mesh = lights.problem().mesh();
   const auto cells = static_cast<std::size_t>(mesh.cell_count());
-  const std::size_t bands = lights.paths().bands(), sources = lights.sources().size();
+  const std::size_t bands = lights.paths().bands();
   const RayMatter& matter = lights.paths().matter();
   const std::size_t kinds = PhaseList(lights.problem()).phases().size() + matter.kind_count();
   const CollisionField::Size size = CollisionField::estimate(lights.paths(), lights.sources());
   const std::size_t tables = kinds * size.directions * static_cast<std::size_t>(directions.count());
-  const std::size_t fields = (matter.empty() ? 1 : 2) * sources + 8;
+  const std::size_t fields = (matter.empty() ? 0 : 1) + 8;
   return sizeof(double) * (fields * cells * 4 * bands + tables + 2 * cells * bands) + size.bytes +
          GlossyReflection::memory(lights.problem(), directions);
 }

@@ -80,9 +80,8 @@ void add_cell(const UncollidedField& field, const TetrahedralMesh& mesh, CellInd
               UncollidedBalance& balance) {
   const std::size_t bands = field.absorbed.size() / mesh.volumes().size();
   balance.absorbed += mesh.volume(cell) * field.absorbed[cell.at() * bands + band];
-  for (const std::vector<double>& collided : field.collided_by_source)
-    for (std::size_t i = 0; i < 4; ++i)
-      balance.collided += mesh.volume(cell) * collided[(cell.at() * 4 + i) * bands + band] / 4;
+  for (std::size_t i = 0; i < 4; ++i)
+    balance.collided += mesh.volume(cell) * field.collided[(cell.at() * 4 + i) * bands + band] / 4;
 }
 
 /// Powers of the uncollided light.

@@ -88,8 +88,7 @@ Powers powers_of(const LightSetup& lights) {
   Powers powers;
   for (std::size_t c = 0; c < mesh.volumes().size(); ++c) {
     powers.absorbed += mesh.volumes()[c] * field.absorbed[c];
-    for (std::size_t i = 0; i < 4; ++i)
-      powers.collided += mesh.volumes()[c] * field.collided_by_source[0][c * 4 + i] / 4;
+    for (std::size_t i = 0; i < 4; ++i) powers.collided += mesh.volumes()[c] * field.collided[c * 4 + i] / 4;
   }
   for (std::size_t i = 0; i < field.irradiance.size(); ++i)
     powers.arrived += field.irradiance[i] * mesh.area(FaceIndex(static_cast<std::int64_t>(i / 3))) / 3;
@@ -208,7 +207,7 @@ TEST(DirectionalLight, OfRoundFlakesIsThatOfOrdinaryMatter) {
     EXPECT_TRUE(a.absorbed.empty());
     for (std::size_t i = 0; i < a.fluence.size(); ++i) {
       EXPECT_NEAR(a.fluence[i], b.fluence[i], 1e-11);
-      EXPECT_NEAR(0.6 * a.fluence[i], b.collided_by_source[0][i], 1e-11);
+      EXPECT_NEAR(0.6 * a.fluence[i], b.collided[i], 1e-11);
     }
   }
 }

@@ -119,8 +119,7 @@ TEST(UncollidedField, BalancesInVaryingExtinction) {
     double sum = 0;
     for (std::size_t c = 0; c < mesh.volumes().size(); ++c) {
       sum += mesh.volumes()[c] * field.absorbed[c];
-      for (std::size_t i = 0; i < 4; ++i)
-        sum += mesh.volumes()[c] * field.collided_by_source[0][c * 4 + i] / 4;
+      for (std::size_t i = 0; i < 4; ++i) sum += mesh.volumes()[c] * field.collided[c * 4 + i] / 4;
     }
     for (std::size_t i = 0; i < field.irradiance.size(); ++i)
       sum += field.irradiance[i] * mesh.area(FaceIndex(static_cast<std::int64_t>(i / 3))) / 3;

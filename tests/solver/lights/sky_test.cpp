@@ -48,7 +48,7 @@ Found find_sky(const TetrahedralMesh& mesh, const Medium& medium, bool everywher
   Found found{lights.sources()[0]->power()[0], 0, 0, std::vector<double>(walls.size(), 0)};
   for (std::size_t i = 0; i < field.fluence.size(); ++i) {
     const double absorbed = field.absorbed.empty() ? problem.absorption()[i / 4] * field.fluence[i]
-                                                   : field.absorbed[i / 4] + field.collided_by_source[0][i];
+                                                   : field.absorbed[i / 4] + field.collided[i];
     found.absorbed += absorbed * mesh.volumes()[i / 4] / 4;
   }
   for (std::size_t i = 0; i < field.irradiance.size(); ++i) {

@@ -124,7 +124,7 @@ TEST(SolveSplit, KeepsThePowerOfWhatLeavesScatter) {
       for (std::size_t i = 0; i < 4; ++i) sum[i] += directions.weight(OrdinateIndex(m)) * values[i];
     }
     for (std::size_t i = 0; i < 4; ++i) {
-      const double expected = field.collided_by_source[0][static_cast<std::size_t>(c) * 4 + i];
+      const double expected = field.collided[static_cast<std::size_t>(c) * 4 + i];
       EXPECT_NEAR(sum[i], expected, 1e-12 * std::abs(expected));
     }
   }
