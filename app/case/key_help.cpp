@@ -25,7 +25,7 @@ std::vector<std::string> components(std::string_view path) {
   return parts;
 }
 
-/// NAME in a declared path stands for any name.
+/// NAME in a declared path is any name.
 bool matches(std::string_view declared, const std::vector<std::string>& parts) {
   if (declared.empty()) return parts.empty();
   return std::ranges::equal(components(declared), parts,

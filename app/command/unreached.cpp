@@ -2,7 +2,6 @@
 #include "app/command/unreached.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -22,14 +21,8 @@ bool bound(double value, double& error, double most) {
 }
 
 double surface_of(const TetrahedralMesh& mesh, CellIndex cell) {
-  const auto& v = mesh.vertices(cell);
   double area = 0;
-  for (std::size_t skipped = 0; skipped < 4; ++skipped) {
-    std::array<Vec3, 3> corner;
-    for (std::size_t i = 0, k = 0; i < 4; ++i)
-      if (i != skipped) corner[k++] = mesh.point(VertexIndex(v[i]));
-    area += (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm() / 2;
-  }
+  for (const std::int32_t face : mesh.faces(cell)) area += mesh.area(FaceIndex(face));
   return area;
 }
 

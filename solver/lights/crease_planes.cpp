@@ -17,7 +17,7 @@ namespace {
 
 /// Part of a size within which a point lies on a plane.
 constexpr double on_plane = 1e-9;
-/// Planes behind creases of one cell or face that are told apart, and of an image in all.
+/// Planes behind creases of one cell or face that are distinguished, and of an image in all.
 constexpr std::size_t most_planes = 64, most_in_all = 20000;
 
 /// Whether light of this direction meets something abrupt at a crease: passes over an edge, beyond which

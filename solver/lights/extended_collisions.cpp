@@ -87,7 +87,7 @@ void scale(const std::vector<double>& factors, DirectionalMoments& moments) {
 // and bands alone.
 void add_extended_collisions(const LightPaths& paths, const LightSource& source, const LitCell& cell,
                              std::span<const double> power, LightBeams& beams, DirectionalMoments& sum) {
-  /// Samples the light, and scales it to the power of the entries that count; returns the others.
+  // Samples the light, and scales it to the power of the entries that count; returns the others.
   const auto sample = [&](Sight sight, std::vector<char> wanted, DirectionalMoments& moments) {
     FoundLight found(paths, source, cell, beams, moments);
     if (source.is_near(cell.centroid, near_in_sizes * cell.size))

@@ -19,8 +19,9 @@ namespace etendue {
 /// have for as much to arrive as through the media that there are, and what obstacles leave, is looked at
 /// from the vertices and edges of the mesh (MeshLosses); near a surface that shines from points of the cell
 /// itself; and in shadows, and in matter at the edge of a cloud, from each point that is asked. In the
-/// penumbra of a flat light each point of a face sees it cut along the edges that hide a part of it, and the
-/// face is divided until that changes little. In an even medium nothing is left to be interpolated.
+/// penumbra of a flat light each point sees it cut along the edges that hide a part of it, in cells where the
+/// light has few triangles, and faces are divided until that changes little. In a homogeneous medium nothing
+/// is left to be interpolated.
 class ExtendedLight {
  public:
   ExtendedLight(const LightPaths& paths, const ExtendedSource& source, const std::vector<Crease>& creases,

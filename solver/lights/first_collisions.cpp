@@ -7,13 +7,9 @@
 namespace etendue {
 
 FirstCollisions first_collisions_of(const Problem& problem, UncollidedField field) {
-  const auto bands = static_cast<std::size_t>(problem.band_count());
-  FirstCollisions found{std::move(field.collided), std::move(field.collisions)};
-  if (!found.scattered.empty()) return found;
-  found.scattered = std::move(field.fluence);
-  for (std::size_t at = 0; at < found.scattered.size(); ++at)
-    found.scattered[at] *= problem.scattering()[at / (4 * bands) * bands + at % bands];
-  return found;
+  std::vector<double> scattered(field.fluence.size());
+  for (std::size_t i = 0; i < scattered.size(); ++i) scattered[i] = scattered_density(problem, field, i);
+  return {std::move(scattered), std::move(field.collisions)};
 }
 
 std::shared_ptr<const FirstCollisions> find_first_collisions(const LightSetup& lights, int threads,

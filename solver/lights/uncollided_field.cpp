@@ -197,6 +197,12 @@ std::size_t visits(const TetrahedralMesh& mesh, const LightSources& sources) {
 
 }  // namespace
 
+double scattered_density(const Problem& problem, const UncollidedField& field, std::size_t entry) {
+  if (!field.collided.empty()) return field.collided[entry];
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  return problem.scattering()[entry / (4 * bands) * bands + entry % bands] * field.fluence[entry];
+}
+
 UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads,
                                  const StageObserver& observer) {
   const TetrahedralMesh& mesh = paths.problem().mesh();

@@ -25,6 +25,9 @@ struct UncollidedField {
   std::vector<double> absorbed;  ///< [cell][band] [power/length^3]
 };
 
+/// Power density that scatters at entry [cell][4][band] of a field [power/length^3].
+double scattered_density(const Problem& problem, const UncollidedField& field, std::size_t entry);
+
 /// Integrates the light of the sources: of a point in its polar frame, where the distance squared cancels, of
 /// a beam in columns along it, both in closed form on the way through a cell and cut along the edges of
 /// shadows (CreasePlanes), or by four points where it is even; of a light with an extent by what it meets on

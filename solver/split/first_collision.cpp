@@ -91,9 +91,8 @@ bool FirstCollision::depends_on_direction(CellIndex cell) const {
 }
 
 double FirstCollision::scattered(CellIndex cell, std::size_t node, std::size_t band) const {
-  const std::size_t at = (cell.at() * 4 + node) * static_cast<std::size_t>(problem_.band_count()) + band;
-  if (field_.collided.empty()) return problem_.scattering(cell, static_cast<int>(band)) * field_.fluence[at];
-  return field_.collided[at];
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  return scattered_density(problem_, field_, (cell.at() * 4 + node) * bands + band);
 }
 
 void FirstCollision::add_projected_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const {
