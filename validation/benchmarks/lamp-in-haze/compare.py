@@ -68,6 +68,6 @@ def compare(runs):
         if name.startswith("beam-down"):
             found += rows_of_beam(result)
             continue
-        lamp, g = name.removeprefix("photons, ").split(", g ")
+        lamp, g = name.removeprefix("photons, ").removesuffix(", coarse").removesuffix(", fine").split(", g ")
         found += rows_of(name, result, known[lamp, g])
     return found
