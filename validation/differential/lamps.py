@@ -8,7 +8,7 @@ from differential.walls import radiance_formula
 KINDS = ("point", "spot", "sun", "disc", "rectangle", "wall", "sky", "sky by a table", "beam", "glowing body", "lit patch",
          "formula wall", "glowing air", "patch and point")
 # Lamps that histories of photons back from a probe never meet: there the field of the cell would be compared.
-FORWARD_ONLY = ("point", "spot", "sun", "disc", "rectangle", "beam", "patch and point")
+FORWARD_ONLY = ("point", "spot", "sun", "disc", "rectangle", "sky by a table", "beam", "patch and point")
 
 
 def add(scene, kind):

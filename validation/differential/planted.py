@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The case of a scene with an error that the comparison has to notice: scattering is multiplied by FACTOR."""
+"""Cases of a scene with an error that the comparison has to notice, by what is wrong in them."""
 
 import copy
 
 from differential.case_text import case_text as text_of
 
-FACTOR = 1.05
+FACTOR = 1.05     # of the scattering coefficient, with the absorption as it is
+ASYMMETRY = 0.1   # less than g of every Henyey-Greenstein phase function
 
 
-def case_text(scene):
+def case_text(scene, error):
     case = copy.deepcopy(scene.case)
     for medium in case["media"].values():
-        _scale(medium)
+        ERRORS[error](medium)
     return text_of(case)
 
 
-def _scale(medium):
-    """More scattering, the same absorption."""
+def _scatter_more(medium):
     if "albedo" in medium:
         extinction, albedo = _lists(medium.pop("extinction"), medium.pop("albedo"))
         medium["absorption"] = _entry([e * (1 - a) for e, a in zip(extinction, albedo)])
@@ -24,6 +24,14 @@ def _scale(medium):
     for key in ("kernel", "scattering"):
         if isinstance(medium.get(key), str):
             medium[key] = f"{FACTOR} * {medium[key]}"
+
+
+def _deflect_more(medium):
+    if medium.get("phase", {}).get("model") == "henyey-greenstein":
+        medium["phase"]["g"] -= ASYMMETRY
+
+
+ERRORS = {"scattering": _scatter_more, "asymmetry": _deflect_more}
 
 
 def _lists(first, second):

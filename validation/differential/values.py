@@ -73,7 +73,7 @@ def values_of(result):
 
 
 def compare(scene, method, results):
-    """All values that both methods have. `results` are those of the runs by name."""
+    """All values of `method` beside those of photons. `results` are those of the runs by name."""
     other = [name for names in CHANGED[method] for name in names if name != "bodies" or scene.body_volumes]
     if not {method, "photons", *other} <= results.keys():
         return []
@@ -88,6 +88,15 @@ def compare(scene, method, results):
         errors = [math.hypot(*(changes[name].get(key, 0.0) for name in names if name in changes)) for names in CHANGED[method]]
         found.append(Compared(scene.seed, method, where, quantity, band, value, *second[key], *errors, floors[quantity, band]))
     return found
+
+
+def missing(method, results):
+    """Values of `method` that photons do not have, as faults."""
+    if not {method, "photons"} <= results.keys():
+        return []
+    known = values_of(results["photons"])
+    return [f"photons: no {quantity} of {where}, {band}, which {method} have"
+            for where, quantity, band in values_of(results[method]) if (where, quantity, band) not in known]
 
 
 def floors_of(values):
