@@ -10,6 +10,7 @@
 #include "app/command/commands.h"
 #include "app/command/memory.h"
 #include "mesh/base/errors.h"
+#include "solver/ordinates/finite_check.h"
 
 namespace etendue {
 namespace {
@@ -56,6 +57,9 @@ ExitCode run_command(const std::vector<std::string>& arguments, std::ostream& ou
   } catch (const FileError& error) {
     err << error.what() << '\n';
     return ExitCode::file_error;
+  } catch (const NotFiniteError& error) {
+    err << error.what() << "; nothing is written\n";
+    return ExitCode::not_converged;
   } catch (const std::bad_alloc&) {
     err << out_of_memory_message() << '\n';
     return ExitCode::input_error;
