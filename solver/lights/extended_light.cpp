@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/lights/adaptive_points.h"
+#include "solver/lights/cut_simplex.h"
 #include "solver/lights/simplex_rules.h"
 
 namespace etendue {
@@ -15,6 +16,8 @@ namespace {
 constexpr double touching_in_sizes = 1e-9, near_in_sizes = 1.5, middling_in_sizes = 4;
 constexpr double tolerance_of_cells = 1e-3, tolerance_of_faces = 1e-4;
 constexpr int divisions_of_cells = 2, divisions_of_faces = 5;
+/// Cells larger than the light once more for each time that their size has to be halved, so often at most.
+constexpr int divisions_to_light = 4;
 /// Cells in and near a volume that shines in many ways are looked at point by point where they are thicker
 /// than this.
 constexpr double thick = 1;
@@ -75,6 +78,12 @@ ExtendedLight::ExtendedLight(const LightPaths& paths, const ExtendedSource& sour
       losses_(paths, source, threads),
       edges_(paths, source, creases) {}
 
+// Much larger cells hold nearly the light of a point.
+int ExtendedLight::divisions_of(const LitCell& cell) const {
+  const double halvings = std::ceil(std::log2(cell.size / source_.diameter()));
+  return divisions_of_cells + static_cast<int>(std::clamp<double>(halvings, 0, divisions_to_light));
+}
+
 // The points of the rule have one barycentric coordinate 1 - (n - 1) a and the others a. Those behind the
 // light take the mean of the others.
 template <std::size_t corners>
@@ -90,6 +99,7 @@ bool ExtendedLight::look_inside(const Site<corners>& site, LightBeams& beams,
     if (seen[i] == Seen::nothing || seen[i] == Seen::part) return false;
     lit += seen[i] == Seen::all ? 1 : 0;
   }
+  if (lit == 0) return false;
   constexpr auto count = static_cast<double>(corners);
   const double a = rule[0].barycentric[1];
   for (std::size_t b = 0; b < bands_; ++b) {
@@ -140,6 +150,22 @@ SteepCorners<corners> ExtendedLight::steep_corners(
   return steep;
 }
 
+// Of a light in one plane the fluence is not steady across that plane.
+template <std::size_t corners, class AddPoint>
+void ExtendedLight::integrate(const Site<corners>& site, double tolerance, int divisions,
+                              const AddPoint& add_point, NodalMoments& moments) const {
+  const auto add_part = [&](const auto& part, double measure) {
+    add_adaptively(
+        part, measure, [&](const auto& piece) { return steep_corners(site, piece); }, tolerance, divisions,
+        add_point, moments);
+  };
+  const auto& plane = source_.plane();
+  if (!plane) return add_part(site.whole, site.measure);
+  std::array<double, corners> height;
+  for (std::size_t i = 0; i < corners; ++i) height[i] = plane->signedDistance(site.corner[i]);
+  cut_simplex<corners>(site.whole, height, touching_in_sizes * site.size, site.measure, add_part);
+}
+
 template <std::size_t corners, class Deposit>
 void ExtendedLight::add_lit(const Site<corners>& site, const LossesBetween<corners>& losses, int divisions,
                             const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const {
@@ -159,9 +185,8 @@ void ExtendedLight::add_lit(const Site<corners>& site, const LossesBetween<corne
     return;
   }
   const bool near = source_.is_near(site.centroid, near_in_sizes * site.size);
-  add_adaptively(
-      site.whole, site.measure, [&](const auto& part) { return steep_corners(site, part); },
-      corners == 3 ? tolerance_of_faces : tolerance_of_cells, near ? divisions : 0, add_point, moments);
+  integrate(site, corners == 3 ? tolerance_of_faces : tolerance_of_cells, near ? divisions : 0, add_point,
+            moments);
 }
 
 template <std::size_t corners, class Deposit>
@@ -196,22 +221,20 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
                        deposit, beams, moments);
 }
 
-template <class Deposit>
-void ExtendedLight::add_in_penumbra(const Site<3>& site, const std::vector<Crease>& edges,
-                                    const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const {
-  LightDetail detail = wall_in_shadow;
-  detail.creases = &edges;
+template <std::size_t corners, class Deposit>
+void ExtendedLight::add_along_rays(const Site<corners>& site, const LightDetail& detail, double tolerance,
+                                   int divisions, const Deposit& deposit, LightBeams& beams,
+                                   NodalMoments& moments) const {
   Arrived light(bands_);
   std::vector<WayLoss> loss(bands_);
-  const auto add_point = [&](const std::array<double, 3>& barycentric, double measure, NodalMoments& sum) {
+  const auto add_point = [&](const std::array<double, corners>& barycentric, double measure,
+                             NodalMoments& sum) {
     const Vec3 place = site.position(barycentric);
     look(source_, {site.cell, place}, detail, beams, loss);
     arrive(place, loss, beams, light);
     deposit(place, barycentric, measure, light, sum);
   };
-  add_adaptively(
-      site.whole, site.measure, [&](const auto& part) { return steep_corners(site, part); },
-      penumbra_tolerance, divisions_in_penumbra, add_point, moments);
+  integrate(site, tolerance, divisions, add_point, moments);
 }
 
 template <std::size_t corners, class Deposit>
@@ -224,11 +247,14 @@ void ExtendedLight::add(const Site<corners>& site, const std::array<std::int32_t
   if (edges.empty() && (known || (found == Interpolation::unseen && look_inside(site, beams, losses))))
     return add_lit(site, losses, divisions, deposit, beams, moments);
   LightDetail detail = corners == 3 ? wall_in_shadow : coarse_light;
+  if (!edges.empty()) detail.creases = &edges;
+  if (source_.is_near(site.centroid, near_in_sizes * site.size))
+    return corners == 3 ? add_along_rays(site, detail, penumbra_tolerance, divisions_in_penumbra, deposit,
+                                         beams, moments)
+                        : add_along_rays(site, detail, tolerance_of_cells, divisions_of_cells, deposit, beams,
+                                         moments);
   int in_shadow = found == Interpolation::steep ? 0 : divisions_in_shadow;
-  if (!edges.empty()) {
-    detail.creases = &edges;
-    in_shadow = divisions_along_edges;
-  }
+  if (!edges.empty()) in_shadow = divisions_along_edges;
   add_point_by_point(site, site.whole, site.measure, in_shadow, detail, deposit, beams, moments);
 }
 
@@ -248,7 +274,7 @@ void ExtendedLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& mo
     return add_point_by_point(site, site.whole, site.measure, 0, coarse_light, deposit, beams, moments);
   std::vector<Crease> edges;
   if (source_.flat_parts().size() <= most_cut_in_cells) edges = edges_.before(site.corner);
-  add(site, paths_.problem().mesh().vertices(cell.index), edges, divisions_of_cells, deposit, beams, moments);
+  add(site, paths_.problem().mesh().vertices(cell.index), edges, divisions_of(cell), deposit, beams, moments);
 }
 
 // What is not sent back by a mirror travels out of the domain: (1 - r) E = F.n. Where nearly all is sent back
@@ -276,10 +302,11 @@ void ExtendedLight::add(FaceIndex face, LightBeams& beams, NodalMoments& moments
       sum.add(shape, measure, b, std::max(0.0, irradiance));
     }
   };
-  if (const std::vector<Crease> edges = edges_.before(site.corner); !edges.empty())
-    add_in_penumbra(site, edges, deposit, beams, moments);
-  else
-    add(site, vertices, edges, divisions_of_faces, deposit, beams, moments);
+  const std::vector<Crease> edges = edges_.before(site.corner);
+  if (edges.empty()) return add(site, vertices, edges, divisions_of_faces, deposit, beams, moments);
+  LightDetail detail = wall_in_shadow;
+  detail.creases = &edges;
+  add_along_rays(site, detail, penumbra_tolerance, divisions_in_penumbra, deposit, beams, moments);
 }
 
 }  // namespace etendue

@@ -35,8 +35,10 @@ class ExtendedLight {
   struct Site;
   struct Arrived;
 
+  /// How often a cell near the light is divided at most.
+  int divisions_of(const LitCell& cell) const;
   void arrive(const Vec3& place, std::span<const WayLoss> loss, LightBeams& beams, Arrived& light) const;
-  /// False where a point is in the shadow.
+  /// False where a point is in the shadow, or all are behind the light.
   template <std::size_t corners>
   bool look_inside(const Site<corners>& site, LightBeams& beams, LossesBetween<corners>& losses) const;
   /// Of a part of a cell or a face.
@@ -51,10 +53,14 @@ class ExtendedLight {
                           const std::array<std::array<double, corners>, corners>& part, double measure,
                           int divisions, const LightDetail& detail, const Deposit& deposit, LightBeams& beams,
                           NodalMoments& moments) const;
-  /// A face before which these edges hide a part of the light.
-  template <class Deposit>
-  void add_in_penumbra(const Site<3>& site, const std::vector<Crease>& edges, const Deposit& deposit,
-                       LightBeams& beams, NodalMoments& moments) const;
+  /// Adaptively, on both sides of the plane of the light.
+  template <std::size_t corners, class AddPoint>
+  void integrate(const Site<corners>& site, double tolerance, int divisions, const AddPoint& add_point,
+                 NodalMoments& moments) const;
+  /// A cell near the light, or a face before which edges hide a part of it: each point by rays to the light.
+  template <std::size_t corners, class Deposit>
+  void add_along_rays(const Site<corners>& site, const LightDetail& detail, double tolerance, int divisions,
+                      const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const;
   template <std::size_t corners, class Deposit>
   void add(const Site<corners>& site, const std::array<std::int32_t, corners>& vertices,
            const std::vector<Crease>& edges, int divisions, const Deposit& deposit, LightBeams& beams,

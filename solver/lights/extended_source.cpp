@@ -12,6 +12,8 @@
 namespace etendue {
 namespace {
 
+std::span<const Vec3> triangle(const EmitterPart& part) { return std::span(part.corners).first<3>(); }
+
 /// Without rays more points are cheap.
 constexpr LightDetail clear_detail{0.25, 0.03, 0.3, 0.9, TriangleRule::seven_points};
 
@@ -20,6 +22,22 @@ constexpr LightDetail clear_detail{0.25, 0.03, 0.3, 0.9, TriangleRule::seven_poi
 constexpr double far_in_distances = 0.1;
 /// So are those of which less than this part of their size arrives.
 constexpr double least_of_size = 1e-4;
+/// Of the size of a light: parts that are no farther from a plane lie in it.
+constexpr double in_plane = 1e-9;
+
+std::optional<ExtendedSource::Plane> common_plane(std::span<const EmitterPart> flat) {
+  if (flat.empty()) return {};
+  Eigen::AlignedBox3d box;
+  for (const EmitterPart& part : flat)
+    for (const Vec3& corner : triangle(part)) box.extend(corner);
+  const auto first = triangle(flat.front());
+  const auto plane = ExtendedSource::Plane::Through(first[0], first[1], first[2]);
+  const double allowed = in_plane * box.diagonal().norm();
+  for (const EmitterPart& part : flat)
+    for (const Vec3& corner : triangle(part))
+      if (plane.absDistance(corner) > allowed) return {};
+  return plane;
+}
 
 }  // namespace
 
@@ -34,6 +52,7 @@ ExtendedSource::ExtendedSource(std::string name, std::vector<double> power, Emit
   if (tree_.shape() == EmitterShape::triangles) {
     shapes_ = flat_shapes(tree_.parts());
     flat_parts_ = few_triangles(tree_.parts());
+    plane_ = common_plane(flat_parts_);
     body_.box = tree_.box();
   } else {
     unfold();

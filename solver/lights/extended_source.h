@@ -22,6 +22,8 @@ namespace etendue {
 /// nothing is singular.
 class ExtendedSource : public WideSource {
  public:
+  using Plane = Eigen::Hyperplane<double, 3>;
+
   /// `power` is what the parts send in all.
   ExtendedSource(std::string name, std::vector<double> power, EmitterTree tree, const LightPaths& paths);
 
@@ -34,6 +36,9 @@ class ExtendedSource : public WideSource {
   /// Whether light through even matter is added up from many parts of it, emitting each in its own way: slow,
   /// and without steps.
   bool is_in_parts() const { return body_.shapes.empty() && tree_.shape() == EmitterShape::tetrahedra; }
+  double diameter() const { return tree_.box().diagonal().norm(); }
+  /// In which all of it lies; none of a body or of surfaces in several planes.
+  const std::optional<Plane>& plane() const { return plane_; }
   /// The sides of its rim that a place lies on but for a distance.
   std::bitset<32> rim_sides_at(const Vec3& place, double distance) const;
   /// What would arrive through matter of this extinction [band] and nothing opaque, by way of mirrors too,
@@ -84,6 +89,7 @@ class ExtendedSource : public WideSource {
   std::vector<MirrorSet> views_;  ///< of the unfolded body
   std::vector<std::size_t> all_bands_;
   std::vector<EmitterPart> flat_parts_;
+  std::optional<Plane> plane_;
   std::vector<std::pair<FlatShape, std::vector<double>>> shapes_;  ///< with their radiance [band]
   /// Convex only where its extinction is the same everywhere. Of triangles nothing but the box.
   UnfoldedBody body_;

@@ -15,9 +15,20 @@ constexpr std::size_t most_edges = 2000;
 constexpr std::size_t most_corners = 8;
 /// Part of the hull's size by which an edge has to reach into it: those of a face itself touch it.
 constexpr double touching = 1e-9;
+/// What is left of 1 in the cosine between the normal of one wall and the other wall where they meet at a
+/// right angle.
+constexpr double right_angle = 1e-9;
 
 bool is_of_walls(const Crease& crease) {
   return std::ranges::any_of(crease.surfaces, [](const auto& surface) { return surface.wall >= 0; });
+}
+
+/// Whether two mirrors meet at a right angle with the domain between them: light that they both reflect goes
+/// on as if there were no edge.
+bool is_corner_of_mirrors(const Crease& crease) {
+  if (crease.surfaces.size() != 2) return false;
+  const Crease::Surface &one = crease.surfaces[0], &other = crease.surfaces[1];
+  return one.mirrors && other.mirrors && one.normal.dot(other.away) < -1 + right_angle;
 }
 
 std::vector<Vec3> corners_of(std::span<const EmitterPart> flat) {
@@ -65,7 +76,9 @@ OccludingEdges::OccludingEdges(const LightPaths& paths, const ExtendedSource& so
                                const std::vector<Crease>& creases)
     : planes_(paths.mirrors()), light_(corners_of(source.flat_parts())) {
   if (light_.empty()) return;
-  std::ranges::copy_if(creases, std::back_inserter(creases_), is_of_walls);
+  std::ranges::copy_if(creases, std::back_inserter(creases_), [](const Crease& crease) {
+    return is_of_walls(crease) && !is_corner_of_mirrors(crease);
+  });
   std::size_t count = 0;
   for (const MirrorSet mirrors : planes_.images_of_point()) {
     images_.push_back({mirrors, {}});
