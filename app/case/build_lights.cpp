@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "app/case/open_walls.h"
+#include "app/case/point_light.h"
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/lights/lamp_in_cone.h"
 #include "solver/problem/lamp_shape.h"
@@ -33,21 +34,6 @@ std::vector<int> walls_of(const LightCase& light, const std::vector<Wall>& walls
   for (std::size_t w = 0; w < walls.size(); ++w)
     if (std::ranges::count(light.walls, walls[w].name) > 0) numbers.push_back(static_cast<int>(w));
   return numbers;
-}
-
-// Photometric zero is `direction`, photometric horizontal `along`. LM-63-02, section 3: type C turns
-// counterclockwise from there about the vertical, A clockwise, with vertical angles that are counted from the
-// horizontal; in type B planes stand about the horizontal, with vertical angles from zero towards it.
-PointLight point_light(const LightCase& light) {
-  PointLight point{light.position, light.strength, light.direction, {}, light.intensity};
-  for (const double degrees : light.angle) point.angle.push_back(degrees * pi / 180);
-  for (const double degrees : light.plane) point.plane.push_back(degrees * pi / 180);
-  const Vec3 up = -light.direction, ahead = (light.along - light.along.dot(up) * up).normalized();
-  const Vec3 right = ahead.cross(up);
-  point.zero_plane = light.type == PhotometricType::b ? light.direction : ahead;
-  point.quarter_plane = light.type == PhotometricType::c ? Vec3(-right) : right;
-  if (light.type == PhotometricType::b) point.axis = -ahead;
-  return point;
 }
 
 /// Parts of a sky are about as wide as that [rad]: a sun in it is a light of its own.
@@ -118,18 +104,28 @@ void require_inside(const LightCase& light, std::span<const Vec3> points, const 
 /// Part of its own shape that a lamp has to send into the domain.
 constexpr double least_part_inside = 1e-6;
 
-/// A lamp on a wall must not shine at the wall alone.
-void require_light_inside(const LightCase& light, const PointLight& point, const CellLocator& locator,
-                          const TetrahedralMesh& mesh, std::vector<Fault>& faults) {
+/// Part of a lamp's light that leads into the domain; below 1 where the lamp lies on a wall.
+double part_inside(const PointLight& point, const CellLocator& locator, const TetrahedralMesh& mesh) {
   const std::vector<CellPoint> cells = locator.find(point.position);
-  if (cells.empty()) return;
-  const double inside = integral_of_lamp_shape(point, TangentCone(mesh, cells));
-  if (inside > least_part_inside * integral_of_lamp_shape(point)) return;
-  faults.push_back(
-      fault_at(light.origin, "",
-               fmt::format("the light \"{}\" on a wall shines only at the wall (its power has to "
-                           "go into the domain); turn it, or move it into a region",
-                           light.name)));
+  if (cells.empty()) return 1;
+  return integral_of_lamp_shape(point, TangentCone(mesh, cells)) / integral_of_lamp_shape(point);
+}
+
+/// A lamp on a wall must not shine at the wall alone.
+PointLight lamp(const LightCase& light, const CellLocator& locator, const TetrahedralMesh& mesh,
+                std::vector<Fault>& faults) {
+  PointLight point = point_light(light);
+  const double inside = part_inside(point, locator, mesh);
+  if (inside <= least_part_inside)
+    faults.push_back(
+        fault_at(light.origin, "",
+                 fmt::format("the light \"{}\" on a wall shines only at the wall (its power has to "
+                             "go into the domain); turn it, or move it into a region",
+                             light.name)));
+  // The solver sends all of a lamp's power into the domain.
+  if (light.keeps_intensity)
+    for (double& power : point.power) power *= inside;
+  return point;
 }
 
 /// A wall that lets light in must not mirror: what comes through would be turned back there.
@@ -243,8 +239,7 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
     const std::vector<int> numbers = by_walls ? walls_of(light, as_written, mesh) : std::vector<int>{};
     if (light.kind == "point" || light.kind == "spot") {
       require_inside(light, std::span(&light.position, 1), locator, faults);
-      lights.push_back({light.name, point_light(light), light.origin, light.uncollided});
-      require_light_inside(light, std::get<PointLight>(lights.back().kind), locator, mesh, faults);
+      lights.push_back({light.name, lamp(light, locator, mesh, faults), light.origin, light.uncollided});
     } else if (light.kind == "sun") {
       const std::size_t before = faults.size();
       require_open(light, numbers, as_written, faults);

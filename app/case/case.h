@@ -102,6 +102,8 @@ struct LightCase {
   std::vector<double> plane;                  ///< [degree]; empty: the same all about the axis
   PhotometricType type = PhotometricType::c;  ///< of angle and plane
   std::vector<double> strength;               ///< [band] power, irradiance or radiance
+  bool keeps_intensity =
+      false;  ///< of a lamp with the light of its file: what it sends at its own wall is lost
   Uncollided uncollided = Uncollided::automatic;
   std::vector<std::string> walls;
   Origin origin;

@@ -159,14 +159,19 @@ void require_rising(IesNumbers& numbers, const std::vector<double>& angles, cons
 LightTable read_ies(std::istream& stream, const std::filesystem::path& path) {
   IesNumbers numbers(stream, path);
   numbers.skip_to_tilt();
-  numbers.next(3, "the lamps");
+  const double multiplier = numbers.next(3, "the lamps").back();
   const std::size_t vertical = numbers.next_count("the number of vertical angles"),
                     horizontal = numbers.next_count("the number of horizontal angles");
   const double type = numbers.next("the photometric type");
   if (type != 1 && type != 2 && type != 3)
     numbers.refuse(fmt::format("{} is no photometric type; give 1 (C), 2 (B) or 3 (A)", type));
-  numbers.next(7, "the angles");
+  const std::vector<double> rest = numbers.next(7, "the angles");
   LightTable table;
+  table.candelas = multiplier * rest[4] * rest[5];
+  if (!(*table.candelas > 0))
+    numbers.refuse(fmt::format(
+        "the multiplier {} and the ballast factors {} and {} leave no light; give factors above 0",
+        multiplier, rest[4], rest[5]));
   table.type = type == 1 ? PhotometricType::c : type == 2 ? PhotometricType::b : PhotometricType::a;
   table.angle = numbers.next(vertical, "the vertical angles");
   require_rising(numbers, table.angle, "vertical");

@@ -110,9 +110,9 @@ std::vector<KeyDeclaration> light_keys() {
        {.choices = {"point", "spot", "sun", "disc", "rectangle", "wall", "sky"},
         .need = required,
         .help =
-            "What it is: point (position, power; distribution, direction and along), spot (position, "
-            "direction, "
-            "angle, power; falloff), sun (direction, irradiance; walls), disc (position, direction, radius, "
+            "What it is: point (position, power or luminous_flux; distribution, direction and along), spot "
+            "(position, direction, angle, power or luminous_flux; falloff), sun (direction, irradiance; "
+            "walls), disc (position, direction, radius, "
             "radiance), rectangle (position, direction, along, size, radiance), wall (walls, radiance), sky "
             "(radiance; walls, distribution, direction and along)."}},
       {"light",
@@ -133,6 +133,24 @@ std::vector<KeyDeclaration> light_keys() {
         .range = not_negative,
         .help = "Of a point or a spot, into all directions; of one on a wall into those that lead into the "
                 "domain."}},
+      {"light",
+       "luminous_flux",
+       number,
+       {.unit = "lm",
+        .default_note = "of an IES or EULUMDAT file the lumens that its candelas are",
+        .range = positive,
+        .help = "Of a point or a spot, in place of `power`: divided among the bands as `color_temperature` "
+                "says, by "
+                "the luminous efficacies of the bands that sensors see by (docs/radiometry.md)."}},
+      {"light",
+       "color_temperature",
+       number,
+       {.unit = "K",
+        .default_note = "the same power in each nanometer",
+        .range = {.lowest = 100, .highest = 1e6},
+        .help = "Of a point or a spot given in lumens: its light is divided among the bands as that of a "
+                "black body "
+                "of this temperature, by `bands.edges`."}},
       {"light",
        "angle",
        number,

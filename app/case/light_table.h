@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "mesh/base/errors.h"
@@ -13,13 +14,14 @@ namespace etendue {
 /// clockwise.
 enum class PhotometricType { c, b, a };
 
-/// Luminous intensity over the angle from an axis of the lamp and the azimuth about it, of any unit: only its
-/// shape counts.
+/// Luminous intensity over the angle from an axis of the lamp and the azimuth about it.
 struct LightTable {
   std::vector<double> angle;      ///< [degree] rising, from 0 to 180 at most
   std::vector<double> intensity;  ///< [plane][angle] not negative
   std::vector<double> plane;      ///< [degree] rising, one turn at most; empty: one plane for all
   PhotometricType type = PhotometricType::c;
+  /// What 1 of `intensity` is [cd]; empty: the unit is not known, and only the shape counts.
+  std::optional<double> candelas;
 };
 
 /// Reads an IES file or a CSV with an angle and an intensity on each line, or an angle, an azimuth and an

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "app/case/band_values.h"
 #include "app/case/light_table.h"
+#include "app/case/read_light_strength.h"
 #include "app/case/read_mesh.h"
 
 namespace etendue {
@@ -22,8 +22,12 @@ struct KindKeys {
 
 const std::array<KindKeys, 7>& kind_keys() {
   static const std::array<KindKeys, 7> kinds = {{
-      {"point", {"position", "power"}, {"distribution", "direction", "along"}},
-      {"spot", {"position", "power", "direction", "angle"}, {"falloff"}},
+      {"point",
+       {"position"},
+       {"power", "luminous_flux", "color_temperature", "distribution", "direction", "along"}},
+      {"spot",
+       {"position", "direction", "angle"},
+       {"power", "luminous_flux", "color_temperature", "falloff"}},
       {"sun", {"direction", "irradiance"}, {"walls"}},
       {"disc", {"position", "direction", "radius", "radiance"}, {}},
       {"rectangle", {"position", "direction", "along", "size", "radiance"}, {}},
@@ -52,28 +56,27 @@ std::optional<Vec3> unit_if(Section& section, std::string_view name) {
   return {};
 }
 
-std::vector<double> numbers_if(Section& section, std::string_view name, const Bands& bands) {
-  const std::optional<BandValues> values = read_band_values(section, name, bands);
-  std::vector<double> numbers;
-  for (int b = 0; values && b < bands.count(); ++b) numbers.push_back(std::get<double>(value_of(*values, b)));
-  return numbers;
-}
-
-void read_shape(Section& section, LightCase& light, const std::filesystem::path& folder) {
+/// What 1 of the intensity of a file is [cd]; empty where only its shape counts.
+std::optional<double> read_shape(Section& section, LightCase& light, const std::filesystem::path& folder) {
   if (const TomlNode* file = section.find("distribution")) {
     LightTable table = read_light_table(resolve_path(*file, folder), file->origin);
     light.angle = std::move(table.angle);
     light.intensity = std::move(table.intensity);
     light.plane = std::move(table.plane);
     light.type = table.type;
+    return table.candelas;
   }
   const auto angle = section.number_if("angle");
-  if (!angle) return;
+  if (!angle) return {};
   const double falloff = section.number("falloff");
-  if (falloff > *angle) return section.fault("falloff", "is wider than the cone; use at most `angle`");
+  if (falloff > *angle) {
+    section.fault("falloff", "is wider than the cone; use at most `angle`");
+    return {};
+  }
   light.angle = {0, *angle - falloff, *angle};
   light.intensity = {1, 1, 0};
   if (falloff == 0) light.intensity.back() = 1;
+  return {};
 }
 
 void read_size(Section& section, LightCase& light) {
@@ -83,7 +86,7 @@ void read_size(Section& section, LightCase& light) {
   light.size = {size->array()[0]->number(), size->array()[1]->number()};
 }
 
-LightCase read_light(Section& section, const Bands& bands, const std::filesystem::path& folder) {
+LightCase read_light(Section& section, const LightContext& context) {
   LightCase light;
   light.origin = section.origin();
   light.name = section.text_if("name").value_or("");
@@ -110,9 +113,10 @@ LightCase read_light(Section& section, const Bands& bands, const std::filesystem
     section.fault("along", "has the direction in which the light shines; use one across it");
   light.radius = section.number_if("radius").value_or(0);
   read_size(section, light);
-  read_shape(section, light, folder);
-  for (const char* quantity : {"power", "irradiance", "radiance"})
-    if (section.has(quantity)) light.strength = numbers_if(section, quantity, bands);
+  const std::optional<double> candelas = read_shape(section, light, context.folder);
+  if (light.kind == "point" || light.kind == "spot") read_lamp_power(section, context, candelas, light);
+  for (const char* quantity : {"irradiance", "radiance"})
+    if (section.has(quantity)) light.strength = band_numbers_if(section, quantity, context.bands);
   if (section.has("walls"))
     for (const std::string& wall : section.texts("walls")) light.walls.push_back(wall);
   return light;
@@ -120,10 +124,10 @@ LightCase read_light(Section& section, const Bands& bands, const std::filesystem
 
 }  // namespace
 
-std::vector<LightCase> read_lights(Section& top, const Bands& bands, const std::filesystem::path& folder) {
+std::vector<LightCase> read_lights(Section& top, const LightContext& context) {
   std::vector<LightCase> lights;
   for (Section& section : top.list("light")) {
-    LightCase light = read_light(section, bands, folder);
+    LightCase light = read_light(section, context);
     if (std::ranges::count(lights, light.name, &LightCase::name) > 0 && !light.name.empty())
       section.fault("name", "another light has this name; give each its own");
     lights.push_back(std::move(light));
@@ -146,7 +150,7 @@ std::optional<LightCase> read_beam(Section& wall, const std::string& name, const
   beam.kind = "sun";
   beam.walls = {name};
   beam.direction = unit_if(section, "direction").value_or(-Vec3::UnitZ());
-  beam.strength = numbers_if(section, "irradiance", bands);
+  beam.strength = band_numbers_if(section, "irradiance", bands);
   return beam;
 }
 

@@ -8,8 +8,15 @@
 
 namespace etendue {
 
+/// What the lights of a case are read with.
+struct LightContext {
+  const Bands& bands;
+  const Units& units;
+  std::filesystem::path folder;
+};
+
 /// The [[light]] tables, and what the walls' beams say.
-std::vector<LightCase> read_lights(Section& top, const Bands& bands, const std::filesystem::path& folder);
+std::vector<LightCase> read_lights(Section& top, const LightContext& context);
 
 /// `uncollided` of a medium or a wall.
 Uncollided read_uncollided(Section& section);

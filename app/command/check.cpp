@@ -6,6 +6,7 @@
 #include "app/command/check_run.h"
 #include "app/command/commands.h"
 #include "app/command/interruption.h"
+#include "app/command/lamp_text.h"
 #include "app/command/phase_text.h"
 #include "app/command/text_table.h"
 #include "app/command/verbose_log.h"
@@ -75,8 +76,9 @@ ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream
   const Log log = verbose_log(request, err);
   // What a run refuses does not depend on the size of cells.
   const TetrahedralMesh mesh = build_mesh(request.mesh ? input : with_coarsest_cells(input), log);
-  check_run(input, build_problem(input, mesh));
-  out << request.file.string() << " is a valid case\n" << summary_of(input);
+  const Problem problem = build_problem(input, mesh);
+  check_run(input, problem);
+  out << request.file.string() << " is a valid case\n" << summary_of(input) << lamp_text(problem, input);
   if (request.mesh) out << '\n' << to_string(mesh_report(mesh), mesh, input.units.length);
   return ExitCode::done;
 }

@@ -10,6 +10,7 @@
 #include "app/case/build.h"
 #include "app/command/begun_run.h"
 #include "app/command/exact_setup.h"
+#include "app/command/lamp_text.h"
 #include "app/command/memory.h"
 #include "app/command/method_checks.h"
 #include "app/command/phase_text.h"
@@ -160,6 +161,7 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   out << mesh_line(mesh) << std::flush;
   const Problem problem = build_problem(input, mesh);
   seconds.setup = watch.lap();
+  out << lamp_text(problem, input) << std::flush;
   if (input.photons)
     return run_by_photons({request, input, problem, seconds, watch, interruption}, out, err, reader);
   if (input.radiosity)

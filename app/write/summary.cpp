@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/write/balance_check.h"
+#include "app/write/lamp_light.h"
 #include "app/write/negative_fluence.h"
 #include "app/write/stage_seconds.h"
 
@@ -100,6 +101,13 @@ Json as_json(const KernelReport& kernel) {
           {"forward", {kernel.smallest_forward, kernel.largest_forward}}};
 }
 
+Json as_json(const LampLight& lamp) {
+  return {{"name", lamp.name},
+          {"power", lamp.power},
+          {"luminous_flux", lamp.luminous_flux},
+          {"luminous_efficacy", lamp.efficacy}};
+}
+
 Json as_json(const NegativeFluence& negative) {
   Json json = {{"count", negative.count}, {"smallest", negative.smallest}, {"share", negative.share}};
   if (negative.count > 0) json["place"] = {negative.place.x(), negative.place.y(), negative.place.z()};
@@ -157,6 +165,8 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["sweeps"] = array_of(solution.convergence, [](const BandConvergence& c) { return c.sweeps; });
   summary["residual"] = array_of(solution.convergence, [](const BandConvergence& c) { return c.residual; });
   summary["balance"] = array_of(result.balances, [](const Balance& b) { return as_json(b); });
+  if (const auto lamps = lamp_lights(result.problem, result.input.units); !lamps.empty())
+    summary["lamps"] = array_of(lamps, [](const LampLight& lamp) { return as_json(lamp); });
   if (!solution.lights.balance.empty())
     summary["uncollided"] =
         array_of(solution.lights.balance, [](const UncollidedBalance& b) { return as_json(b); });

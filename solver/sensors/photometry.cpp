@@ -16,13 +16,18 @@ const std::vector<std::string> primaries = {"red", "green", "blue"};
 
 double photon_energy(double wavelength) { return planck * speed_of_light / (wavelength * 1e-9); }
 
+std::optional<double> watts_of_unit(const std::string& power_label) {
+  if (power_label == "W") return 1;
+  if (power_label == "mW") return 1e-3;
+  return std::nullopt;
+}
+
 std::optional<SiScale> si_scale(const std::string& length_label, const std::string& power_label) {
   static const std::map<std::string, double> lengths = {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"km", 1e3}};
-  static const std::map<std::string, double> powers = {{"W", 1}, {"mW", 1e-3}};
   const auto length = lengths.find(length_label);
-  const auto power = powers.find(power_label);
-  if (length == lengths.end() || power == powers.end()) return std::nullopt;
-  return SiScale{power->second, length->second};
+  const std::optional<double> power = watts_of_unit(power_label);
+  if (length == lengths.end() || !power) return std::nullopt;
+  return SiScale{*power, length->second};
 }
 
 Photometry::Photometry(const Bands& bands) {

@@ -24,6 +24,9 @@ struct SiScale {
   double length;  ///< [m]
 };
 
+/// What a unit of power is [W]: of the labels W and mW; of others it is not known.
+std::optional<double> watts_of_unit(const std::string& power_label);
+
 /// The labels m, cm, mm, km and W, mW are known; of others there is no scale.
 std::optional<SiScale> si_scale(const std::string& length_label, const std::string& power_label);
 

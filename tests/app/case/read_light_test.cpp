@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numeric>
+
 #include "app/case/light_table.h"
+#include "solver/sensors/photometry.h"
 #include "tests/app/case/case_text.h"
 
 namespace etendue {
@@ -50,13 +54,95 @@ TEST(ReadLight, MayBeLeftToTheDirections) {
 
 TEST(ReadLight, AsksForWhatAKindNeeds) {
   EXPECT_EQ(faults_of(cube + "[[light]]\nname = \"bulb\"\nkind = \"point\"\nposition = [0, 0, 0]\n"),
-            "slab.toml:7: light[0]: a light of kind point needs power; add it");
+            "slab.toml:7: light[0]: a light of kind point needs power or luminous_flux; add one of them");
   EXPECT_EQ(faults_of(cube + "[[light]]\nname = \"a\"\nkind = \"sky\"\nradiance = 1\nangle = 3\n"),
             "slab.toml:11: light[0].angle = 3: unused (it is no key of the kind sky); remove it");
   EXPECT_EQ(
       faults_of(cube + "[[light]]\nname = \"a\"\nkind = \"wall\"\nradiance = 1\nwalls = [\"zmx\"]\n"),
       "slab.toml:7: light[0].walls: no wall can be called \"zmx\" (did you mean \"zmax\"?); there can be "
       "xmax, xmin, ymax, ymin, zmax, zmin");
+}
+
+const std::string bulb = "[[light]]\nname = \"bulb\"\nkind = \"point\"\nposition = [0.5, 0.5, 0.9]\n";
+
+/// Bands of 1 nm with their middles from 380 to 780 nm.
+std::string fine_bands() {
+  std::string names = "names = [", edges = "edges = [379.5";
+  for (int nm = 380; nm <= 780; ++nm) {
+    names += "\"" + std::to_string(nm) + "\", ";
+    edges += ", " + std::to_string(nm) + ".5";
+  }
+  return "[bands]\n" + names + "]\n" + edges + "]\n";
+}
+
+// Luminous efficacies of black bodies from 380 to 780 nm: validation/reference/luminous_efficacy.csv.
+TEST(ReadLight, DividesLumensAmongTheBandsOfABlackBody) {
+  const struct {
+    int kelvin;
+    double lumens_per_watt;
+  } bodies[] = {{2000, 95.549}, {2856, 155.807}, {6500, 195.191}};
+  for (const auto& body : bodies) {
+    const Case input = case_of(cube + fine_bands() + bulb + "luminous_flux = 800\ncolor_temperature = " +
+                               std::to_string(body.kelvin) + "\n");
+    const std::vector<double>& power = input.lights.at(0).strength;
+    EXPECT_NEAR(800 / std::accumulate(power.begin(), power.end(), 0.0), body.lumens_per_watt,
+                2e-4 * body.lumens_per_watt);
+    EXPECT_NEAR(Photometry(input.bands).luminous(power), 800, 1e-9);
+  }
+}
+
+TEST(ReadLight, DividesLumensEvenlyWithoutAColorTemperature) {
+  const std::string flux = bulb + "luminous_flux = 683\n";
+  const Case primaries = case_of(cube + "[bands]\nnames = [\"red\", \"green\", \"blue\"]\n" + flux);
+  for (const double power : primaries.lights.at(0).strength) EXPECT_NEAR(power, 1, 1e-12);
+  const Case two = case_of(
+      cube + "[units]\npower = \"mW\"\n[bands]\nnames = [\"a\", \"b\"]\nedges = [500, 600, 620]\n" + flux);
+  const std::vector<double>& power = two.lights.at(0).strength;
+  EXPECT_NEAR(power.at(0), 5 * power.at(1), 1e-9);
+  EXPECT_NEAR(Photometry(two.bands).luminous(power), 683e3, 1e-6);
+}
+
+TEST(ReadLight, RefusesLumensThatItCannotConvert) {
+  const std::string flux = bulb + "luminous_flux = 800\n",
+                    seen = "[bands]\nnames = [\"a\"]\nedges = [380, 780]\n";
+  EXPECT_EQ(faults_of(cube + flux),
+            "slab.toml:11: light[0].luminous_flux = 800: lumens need bands whose wavelengths are known; give "
+            "bands.edges, e.g. [380, 780] for one band, or give the power");
+  EXPECT_EQ(
+      faults_of(cube + "[units]\npower = \"1/s\"\n" + seen + flux),
+      "slab.toml:16: light[0].luminous_flux = 800: lumens cannot be converted to units.power = \"1/s\"; use "
+      "W or mW, or give the power");
+  EXPECT_EQ(
+      faults_of(cube + "[bands]\nnames = [\"a\"]\nedges = [900, 1000]\n" + flux),
+      "slab.toml:14: light[0].luminous_flux = 800: the eye sees none of the bands; use bands.edges between "
+      "360 and 830 nm, or give the power");
+  EXPECT_EQ(
+      faults_of(cube + seen + flux + "power = 3\n"),
+      "slab.toml:14: light[0].luminous_flux = 800: unused (`power` is given for each band); remove it");
+  EXPECT_EQ(faults_of(cube + "[bands]\nnames = [\"red\", \"green\", \"blue\"]\n" + flux +
+                      "color_temperature = 2700\n"),
+            "slab.toml:14: light[0].color_temperature = 2700: divides the light among the bands by their "
+            "wavelengths, "
+            "which are not known; give bands.edges");
+}
+
+// A lamp of 100 cd in all directions, with a multiplier of 2 and ballast factors 0.9 and 0.5: 4 pi 90 lm.
+TEST(ReadLight, TakesTheLumensOfAnIesFile) {
+  const TestFolder folder;
+  const auto file = folder.write(
+      "lamp.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 -1 2 2 1 1 2 0 0 0\n0.9 0.5 50\n0 180\n0\n100 100\n");
+  const std::string lamp = bulb + "distribution = \"" + file.string() + "\"\n";
+  const std::string seen = "[bands]\nnames = [\"a\", \"b\"]\nedges = [450, 550, 650]\n";
+  const Case input = case_of(cube + seen + lamp);
+  EXPECT_TRUE(input.lights.at(0).keeps_intensity);
+  EXPECT_NEAR(Photometry(input.bands).luminous(input.lights[0].strength), 4 * M_PI * 90, 1e-9);
+  const Case given = case_of(cube + seen + lamp + "luminous_flux = 500\n");
+  EXPECT_FALSE(given.lights.at(0).keeps_intensity);
+  EXPECT_NEAR(Photometry(given.bands).luminous(given.lights[0].strength), 500, 1e-9);
+  EXPECT_EQ(case_of(cube + lamp + "power = 3\n").lights.at(0).strength, std::vector<double>{3});
+  EXPECT_TRUE(faults_of(cube + lamp)
+                  .ends_with("is a lamp file with candelas, and lumens need bands whose wavelengths are "
+                             "known; give bands.edges, e.g. [380, 780] for one band, or give the power"));
 }
 
 TEST(LightTable, ReadsIesFiles) {

@@ -76,6 +76,52 @@ TEST(Sensors, WriteWhatTheyMeasure) {
   EXPECT_NEAR(rows["desk photopic illuminance footcandle"].at(2) * 10.763910416709722 / lux, 1, 1e-12);
 }
 
+// On a ceiling 100 cd down at 2 m, and above the desk 800 lm in all directions at 1.5 m: 100/4 + 800/(4
+// pi 1.5^2) lx.
+TEST(Sensors, ReadTheLuxOfLampsInLumens) {
+  const std::string lamps = R"([[light]]
+name = "downlight"
+kind = "point"
+position = [1, 1, 2]
+distribution = "lamp.ies"
+[[light]]
+name = "bulb"
+kind = "point"
+position = [1, 1, 1.5]
+luminous_flux = 800
+color_temperature = 2700
+[[sensor]]
+name = "desk"
+position = [1, 1, 0]
+normal = [0, 0, 1]
+)";
+  const CaseFolder folder(R"([mesh]
+edge_length = 1
+[[mesh.box]]
+region = "air"
+min = [0, 0, 0]
+max = [2, 2, 2]
+[bands]
+names = ["blue", "green", "red", "infrared"]
+edges = [400, 500, 600, 700, 1000]
+[media.air]
+[walls."*"]
+[output]
+directory = "results"
+)" + lamps);
+  // It shines up as well: that light is lost in the ceiling.
+  std::ofstream(folder.path() / "lamp.ies")
+      << "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 50\n0 180\n0\n100 100\n";
+  const Outcome run = etendue_says({"run", folder.file()});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  const auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
+  EXPECT_NEAR(rows.at("desk photopic illuminance lx").at(2), 25 + 800 / (4 * pi * 2.25), 1e-6);
+  EXPECT_NE(run.out.find("lamp bulb: "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find(" 800 lm, "), std::string::npos) << run.out;
+  const std::string summary = text_of(folder.path() / "results" / "summary.json");
+  EXPECT_NE(summary.find("\"luminous_efficacy\""), std::string::npos);
+}
+
 // A sky of radiance L sends in pi L: lumens per area that leave a surface, which are no lux.
 TEST(Sensors, LuminousExitanceIsInLumensPerArea) {
   const CaseFolder folder(

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "app/case/case.h"
+#include "app/case/read_light.h"
+#include "app/case/section.h"
+
+namespace etendue {
+
+/// Reads the power of a point or a spot: from `power`, from `luminous_flux`, or, with neither of them, from
+/// the candelas of its file. `candelas` is what 1 of its intensity is [cd].
+void read_lamp_power(Section& section, const LightContext& context, std::optional<double> candelas,
+                     LightCase& light);
+
+/// [band] Numbers of a key; empty where it is absent or faulty.
+std::vector<double> band_numbers_if(Section& section, std::string_view name, const Bands& bands);
+
+}  // namespace etendue

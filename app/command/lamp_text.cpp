@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/lamp_text.h"
+
+#include <fmt/format.h>
+
+#include "app/write/lamp_light.h"
+
+namespace etendue {
+namespace {
+
+constexpr std::size_t lamps_told = 8;
+
+}  // namespace
+
+std::string lamp_text(const Problem& problem, const Case& input) {
+  std::string text;
+  const std::vector<LampLight> lamps = lamp_lights(problem, input.units);
+  for (std::size_t i = 0; i < lamps.size() && i < lamps_told; ++i)
+    text += fmt::format("lamp {}: {:.4g} {} in the bands, {:.5g} lm, {:.4g} lm/W\n", lamps[i].name,
+                        lamps[i].power, input.units.power, lamps[i].luminous_flux, lamps[i].efficacy);
+  if (lamps.size() > lamps_told) text += fmt::format("and {} more lamps\n", lamps.size() - lamps_told);
+  return text;
+}
+
+}  // namespace etendue

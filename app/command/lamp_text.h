@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/case/case.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// A line for each point and spot: its power, lumens and luminous efficacy; of many lamps the first few.
+std::string lamp_text(const Problem& problem, const Case& input);
+
+}  // namespace etendue
