@@ -22,6 +22,7 @@
 #include "solver/ordinates/solve.h"
 #include "solver/picture/camera.h"
 #include "solver/picture/tone.h"
+#include "solver/picture/white_balance.h"
 #include "solver/problem/angular_space.h"
 #include "solver/problem/directional_scattering.h"
 #include "solver/problem/light.h"
@@ -133,6 +134,7 @@ struct CameraCase {
   Camera camera;
   std::optional<double> exposure;  ///< empty: automatic
   Tone tone = Tone::linear;
+  White white;  ///< what is neutral in the PNG
   Origin origin;
 };
 

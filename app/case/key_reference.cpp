@@ -41,6 +41,8 @@ std::string type_column(KeyType type) {
       return "number or table NAME = number";
     case KeyType::named_points:
       return "table NAME = [x, y, z]";
+    case KeyType::choice_or_number:
+      return "text or number";
     case KeyType::rotation:
       return "\"random\" or table of axis, angle";
     case KeyType::named_sides:
@@ -57,7 +59,9 @@ std::string default_column(const KeyDeclaration& key) {
 
 std::string accepted_column(const KeyDeclaration& key) {
   if (key.support == Support::later) return "not in this version";
-  std::string text = key.choices.empty() ? key.range.text() : enumerate(key.choices);
+  std::vector<std::string> choices = key.choices;
+  if (key.type == KeyType::choice_or_number) choices.push_back("a number " + key.range.text());
+  std::string text = choices.empty() ? key.range.text() : enumerate(choices);
   if (!key.later.empty())
     text += fmt::format("{}not in this version: {}", text.empty() ? "" : "; ", enumerate(key.later));
   return text;

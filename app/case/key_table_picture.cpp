@@ -91,6 +91,17 @@ std::vector<KeyDeclaration> picture_keys() {
         .range = positive,
         .help = "What radiance is multiplied by before the tone curve; for NAME.png only."}},
       {"camera",
+       "white",
+       choice_or_number,
+       {.unit = "K",
+        .default_value = "\"equal\"",
+        .range = {.lowest = 1000, .highest = 1e6},
+        .choices = {"equal", "D65"},
+        .help =
+            "Light that is neutral in the picture: equal power in each nanometer (and a single band is "
+            "grey), "
+            "daylight D65 (colors as they are), or a black body of this temperature; for NAME.png only."}},
+      {"camera",
        "tone",
        text,
        {.default_value = "\"linear\"",

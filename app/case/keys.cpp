@@ -40,6 +40,8 @@ std::string type_text(KeyType type) {
       return "a number, or a table of one for each region";
     case KeyType::named_points:
       return "a table of points [x, y, z]";
+    case KeyType::choice_or_number:
+      return "text or a number";
     case KeyType::rotation:
       return "\"random\" or { axis = [x, y, z], angle = degrees }";
     case KeyType::named_sides:
@@ -111,7 +113,11 @@ std::string table_header(std::string_view path) {
 }
 
 std::string accepted_text(const KeyDeclaration& key) {
-  if (!key.choices.empty()) return enumerate(quoted_choices(key));
+  if (!key.choices.empty()) {
+    std::vector<std::string> choices = quoted_choices(key);
+    if (key.type == KeyType::choice_or_number) choices.push_back("a number " + key.range.text());
+    return enumerate(choices);
+  }
   const std::string type = type_text(key.type), range = key.range.text();
   if (range.empty()) return type;
   const bool compound = type.find(',') != std::string::npos || key.type == KeyType::numbers;

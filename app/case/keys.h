@@ -11,23 +11,24 @@ namespace etendue {
 
 /// What a key takes.
 enum class KeyType {
-  any,           ///< not looked into
-  text,          ///< "…"
-  number,        ///< integer or float
-  integer,       ///< without a decimal point
-  boolean,       ///< true or false
-  switch_,       ///< "auto", true or false
-  point,         ///< [x, y, z]
-  points,        ///< list of points
-  texts,         ///< list of text
-  numbers,       ///< list of numbers
-  band_texts,    ///< text, or a list with one for each band
-  band_numbers,  ///< a number, or a list with one for each band
-  band_values,   ///< a number or a formula in x, y, z, or a list of such with one for each band
-  size_bound,    ///< a number, or a table NAME = number
-  named_points,  ///< a table NAME = [x, y, z]
-  rotation,      ///< "random", or a table of `axis` and `angle`
-  named_sides    ///< a table of xmin … zmax = text
+  any,               ///< not looked into
+  text,              ///< "…"
+  number,            ///< integer or float
+  integer,           ///< without a decimal point
+  boolean,           ///< true or false
+  switch_,           ///< "auto", true or false
+  point,             ///< [x, y, z]
+  points,            ///< list of points
+  texts,             ///< list of text
+  numbers,           ///< list of numbers
+  band_texts,        ///< text, or a list with one for each band
+  band_numbers,      ///< a number, or a list with one for each band
+  band_values,       ///< a number or a formula in x, y, z, or a list of such with one for each band
+  size_bound,        ///< a number, or a table NAME = number
+  named_points,      ///< a table NAME = [x, y, z]
+  choice_or_number,  ///< one of the choices, or a number
+  rotation,          ///< "random", or a table of `axis` and `angle`
+  named_sides        ///< a table of xmin … zmax = text
 };
 
 /// Numbers that a key accepts.

@@ -38,6 +38,12 @@ void read_lens(Section& section, Camera& camera) {
   camera.field_of_view = section.number("field_of_view");
 }
 
+White read_white(Section& section) {
+  const TomlNode& node = section.value("white");
+  if (node.is_number()) return {White::Kind::black_body, node.number()};
+  return {node.text() == "D65" ? White::Kind::d65 : White::Kind::equal};
+}
+
 void read_pixels(Section& section, Camera& camera) {
   const TomlArray& pixels = section.value("pixels").array();
   const bool whole = std::ranges::all_of(
@@ -63,6 +69,7 @@ CameraCase read_camera(Section& section) {
   result.camera.shadow_rays = section.integer("shadow_rays");
   result.camera.errors = section.boolean("errors");
   result.exposure = section.number_if("exposure");
+  result.white = read_white(section);
   if (const auto tone = tones.find(section.text("tone")); tone != tones.end()) result.tone = tone->second;
   return result;
 }

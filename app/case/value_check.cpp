@@ -57,6 +57,8 @@ class ValueCheck {
         return node.is_table() ? names(node, &ValueCheck::number) : number(node);
       case KeyType::named_points:
         return names(node, &ValueCheck::point);
+      case KeyType::choice_or_number:
+        return node.is_text() ? chosen_text(node) : number(node);
       case KeyType::rotation:
         return rotation(node);
       case KeyType::named_sides:

@@ -133,10 +133,11 @@ class Baker {
       baked.values = bake_radiosity(places, scene_.problem, baked.values);
     const std::vector<std::string>& bands = scene_.problem.bands().names;
     const BandColor rule(scene_.problem.bands());
+    const WhiteBalance white(scene_.problem.bands());
     for (const std::string& band : bands)
       baked.names.push_back(name() + (bands.size() > 1 ? "_" + band : ""));
     for (std::size_t at = 0; at < baked.values.size(); at += bands.size())
-      baked.colors.push_back(rule.of(std::span(baked.values).subspan(at, bands.size())));
+      baked.colors.push_back(white.of(rule.of(std::span(baked.values).subspan(at, bands.size()))));
     return baked;
   }
 

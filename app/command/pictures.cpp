@@ -109,9 +109,10 @@ bool write_pictures(const PictureOrder& order, const TakePicture& take, const Ad
     });
     display.finish();
     if (!picture.whole) return false;
-    out << fmt::format("picture {}: {} x {} pixels, {} {} each, {:.3g} s\n", camera.name, picture.pixels[0],
+    const std::string white = WhiteBalance(order.input.bands, camera.white).rule();
+    out << fmt::format("picture {}: {} x {} pixels, {} {} each, {:.3g} s{}\n", camera.name, picture.pixels[0],
                        picture.pixels[1], camera.camera.samples, camera.camera.samples == 1 ? "ray" : "rays",
-                       seconds_since(begun));
+                       seconds_since(begun), white.empty() ? "" : "; " + white);
     if (is_black(picture))
       out << fmt::format("  the picture {} is black: nothing that the camera looks at shines\n", camera.name);
     pictures.push_back({camera, std::move(picture), {}});

@@ -37,11 +37,12 @@ double luminance(double red, double green, double blue) {
 
 }  // namespace
 
-std::vector<double> linear_colors(const BandColor& rule, std::span<const double> values, std::size_t bands) {
+std::vector<double> linear_colors(const BandColor& rule, const WhiteBalance& white,
+                                  std::span<const double> values, std::size_t bands) {
   std::vector<double> colors;
   colors.reserve(3 * (values.size() / bands));
   for (std::size_t at = 0; at < values.size(); at += bands) {
-    const LinearColor color = rule.of(values.subspan(at, bands));
+    const LinearColor color = white.of(rule.of(values.subspan(at, bands)));
     colors.insert(colors.end(), color.begin(), color.end());
   }
   return colors;

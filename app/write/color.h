@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "solver/picture/band_color.h"
+#include "solver/picture/white_balance.h"
 
 namespace etendue {
 
-/// Linear sRGB of each node, [node][3], from values [node][band].
-std::vector<double> linear_colors(const BandColor& rule, std::span<const double> values, std::size_t bands);
+/// Linear sRGB of each node, its white made neutral, [node][3], from values [node][band].
+std::vector<double> linear_colors(const BandColor& rule, const WhiteBalance& white,
+                                  std::span<const double> values, std::size_t bands);
 
 /// How bright values are shown: `white` becomes 1 on the display, and what is brighter is clipped.
 struct Exposure {

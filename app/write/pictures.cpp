@@ -56,7 +56,9 @@ std::vector<std::string> add_pictures(const std::filesystem::path& directory, co
     const Picture& picture = named.picture;
     const std::vector<LinearColor> colors = colors_of(picture, rule);
     folder.add_text(camera.name + ".exr", exr_of(input, named, rule, colors));
-    folder.add_text(camera.name + ".png", toned_png(picture.pixels, colors, camera.exposure, camera.tone));
+    folder.add_text(camera.name + ".png",
+                    toned_png(picture.pixels, balanced(colors, WhiteBalance(input.bands, camera.white)),
+                              camera.exposure, camera.tone));
   }
   const std::vector<std::string> names = folder.names();
   const std::string summary = summary_with_files(directory, names, seconds);

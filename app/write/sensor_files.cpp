@@ -70,6 +70,7 @@ std::string grid_png(const RunResult& result, const SensorRow& row) {
   const std::array<int, 2> parts = row.place.sensor.count;
   const std::size_t bands = result.problem.bands().names.size();
   const BandColor rule(result.problem.bands());
+  const WhiteBalance white(result.problem.bands());
   const int block = std::max(1, pixels_of_a_grid / std::max(parts[0], parts[1]));
   std::vector<LinearColor> colors;
   for (int y = 0; y < parts[1] * block; ++y)
@@ -82,7 +83,7 @@ std::string grid_png(const RunResult& result, const SensorRow& row) {
       std::vector<double> irradiance;
       for (std::size_t i = first; i < first + bands; ++i)
         irradiance.push_back(grid.uncollided[i] + grid.collided[i]);
-      colors.push_back(rule.of(irradiance));
+      colors.push_back(white.of(rule.of(irradiance)));
     }
   return toned_png({parts[0] * block, parts[1] * block}, colors, std::nullopt, Tone::linear);
 }

@@ -9,6 +9,13 @@
 
 namespace etendue {
 
+std::vector<LinearColor> balanced(std::span<const LinearColor> colors, const WhiteBalance& white) {
+  std::vector<LinearColor> result;
+  result.reserve(colors.size());
+  for (const LinearColor& color : colors) result.push_back(white.of(color));
+  return result;
+}
+
 std::string toned_png(std::array<int, 2> pixels, std::span<const LinearColor> colors,
                       std::optional<double> exposure, Tone tone) {
   const double factor = exposure ? *exposure : automatic_exposure(colors);

@@ -5,10 +5,15 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "solver/picture/tone.h"
+#include "solver/picture/white_balance.h"
 
 namespace etendue {
+
+/// Linear colors with their white made neutral.
+std::vector<LinearColor> balanced(std::span<const LinearColor> colors, const WhiteBalance& white);
 
 /// The bytes of a PNG file of linear colors, [row from the top][column], that went through an exposure and a
 /// tone curve; without an exposure through automatic_exposure().

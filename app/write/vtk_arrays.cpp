@@ -66,9 +66,11 @@ vtkSmartPointer<vtkDataArray> color_array(const Bands& bands, std::span<const do
                                           std::span<const double> weights, int points_per_weight,
                                           const std::string& unit) {
   const BandColor rule(bands);
-  const std::vector<double> rgb = linear_colors(rule, values, bands.names.size());
+  const WhiteBalance white(bands);
+  const std::vector<double> rgb = linear_colors(rule, white, values, bands.names.size());
   const Exposure exposure = exposure_of(rgb, weights, points_per_weight);
-  return vtk_colors(rule.rule() + "; " + describe(exposure, unit), display_colors(rgb, exposure));
+  const std::string neutral = white.rule().empty() ? "" : "; " + white.rule();
+  return vtk_colors(rule.rule() + neutral + "; " + describe(exposure, unit), display_colors(rgb, exposure));
 }
 
 void add_names(vtkFieldData& fields, const std::string& array, const std::vector<std::string>& names) {

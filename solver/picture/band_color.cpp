@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/picture/band_color.h"
 
+#include <algorithm>
+
 #include "solver/picture/color_matching.h"
 
 namespace etendue {
@@ -11,29 +13,41 @@ constexpr double xyz_to_rgb[3][3] = {{3.240969942, -1.537383178, -0.4986107603},
                                      {-0.9692436363, 1.875967502, 0.04155505741},
                                      {0.0556300797, -0.2039769589, 1.056971514}};
 
-LinearColor rgb_of(const std::array<double, 3>& xyz) {
+/// Whether the eye sees one of them.
+bool is_seen(const std::vector<LinearColor>& colors) {
+  return std::ranges::any_of(colors, [](const LinearColor& color) { return color != LinearColor{}; });
+}
+
+}  // namespace
+
+LinearColor linear_srgb(const std::array<double, 3>& xyz) {
   LinearColor color{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) color[i] += xyz_to_rgb[i][k] * xyz[k];
   return color;
 }
 
-}  // namespace
+bool are_primaries(const Bands& bands) {
+  return bands.names == std::vector<std::string>{"red", "green", "blue"};
+}
 
 BandColor::BandColor(const Bands& bands) {
   const std::size_t count = bands.names.size();
-  if (bands.names == std::vector<std::string>{"red", "green", "blue"}) {
+  if (are_primaries(bands)) {
     of_band_ = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     rule_ = "bands red, green, blue as the primaries of sRGB";
-  } else if (!bands.edges.empty()) {
-    for (std::size_t b = 0; b < count; ++b)
-      of_band_.push_back(rgb_of(mean_color_matching(bands.edges[b], bands.edges[b + 1])));
-    rule_ = "spectrum seen by the CIE 1931 observer, in linear sRGB";
-  } else {
-    const double share = 1 / static_cast<double>(count);
-    of_band_.assign(count, {share, share, share});
-    rule_ = "grey: mean of the bands";
+    return;
   }
+  for (std::size_t b = 0; b + 1 < bands.edges.size(); ++b)
+    of_band_.push_back(linear_srgb(mean_color_matching(bands.edges[b], bands.edges[b + 1])));
+  if (is_seen(of_band_)) {
+    rule_ = "spectrum seen by the CIE 1931 observer, in linear sRGB";
+    return;
+  }
+  const double share = 1 / static_cast<double>(count);
+  of_band_.assign(count, {share, share, share});
+  rule_ =
+      bands.edges.empty() ? "grey: mean of the bands" : "grey: mean of the bands, which the eye does not see";
 }
 
 LinearColor BandColor::of(std::span<const double> radiance) const {

@@ -25,6 +25,22 @@ TEST(ReadCamera, FillsInDefaults) {
   EXPECT_EQ(front.camera.shadow_rays, 128);
   EXPECT_FALSE(front.exposure);
   EXPECT_EQ(front.tone, Tone::linear);
+  EXPECT_EQ(front.white.kind, White::Kind::equal);
+}
+
+TEST(ReadCamera, KnowsWhites) {
+  const std::string view = camera + "look_at = [0, 0, 0]\n";
+  EXPECT_EQ(case_of(view + "white = \"D65\"\n").cameras[0].white.kind, White::Kind::d65);
+  const White lamp = case_of(view + "white = 2700\n").cameras[0].white;
+  EXPECT_EQ(lamp.kind, White::Kind::black_body);
+  EXPECT_EQ(lamp.kelvin, 2700);
+  EXPECT_EQ(faults_of(view + "white = \"D50\"\n"),
+            "slab.toml:11: camera[0].white = \"D50\": is not known; use \"equal\", "
+            "\"D65\" or "
+            "a number from 1000 to 1000000");
+  EXPECT_EQ(faults_of(view + "white = 20\n"),
+            "slab.toml:11: camera[0].white = 20: out of range; use \"equal\", \"D65\" or a number from 1000 "
+            "to 1000000");
 }
 
 TEST(ReadCamera, TakesAllThatIsGiven) {

@@ -195,7 +195,8 @@ TEST(Sensors, GridsArePictures) {
   for (std::size_t y = 0; y < 340; ++y)
     for (std::size_t x = 0; x < 510; ++x) colors.push_back(rule.of(parts[y / 170 * 3 + x / 170]));
   EXPECT_EQ(text_of(folder.path() / "results" / "floor.grid.png"),
-            toned_png({510, 340}, colors, std::nullopt, Tone::linear));
+            toned_png({510, 340}, balanced(colors, WhiteBalance({{"blue-green", "yellow"}, {450, 550, 600}})),
+                      std::nullopt, Tone::linear));
 }
 
 /// A furnace of radiance 1 and 2 in a box of volume 1, with sensors.

@@ -10,10 +10,14 @@ namespace {
 
 TEST(Color, OfBandsFollowsTheRuleOfPictures) {
   const std::vector<double> values = {1, 2, 3, 4, 5, 6};
-  EXPECT_EQ(linear_colors(BandColor({{"red", "green", "blue"}, {}}), values, 3), values);
-  EXPECT_EQ(linear_colors(BandColor({{"grey"}, {}}), std::vector<double>{1, 2}, 1),
-            (std::vector<double>{1, 1, 1, 2, 2, 2}));
-  EXPECT_EQ(linear_colors(BandColor({{"a", "b"}, {}}), std::vector<double>{1, 2}, 2),
+  EXPECT_EQ(linear_colors(BandColor({{"red", "green", "blue"}, {}}),
+                          WhiteBalance({{"red", "green", "blue"}, {}}), values, 3),
+            values);
+  EXPECT_EQ(
+      linear_colors(BandColor({{"grey"}, {}}), WhiteBalance({{"grey"}, {}}), std::vector<double>{1, 2}, 1),
+      (std::vector<double>{1, 1, 1, 2, 2, 2}));
+  EXPECT_EQ(linear_colors(BandColor({{"a", "b"}, {}}), WhiteBalance({{"a", "b"}, {}}),
+                          std::vector<double>{1, 2}, 2),
             (std::vector<double>{1.5, 1.5, 1.5}));
 }
 

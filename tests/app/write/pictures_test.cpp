@@ -24,7 +24,7 @@ TEST(Pictures, JoinTheFilesOfARun) {
   run.input.file = "case.toml";
   run.input.resolved_toml = "title = \"a\"\n";
   write_results(run.result());
-  const CameraCase camera{"front", {}, 1.0, Tone::linear, {}};
+  const CameraCase camera{"front", {}, 1.0, Tone::linear, {}, {}};
   EXPECT_THAT(add_pictures(folder.path(), run.input, {{camera, small_picture()}}),
               ElementsAre("front.exr", "front.png"));
   const std::vector<std::string> files = files_of_earlier_run(folder.path());
@@ -41,7 +41,7 @@ TEST(Pictures, JoinTheFilesOfARun) {
 TEST(Pictures, NeedNoRunBesideThem) {
   const ScratchFolder folder;
   SampleRun run({"grey"});
-  const CameraCase camera{"front", {}, 1.0, Tone::linear, {}};
+  const CameraCase camera{"front", {}, 1.0, Tone::linear, {}, {}};
   add_pictures(folder.path(), run.input, {{camera, small_picture()}});
   EXPECT_THAT(ScratchFolder::names_in(folder.path()), ElementsAre("front.exr", "front.png"));
   EXPECT_FALSE(case_of_earlier_run(folder.path()));
@@ -50,7 +50,7 @@ TEST(Pictures, NeedNoRunBesideThem) {
 TEST(Pictures, TakeNoToneIntoTheLinearFile) {
   const ScratchFolder folder;
   SampleRun run({"grey"});
-  const CameraCase a{"a", {}, 1.0, Tone::linear, {}}, b{"b", {}, 0.1, Tone::aces, {}};
+  const CameraCase a{"a", {}, 1.0, Tone::linear, {}, {}}, b{"b", {}, 0.1, Tone::aces, {}, {}};
   add_pictures(folder.path(), run.input, {{a, small_picture()}, {b, small_picture()}});
   EXPECT_EQ(text_of(folder.path() / "a.exr"), text_of(folder.path() / "b.exr"));
   EXPECT_NE(text_of(folder.path() / "a.png"), text_of(folder.path() / "b.png"));
