@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <string>
+
+#include "app/case/lamp_planes.h"
 
 namespace etendue {
 namespace {
 
-/// Planes that differ by less than this part of the largest intensity are measured alike.
-constexpr double alike = 1e-9;
 /// More angles than any lamp has.
 constexpr double most_angles = 1e5;
 
@@ -21,18 +22,18 @@ class IesNumbers {
  public:
   IesNumbers(std::istream& stream, const std::filesystem::path& path) : stream_(stream), path_(path) {}
 
-  /// Reads up to the line TILT=NONE.
-  void skip_to_tilt() {
+  /// Reads up to the line TILT=...; returns the text after the sign.
+  std::string skip_to_tilt() {
     std::string line;
     while (next_line(line)) {
       if (!line.starts_with("TILT=")) continue;
-      if (line.starts_with("TILT=NONE")) return;
-      refuse(
-          fmt::format("\"{}\" is not in this version (a lamp whose light changes as it is tilted); give a "
-                      "file with TILT=NONE",
-                      line));
+      const std::string what = line.substr(5), blanks = " \t";
+      const std::size_t first = what.find_first_not_of(blanks), last = what.find_last_not_of(blanks);
+      if (first == std::string::npos)
+        refuse("\"TILT=\" says nothing; give TILT=NONE, TILT=INCLUDE or the name of a file");
+      return what.substr(first, last - first + 1);
     }
-    refuse("has no line TILT=NONE (the numbers of an IES file come after it); give an IES file of LM-63");
+    refuse("has no line TILT= (the numbers of an IES file come after it); give an IES file of LM-63");
   }
 
   double next(const char* what) {
@@ -89,27 +90,16 @@ class IesNumbers {
   int number_ = 0;
 };
 
-using Planes = std::vector<std::vector<double>>;
-
-/// Adds the planes 2 about - p for those p that differ from `about`: the lamp is symmetric there.
-void mirror(double about, std::vector<double>& angles, Planes& planes) {
-  for (std::size_t i = angles.size(); i-- > 0;)
-    if (angles[i] < about) {
-      angles.push_back(2 * about - angles[i]);
-      planes.push_back(planes[i]);
-    }
-}
-
 /// Planes all around, from the first to one turn beyond it.
-void complete_turn(IesNumbers& numbers, std::vector<double>& angles, Planes& planes) {
+void complete_turn(IesNumbers& numbers, std::vector<double>& angles, LampPlanes& planes) {
   const double first = angles.front(), last = angles.back();
   if (first == 0 && last == 90) {
-    mirror(90, angles, planes);
-    mirror(180, angles, planes);
+    mirror_planes(90, angles, planes);
+    mirror_planes(180, angles, planes);
   } else if (first == 0 && last == 180) {
-    mirror(180, angles, planes);
+    mirror_planes(180, angles, planes);
   } else if (first == 90 && last == 270) {
-    mirror(270, angles, planes);
+    mirror_planes(270, angles, planes);
   } else if (first == 0 && last > 180 && last < 360) {
     angles.push_back(360);
     planes.push_back(planes.front());
@@ -122,7 +112,7 @@ void complete_turn(IesNumbers& numbers, std::vector<double>& angles, Planes& pla
 }
 
 /// Planes to both sides of the middle one.
-void complete_half_turn(IesNumbers& numbers, std::vector<double>& angles, Planes& planes) {
+void complete_half_turn(IesNumbers& numbers, std::vector<double>& angles, LampPlanes& planes) {
   if (angles.front() == -90 && angles.back() == 90) return;
   if (angles.front() != 0 || angles.back() != 90)
     numbers.refuse(
@@ -130,18 +120,8 @@ void complete_half_turn(IesNumbers& numbers, std::vector<double>& angles, Planes
                     angles.front(), angles.back()));
   for (std::size_t i = 1, count = angles.size(); i < count; ++i) {
     angles.insert(angles.begin(), -angles[2 * i - 1]);
-    planes.insert(planes.begin(), Planes::value_type(planes[2 * i - 1]));
+    planes.insert(planes.begin(), LampPlanes::value_type(planes[2 * i - 1]));
   }
-}
-
-bool all_alike(const Planes& planes) {
-  double largest = 0, spread = 0;
-  for (const std::vector<double>& plane : planes)
-    for (std::size_t i = 0; i < plane.size(); ++i) {
-      largest = std::max(largest, plane[i]);
-      spread = std::max(spread, std::abs(plane[i] - planes.front()[i]));
-    }
-  return spread <= alike * largest;
 }
 
 void require_rising(IesNumbers& numbers, const std::vector<double>& angles, const char* which) {
@@ -151,6 +131,38 @@ void require_rising(IesNumbers& numbers, const std::vector<double>& angles, cons
           fmt::format("the {} angle {} comes after {}; they must rise", which, angles[i], angles[i - 1]));
 }
 
+// LM-63-02, section 5: the position of the lamp in the luminaire, the number of pairs, angles and factors.
+// How the lamp lies does not change what its factors are; they are those of the tilt of the luminaire.
+LampTilt read_factors(IesNumbers& numbers) {
+  const double geometry = numbers.next("the lamp-to-luminaire geometry");
+  if (geometry != 1 && geometry != 2 && geometry != 3)
+    numbers.refuse(fmt::format("{} is no lamp-to-luminaire geometry; give 1, 2 or 3", geometry));
+  const std::size_t count = numbers.next_count("the number of tilt angles");
+  LampTilt tilt;
+  tilt.angle = numbers.next(count, "the tilt angles");
+  require_rising(numbers, tilt.angle, "tilt");
+  if (tilt.angle.front() < 0 || tilt.angle.back() > 180)
+    numbers.refuse(fmt::format("tilt angles from {} to {}; give 0 to 180 degrees at most", tilt.angle.front(),
+                               tilt.angle.back()));
+  for (std::size_t i = 0; i < count; ++i) {
+    tilt.factor.push_back(numbers.next("the tilt factors"));
+    if (tilt.factor.back() < 0)
+      numbers.refuse(fmt::format("the tilt factor {} is negative", tilt.factor.back()));
+  }
+  return tilt;
+}
+
+/// `what` is NONE, INCLUDE or the name of a file beside the lamp's.
+LampTilt read_tilt(IesNumbers& numbers, const std::string& what, const std::filesystem::path& path) {
+  if (what == "NONE") return {};
+  if (what == "INCLUDE") return read_factors(numbers);
+  const std::filesystem::path file = path.parent_path() / what;
+  std::ifstream stream(file);
+  if (!stream) numbers.refuse(fmt::format("the file {} of TILT={} cannot be read", file.string(), what));
+  IesNumbers factors(stream, file);
+  return read_factors(factors);
+}
+
 }  // namespace
 
 // LM-63-02, section 5: lamps, lumens, multiplier, numbers of vertical and horizontal angles, photometric type
@@ -158,7 +170,7 @@ void require_rising(IesNumbers& numbers, const std::vector<double>& angles, cons
 // horizontal angle.
 LightTable read_ies(std::istream& stream, const std::filesystem::path& path) {
   IesNumbers numbers(stream, path);
-  numbers.skip_to_tilt();
+  const LampTilt tilt = read_tilt(numbers, numbers.skip_to_tilt(), path);
   const double multiplier = numbers.next(3, "the lamps").back();
   const std::size_t vertical = numbers.next_count("the number of vertical angles"),
                     horizontal = numbers.next_count("the number of horizontal angles");
@@ -167,11 +179,9 @@ LightTable read_ies(std::istream& stream, const std::filesystem::path& path) {
     numbers.refuse(fmt::format("{} is no photometric type; give 1 (C), 2 (B) or 3 (A)", type));
   const std::vector<double> rest = numbers.next(7, "the angles");
   LightTable table;
-  table.candelas = multiplier * rest[4] * rest[5];
-  if (!(*table.candelas > 0))
-    numbers.refuse(fmt::format(
-        "the multiplier {} and the ballast factors {} and {} leave no light; give factors above 0",
-        multiplier, rest[4], rest[5]));
+  table.tilt = tilt;
+  // Files without photometric factors have a shape only.
+  if (const double factor = multiplier * rest[4] * rest[5]; factor > 0) table.candelas = factor;
   table.type = type == 1 ? PhotometricType::c : type == 2 ? PhotometricType::b : PhotometricType::a;
   table.angle = numbers.next(vertical, "the vertical angles");
   require_rising(numbers, table.angle, "vertical");
@@ -180,7 +190,7 @@ LightTable read_ies(std::istream& stream, const std::filesystem::path& path) {
                                table.angle.front(), table.angle.back()));
   table.plane = numbers.next(horizontal, "the horizontal angles");
   require_rising(numbers, table.plane, "horizontal");
-  Planes planes;
+  LampPlanes planes;
   for (std::size_t plane = 0; plane < horizontal; ++plane) {
     planes.push_back(numbers.next(vertical, "the candelas"));
     for (const double candela : planes.back())

@@ -167,11 +167,13 @@ std::vector<KeyDeclaration> light_keys() {
       {"light",
        "distribution",
        text,
-       {.help =
-            "Of a point: an IES file (LM-63, type A, B or C), or a CSV with an angle from the axis, or with "
-            "an angle and an azimuth [degree], and an intensity on each line; only the shape counts. Of a "
-            "sky: such a CSV with the angle from the zenith, and what the radiance is multiplied with. "
-            "Found beside the case."}},
+       {.help = "Of a point: an IES file (LM-63, type A, B or C), an EULUMDAT file (.ldt), or a CSV with an "
+                "angle from "
+                "the axis, or with an angle and an azimuth [degree], and an intensity on each line. Of a "
+                "CSV, and beside "
+                "power or luminous_flux, only the shape counts. Of a sky: such a CSV with the angle from the "
+                "zenith, and "
+                "what the radiance is multiplied with. Found beside the case."}},
       {"light", "radius", number, {.unit = "length", .range = positive, .help = "Of a disc."}},
       {"light",
        "along",

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <map>
 #include <utility>
 
 #include "app/case/ies_file.h"
+#include "app/case/ldt_file.h"
 #include "app/case/number_columns.h"
 #include "mesh/files/text_lines.h"
 
@@ -80,7 +82,12 @@ LightTable read_grid(const std::filesystem::path& path) {
 
 LightTable read_light_table(const std::filesystem::path& path, const Origin& origin) {
   LightTable table;
-  if (path.extension() == ".ies" || path.extension() == ".IES") {
+  std::string kind = path.extension().string();
+  std::ranges::transform(kind, kind.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (kind == ".ldt") {
+    table = read_ldt(path);
+  } else if (kind == ".ies") {
     std::ifstream stream(path);
     if (!stream) throw FileError(path.string(), "cannot be read (" + origin.key + ")");
     table = read_ies(stream, path);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/case/lamp_tilt.h"
 #include "mesh/base/errors.h"
 
 namespace etendue {
@@ -22,11 +23,11 @@ struct LightTable {
   PhotometricType type = PhotometricType::c;
   /// What 1 of `intensity` is [cd]; empty: the unit is not known, and only the shape counts.
   std::optional<double> candelas;
+  LampTilt tilt;  ///< of the candelas
 };
 
-/// Reads an IES file or a CSV with an angle and an intensity on each line, or an angle, an azimuth and an
-/// intensity. Throws FileError or InputError;
-/// `origin` is the key that names it.
+/// Reads an IES file, an EULUMDAT file (.ldt) or a CSV with an angle and an intensity on each line, or an
+/// angle, an azimuth and an intensity. Throws FileError or InputError; `origin` is the key that names it.
 LightTable read_light_table(const std::filesystem::path& path, const Origin& origin);
 
 }  // namespace etendue

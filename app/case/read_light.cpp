@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "app/case/light_table.h"
 #include "app/case/read_light_strength.h"
@@ -56,7 +58,20 @@ std::optional<Vec3> unit_if(Section& section, std::string_view name) {
   return {};
 }
 
-/// What 1 of the intensity of a file is [cd]; empty where only its shape counts.
+/// What 1 of the intensity of a file is [cd] as the lamp is tilted; empty where only its shape counts.
+std::optional<double> tilted_candelas(Section& section, const LightTable& table, const Vec3& direction) {
+  if (!table.candelas || section.has("power") || section.has("luminous_flux")) return {};
+  const double tilted = std::acos(std::clamp(-direction.z(), -1., 1.)) * 180 / std::numbers::pi;
+  if (const std::optional<double> factor = table.tilt.factor_at(tilted)) return *table.candelas * *factor;
+  section.fault(
+      "distribution",
+      fmt::format("is tilted by {:.4g} degrees, and its TILT factors are from {:.4g} to {:.4g}; turn the "
+                  "lamp, or give power or luminous_flux",
+                  tilted, table.tilt.angle.front(), table.tilt.angle.back()));
+  return {};
+}
+
+/// The shape of a lamp or a sky; what 1 of it is [cd], empty where that is not known.
 std::optional<double> read_shape(Section& section, LightCase& light, const std::filesystem::path& folder) {
   if (const TomlNode* file = section.find("distribution")) {
     LightTable table = read_light_table(resolve_path(*file, folder), file->origin);
@@ -64,7 +79,7 @@ std::optional<double> read_shape(Section& section, LightCase& light, const std::
     light.intensity = std::move(table.intensity);
     light.plane = std::move(table.plane);
     light.type = table.type;
-    return table.candelas;
+    return tilted_candelas(section, table, light.direction);
   }
   const auto angle = section.number_if("angle");
   if (!angle) return {};
