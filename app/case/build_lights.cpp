@@ -46,6 +46,7 @@ std::vector<Light> sky_lights(const LightCase& light, const std::vector<int>& wa
   PointLight table = point_light(light);
   table.axis = -light.direction;
   std::vector<Light> sky;
+  double level = 0;  // irradiance of a level plane, of radiance 1
   const auto rings = static_cast<int>(std::ceil(table.angle.back() / width_of_part));
   for (int ring = 0; ring < rings; ++ring) {
     const double upper = std::cos(table.angle.back() * ring / rings),
@@ -63,9 +64,13 @@ std::vector<Light> sky_lights(const LightCase& light, const std::vector<int>& wa
                                                       std::sin(azimuth(0.5)) * table.quarter_plane);
       BeamLight beam{-from, light.strength, walls};
       for (double& irradiance : beam.irradiance) irradiance *= 2 * pi * (upper - lower) / count * brightness;
+      level += 2 * pi * (upper - lower) / count * brightness * cosine;
       sky.push_back({light.name, std::move(beam), light.origin, light.uncollided});
     }
   }
+  if (light.level_irradiance)
+    for (Light& part : sky)
+      for (double& irradiance : std::get<BeamLight>(part.kind).irradiance) irradiance /= level;
   return sky;
 }
 
@@ -222,6 +227,9 @@ void shine(const LightCase& light, const std::vector<int>& numbers, std::vector<
       continue;
     }
     wall.radiance = light.strength;
+    // A uniform sky of radiance L sends pi L to a level plane.
+    if (light.level_irradiance)
+      for (double& radiance : wall.radiance) radiance /= pi;
     wall.uncollided = light.uncollided == Uncollided::no ? Uncollided::no : Uncollided::yes;
   }
 }

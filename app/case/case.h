@@ -105,6 +105,9 @@ struct LightCase {
   std::vector<double> strength;               ///< [band] power, irradiance or radiance
   bool keeps_intensity =
       false;  ///< of a lamp with the light of its file: what it sends at its own wall is lost
+  bool level_irradiance =
+      false;         ///< of a sky: strength is what a level plane gets, not the radiance of the zenith
+  std::string note;  ///< how the sun stands, for people; may be empty
   Uncollided uncollided = Uncollided::automatic;
   std::vector<std::string> walls;
   Origin origin;

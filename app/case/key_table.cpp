@@ -48,6 +48,9 @@ std::vector<TableDeclaration> make_tables() {
        .form = list,
        .help = "A light whose uncollided part is integrated along rays. Which keys it takes depends on its "
                "kind (docs/lights.md)."},
+      {.path = "light.sun_position",
+       .help = "Where the sun of a sun or a sky stands, z being up: `altitude` and `azimuth`, or a date, "
+               "time and place."},
       {.path = "directions", .help = "The directions in which light travels."},
       {.path = "directions.refine",
        .help = "Of ldfe-sq: finer directions in a cone, and in its opposite; mirrors must keep the cones."},

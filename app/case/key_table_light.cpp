@@ -111,10 +111,14 @@ std::vector<KeyDeclaration> light_keys() {
         .need = required,
         .help =
             "What it is: point (position, power or luminous_flux; distribution, direction and along), spot "
-            "(position, direction, angle, power or luminous_flux; falloff), sun (direction, irradiance; "
-            "walls), disc (position, direction, radius, "
-            "radiance), rectangle (position, direction, along, size, radiance), wall (walls, radiance), sky "
-            "(radiance; walls, distribution, direction and along)."}},
+            "(position, direction, angle, power or luminous_flux; falloff), sun (direction or sun_position, "
+            "irradiance or illuminance; walls), disc (position, direction, radius, radiance or luminance), "
+            "rectangle "
+            "(position, direction, along, size, radiance or luminance), wall (walls, radiance or luminance), "
+            "sky "
+            "(radiance, luminance, irradiance or illuminance; walls; distribution, direction and along, or "
+            "cie_type, "
+            "or direct_normal_irradiance and diffuse_horizontal_irradiance, with sun_position)."}},
       {"light",
        "position",
        point,
@@ -148,9 +152,9 @@ std::vector<KeyDeclaration> light_keys() {
        {.unit = "K",
         .default_note = "the same power in each nanometer",
         .range = {.lowest = 100, .highest = 1e6},
-        .help = "Of a point or a spot given in lumens: its light is divided among the bands as that of a "
-                "black body "
-                "of this temperature, by `bands.edges`."}},
+        .help = "Of a light in units of photometry: it is divided among the bands as that of a black body of "
+                "this "
+                "temperature, by `bands.edges`."}},
       {"light",
        "angle",
        number,
@@ -190,12 +194,46 @@ std::vector<KeyDeclaration> light_keys() {
        band_numbers,
        {.unit = "power/(length^2 sr)",
         .range = not_negative,
-        .help = "Of a disc, a rectangle, a wall or the sky, the same in all directions (of a sky without a "
-                "distribution)."}},
+        .help = "Of a disc, a rectangle, a wall or the sky, the same in all directions; of a sky with a "
+                "distribution "
+                "or a model that of its zenith."}},
+      {"light",
+       "luminance",
+       number,
+       {.unit = "cd/m^2", .range = positive, .help = "In place of `radiance`, divided as `luminous_flux`."}},
       {"light",
        "irradiance",
        band_numbers,
-       {.unit = "power/length^2", .range = not_negative, .help = "Of the sun, on a plane across its light."}},
+       {.unit = "power/length^2",
+        .range = not_negative,
+        .help = "Of the sun, on a plane across its light; of a sky, on a level plane under all of it."}},
+      {"light",
+       "illuminance",
+       number,
+       {.unit = "lx", .range = positive, .help = "In place of `irradiance`, divided as `luminous_flux`."}},
+      {"light",
+       "cie_type",
+       integer,
+       {.range = {.lowest = 1, .highest = 15},
+        .help = "Of a sky: the CIE standard general sky (ISO 15469:2004) of this type; 1 is overcast, 5 "
+                "uniform, 12 "
+                "clear."}},
+      {"light",
+       "direct_normal_irradiance",
+       number,
+       {.unit = "W/m^2",
+        .range = {.lowest = 0, .highest = 1500},
+        .help = "Of a sky, with diffuse_horizontal_irradiance: of the sun, of all wavelengths; the two and "
+                "the sun's "
+                "altitude choose the sky of Perez, Seals and Michalsky (1993)."}},
+      {"light",
+       "diffuse_horizontal_irradiance",
+       number,
+       {.unit = "W/m^2",
+        .range = {.lowest = 0, .highest = 1500, .lowest_excluded = true},
+        .help = "Of a sky: what the sky without the sun sends to a level plane, of all wavelengths. In a "
+                "case with "
+                "one band it is the irradiance of the sky, unless another is given."}},
       {"light",
        "walls",
        texts,
@@ -208,6 +246,43 @@ std::vector<KeyDeclaration> light_keys() {
        {.default_value = "\"auto\"",
         .help = "auto and true: the uncollided part is integrated along rays; false: it is left to the "
                 "directions, and shows their rays."}},
+
+      {"light.sun_position",
+       "altitude",
+       number,
+       {.unit = "degree",
+        .range = {.lowest = -90, .highest = 90},
+        .help = "Above the horizon; with azimuth."}},
+      {"light.sun_position",
+       "azimuth",
+       number,
+       {.unit = "degree", .help = "Clockwise from north, seen from above."}},
+      {"light.sun_position",
+       "date",
+       text,
+       {.help = "\"year-month-day\", from 1950 to 2050; with time, latitude, longitude and time_zone."}},
+      {"light.sun_position",
+       "time",
+       text,
+       {.help = "\"hours:minutes\" of the clock, or \"hours:minutes:seconds\"."}},
+      {"light.sun_position",
+       "latitude",
+       number,
+       {.unit = "degree", .range = {.lowest = -90, .highest = 90}, .help = "North is positive."}},
+      {"light.sun_position",
+       "longitude",
+       number,
+       {.unit = "degree", .range = {.lowest = -180, .highest = 180}, .help = "East is positive."}},
+      {"light.sun_position",
+       "time_zone",
+       number,
+       {.unit = "h",
+        .range = {.lowest = -14, .highest = 14},
+        .help = "What the clock is ahead of universal time, daylight saving included."}},
+      {"light.sun_position",
+       "north",
+       point,
+       {.default_value = "[0, 1, 0]", .help = "The direction of north, level; of any length."}},
   };
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "app/case/light_table.h"
+#include "app/case/read_daylight.h"
 #include "app/case/read_light_strength.h"
 #include "app/case/read_mesh.h"
 
@@ -30,11 +31,17 @@ const std::array<KindKeys, 7>& kind_keys() {
       {"spot",
        {"position", "direction", "angle"},
        {"power", "luminous_flux", "color_temperature", "falloff"}},
-      {"sun", {"direction", "irradiance"}, {"walls"}},
-      {"disc", {"position", "direction", "radius", "radiance"}, {}},
-      {"rectangle", {"position", "direction", "along", "size", "radiance"}, {}},
-      {"wall", {"walls", "radiance"}, {}},
-      {"sky", {"radiance"}, {"walls", "distribution", "direction", "along"}},
+      {"sun", {}, {"direction", "sun_position", "irradiance", "illuminance", "color_temperature", "walls"}},
+      {"disc", {"position", "direction", "radius"}, {"radiance", "luminance", "color_temperature"}},
+      {"rectangle",
+       {"position", "direction", "along", "size"},
+       {"radiance", "luminance", "color_temperature"}},
+      {"wall", {"walls"}, {"radiance", "luminance", "color_temperature"}},
+      {"sky",
+       {},
+       {"radiance", "luminance", "irradiance", "illuminance", "color_temperature", "walls", "distribution",
+        "direction", "along", "cie_type", "direct_normal_irradiance", "diffuse_horizontal_irradiance",
+        "sun_position"}},
   }};
   return kinds;
 }
@@ -129,9 +136,11 @@ LightCase read_light(Section& section, const LightContext& context) {
   light.radius = section.number_if("radius").value_or(0);
   read_size(section, light);
   const std::optional<double> candelas = read_shape(section, light, context.folder);
-  if (light.kind == "point" || light.kind == "spot") read_lamp_power(section, context, candelas, light);
-  for (const char* quantity : {"irradiance", "radiance"})
-    if (section.has(quantity)) light.strength = band_numbers_if(section, quantity, context.bands);
+  if (light.kind == "sun" || light.kind == "sky") read_daylight(section, light);
+  if (light.kind == "point" || light.kind == "spot")
+    read_lamp_power(section, context, candelas, light);
+  else
+    read_strength(section, context, light);
   if (section.has("walls"))
     for (const std::string& wall : section.texts("walls")) light.walls.push_back(wall);
   return light;

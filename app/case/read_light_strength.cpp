@@ -7,6 +7,7 @@
 #include "app/case/lamp_flux.h"
 #include "app/case/point_light.h"
 #include "solver/problem/lamp_shape.h"
+#include "solver/sensors/photometry.h"
 
 namespace etendue {
 namespace {
@@ -16,14 +17,57 @@ bool are_sound(const Bands& bands) {
   return !bands.names.empty() && (bands.edges.empty() || bands.edges.size() == bands.names.size() + 1);
 }
 
-void set_flux(Section& section, const LightContext& context, double lumens, LightCase& light) {
+/// [band] What has so many lumens, with the spectrum that the light says; empty where something is wrong.
+std::vector<double> divided(Section& section, const LightContext& context, double lumens) {
   const std::optional<double> kelvin = section.number_if("color_temperature");
-  if (kelvin && context.bands.edges.empty())
-    return section.fault("color_temperature",
-                         "divides the light among the bands by their wavelengths, which are not known; give "
-                         "bands.edges");
-  light.strength =
-      power_of_flux(lumens, lamp_spectrum(context.bands, kelvin), context.bands, context.units.power);
+  if (!kelvin || !context.bands.edges.empty())
+    return power_of_flux(lumens, lamp_spectrum(context.bands, kelvin), context.bands, context.units.power);
+  section.fault(
+      "color_temperature",
+      "divides the light among the bands by their wavelengths, which are not known; give bands.edges");
+  return {};
+}
+
+/// A quantity of radiometry and its counterpart in photometry.
+struct StrengthKeys {
+  const char* radiometric;
+  const char* photometric;
+  bool level_irradiance;  ///< of a sky
+};
+
+std::vector<StrengthKeys> strength_keys(const std::string& kind) {
+  if (kind == "sun") return {{"irradiance", "illuminance", false}};
+  if (kind == "sky") return {{"radiance", "luminance", false}, {"irradiance", "illuminance", true}};
+  return {{"radiance", "luminance", false}};
+}
+
+/// Per square metre, in units of the case.
+std::vector<double> read_per_area(Section& section, const LightContext& context, const char* key) {
+  const std::optional<double> value = section.number_if(key);
+  if (!value || !are_sound(context.bands)) return {};
+  std::string reason = no_lumens_reason(context.bands, context.units.power);
+  const std::optional<SiScale> scale = si_scale(context.units.length, context.units.power);
+  if (reason.empty() && !scale)
+    reason = fmt::format("needs units.length of m, cm, mm or km, not \"{}\"", context.units.length);
+  if (!reason.empty()) {
+    section.fault(key, reason);
+    return {};
+  }
+  return divided(section, context, *value * scale->length * scale->length);
+}
+
+/// The diffuse irradiance by which a sky of Perez is known, of a case with one band. False where it is not
+/// that.
+bool read_diffuse(Section& section, const LightContext& context, LightCase& light) {
+  const char* key = "diffuse_horizontal_irradiance";
+  const std::optional<SiScale> scale = si_scale(context.units.length, context.units.power);
+  if (!section.has(key) || !scale || context.bands.count() != 1) return false;
+  const std::optional<double> diffuse = section.number_if(key);
+  if (!diffuse) return true;  // was refused
+  light.strength = {*diffuse * scale->length * scale->length / scale->power};
+  light.level_irradiance = true;
+  section.unused("color_temperature", "there is one band");
+  return true;
 }
 
 }  // namespace
@@ -54,7 +98,29 @@ void read_lamp_power(Section& section, const LightContext& context, std::optiona
     return given ? section.fault("luminous_flux", reason)
                  : section.fault("distribution", "is a lamp file with candelas, and " + reason);
   light.keeps_intensity = !given;
-  set_flux(section, context, given ? *lumens : *candelas * integral_of_lamp_shape(point_light(light)), light);
+  light.strength =
+      divided(section, context, given ? *lumens : *candelas * integral_of_lamp_shape(point_light(light)));
+}
+
+void read_strength(Section& section, const LightContext& context, LightCase& light) {
+  std::string wanted, found;
+  for (const StrengthKeys& keys : strength_keys(light.kind))
+    for (const char* key : {keys.radiometric, keys.photometric}) {
+      wanted += (wanted.empty() ? "" : " or ") + std::string(key);
+      if (!section.has(key)) continue;
+      if (!found.empty()) {
+        section.unused(key, fmt::format("`{}` is given", found));
+        continue;
+      }
+      found = key;
+      light.level_irradiance = keys.level_irradiance;
+      const bool radiometric = key == keys.radiometric;
+      light.strength =
+          radiometric ? band_numbers_if(section, key, context.bands) : read_per_area(section, context, key);
+      if (radiometric) section.unused("color_temperature", fmt::format("`{}` is given for each band", key));
+    }
+  if (!found.empty() || (light.kind == "sky" && read_diffuse(section, context, light))) return;
+  section.fault(fmt::format("a light of kind {} needs {}; add one of them", light.kind, wanted));
 }
 
 }  // namespace etendue

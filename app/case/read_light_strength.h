@@ -14,6 +14,9 @@ namespace etendue {
 void read_lamp_power(Section& section, const LightContext& context, std::optional<double> candelas,
                      LightCase& light);
 
+/// Reads the radiance or irradiance of other kinds of light, in units of radiometry or photometry.
+void read_strength(Section& section, const LightContext& context, LightCase& light);
+
 /// [band] Numbers of a key; empty where it is absent or faulty.
 std::vector<double> band_numbers_if(Section& section, std::string_view name, const Bands& bands);
 

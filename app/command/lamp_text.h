@@ -8,7 +8,8 @@
 
 namespace etendue {
 
-/// A line for each point and spot: its power, lumens and luminous efficacy; of many lamps the first few.
+/// A line for each point and spot: its power, lumens and luminous efficacy; of many lamps the first few. And
+/// one for each sun and sky.
 std::string lamp_text(const Problem& problem, const Case& input);
 
 }  // namespace etendue

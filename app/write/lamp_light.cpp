@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/write/lamp_light.h"
 
+#include <algorithm>
 #include <numeric>
+#include <optional>
 #include <variant>
 
 #include "solver/sensors/photometry.h"
@@ -21,6 +23,31 @@ std::vector<LampLight> lamp_lights(const Problem& problem, const Units& units) {
     lamps.push_back({light.name, power, lumens, power > 0 ? lumens / (*watts * power) : 0});
   }
   return lamps;
+}
+
+std::vector<Daylight> daylight(const Problem& problem, const Case& input) {
+  const Photometry photometry(problem.bands());
+  const std::optional<SiScale> scale = si_scale(input.units.length, input.units.power);
+  std::vector<Daylight> found;
+  for (const LightCase& light : input.lights) {
+    std::vector<double> level(problem.bands().names.size(), 0);
+    bool shines = false;
+    for (const Light& part : problem.lights()) {
+      const auto* beam = std::get_if<BeamLight>(&part.kind);
+      if (beam == nullptr || part.name != light.name) continue;
+      shines = true;
+      for (std::size_t b = 0; b < level.size(); ++b)
+        level[b] += beam->irradiance[b] * std::max(0.0, -beam->direction.z());
+    }
+    if (!shines) continue;
+    Daylight& day = found.emplace_back();
+    day.name = light.name;
+    day.note = light.note;
+    day.irradiance = std::accumulate(level.begin(), level.end(), 0.0);
+    if (scale && photometry.known())
+      day.illuminance = photometry.luminous(level) * scale->power / (scale->length * scale->length);
+  }
+  return found;
 }
 
 }  // namespace etendue

@@ -20,4 +20,15 @@ struct LampLight {
 /// Points and spots; none where the bands or the unit of power have no photometry.
 std::vector<LampLight> lamp_lights(const Problem& problem, const Units& units);
 
+/// Light of a sun or a sky on a level plane under all of it, z being up.
+struct Daylight {
+  std::string name;
+  std::string note;         ///< how the sun stands; may be empty
+  double irradiance = 0;    ///< of all bands [units.power/units.length^2]
+  double illuminance = -1;  ///< [lx]; -1 where the bands or units have no photometry
+};
+
+/// Suns and skies that come in as beams.
+std::vector<Daylight> daylight(const Problem& problem, const Case& input);
+
 }  // namespace etendue

@@ -122,6 +122,51 @@ directory = "results"
   EXPECT_NE(summary.find("\"luminous_efficacy\""), std::string::npos);
 }
 
+// Just below the open top of a box all of a clear sky is seen, and a sun 30 degrees high sends half its
+// illuminance down.
+TEST(Sensors, ReadTheIlluminanceOfSkyAndSun) {
+  const CaseFolder folder(R"([mesh]
+edge_length = 1
+[[mesh.box]]
+region = "air"
+min = [0, 0, 0]
+max = [1, 1, 1]
+[bands]
+names = ["blue", "green", "red"]
+edges = [400, 500, 600, 700]
+[media.air]
+[walls."*"]
+[[light]]
+name = "sky"
+kind = "sky"
+walls = ["zmax"]
+cie_type = 12
+illuminance = 12000
+color_temperature = 9000
+sun_position = { altitude = 30, azimuth = 180 }
+[[light]]
+name = "sun"
+kind = "sun"
+walls = ["zmax"]
+illuminance = 60000
+color_temperature = 5500
+sun_position = { altitude = 30, azimuth = 180 }
+[[sensor]]
+name = "top"
+position = [0.5, 0.5, 0.9999]
+normal = [0, 0, 1]
+[output]
+directory = "results"
+)");
+  const Outcome run = etendue_says({"run", folder.file()});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  const auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
+  EXPECT_NEAR(rows.at("top photopic illuminance lx").at(2), 12000 + 30000, 1e-6);
+  EXPECT_NE(run.out.find("12000 lx on a level plane; CIE standard general sky 12, sun at altitude 30.00"),
+            std::string::npos)
+      << run.out;
+}
+
 // A sky of radiance L sends in pi L: lumens per area that leave a surface, which are no lux.
 TEST(Sensors, LuminousExitanceIsInLumensPerArea) {
   const CaseFolder folder(
