@@ -108,6 +108,13 @@ Json as_json(const LampLight& lamp) {
           {"luminous_efficacy", lamp.efficacy}};
 }
 
+Json as_json(const Daylight& day) {
+  Json json = {{"name", day.name}, {"level_irradiance", day.irradiance}};
+  if (day.illuminance >= 0) json["level_illuminance"] = day.illuminance;
+  if (!day.note.empty()) json["note"] = day.note;
+  return json;
+}
+
 Json as_json(const NegativeFluence& negative) {
   Json json = {{"count", negative.count}, {"smallest", negative.smallest}, {"share", negative.share}};
   if (negative.count > 0) json["place"] = {negative.place.x(), negative.place.y(), negative.place.z()};
@@ -167,6 +174,8 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["balance"] = array_of(result.balances, [](const Balance& b) { return as_json(b); });
   if (const auto lamps = lamp_lights(result.problem, result.input.units); !lamps.empty())
     summary["lamps"] = array_of(lamps, [](const LampLight& lamp) { return as_json(lamp); });
+  if (const auto days = daylight(result.problem, result.input); !days.empty())
+    summary["daylight"] = array_of(days, [](const Daylight& day) { return as_json(day); });
   if (!solution.lights.balance.empty())
     summary["uncollided"] =
         array_of(solution.lights.balance, [](const UncollidedBalance& b) { return as_json(b); });

@@ -105,9 +105,52 @@ directory = "results"
   ASSERT_EQ(run.code, ExitCode::done) << run.err;
   const auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
   EXPECT_NEAR(rows.at("top photopic illuminance lx").at(2), 12000 + 30000, 1e-6);
+  const std::string summary = text_of(folder.path() / "results" / "summary.json");
+  EXPECT_NE(summary.find("\"level_illuminance\""), std::string::npos);
   EXPECT_NE(run.out.find("12000 lx on a level plane; CIE standard general sky 12, sun at altitude 30.00"),
             std::string::npos)
       << run.out;
+}
+
+// Vertical planes under a whole clear sky (type 12) with the sun 40 degrees high in the south, of what a
+// level plane gets: the standard's formulas summed over 300 x 600 directions by a program of its own. The sky
+// comes in some 200 parts.
+TEST(Daylight, SendsTheSkyOfTheStandardToWalls) {
+  std::string text = R"([mesh]
+edge_length = 1
+[[mesh.box]]
+region = "air"
+min = [0, 0, 0]
+max = [1, 1, 1]
+[media.air]
+[walls."*"]
+[[light]]
+name = "sky"
+kind = "sky"
+cie_type = 12
+irradiance = 1
+sun_position = { altitude = 40, azimuth = 180 }
+[output]
+directory = "results"
+)";
+  const struct {
+    std::string name, normal;
+    double irradiance;
+  } planes[] = {{"level", "[0, 0, 1]", 1},
+                {"south", "[0, -1, 0]", 1.05286},
+                {"north", "[0, 1, 0]", 0.36582},
+                {"east", "[1, 0, 0]", 0.52114}};
+  for (const auto& plane : planes)
+    text += "[[sensor]]\nname = \"" + plane.name +
+            "\"\nposition = [0.5, 0.5, 0.5]\nnormal = " + plane.normal + "\n";
+  const CaseFolder folder(text);
+  const Outcome run = etendue_says({"run", folder.file()});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  const auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
+  for (const auto& plane : planes)
+    EXPECT_NEAR(rows.at(plane.name + " grey irradiance W/m^2").at(2), plane.irradiance,
+                plane.name == "level" ? 1e-9 : 0.005)
+        << plane.name;
 }
 
 }  // namespace
