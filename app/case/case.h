@@ -148,6 +148,8 @@ struct SensorCase {
   std::string wall;    ///< of intensities; its number is known when there is a mesh
   std::string region;  ///< of an account, or whose surface a flux goes through
   std::string beyond;  ///< of such a flux, the region or wall on the other side; empty: all of the surface
+  /// Of the key, where irradiance or a grid is also given relative to that of the unobstructed sky.
+  std::optional<Origin> daylight_factor = {};
   Origin origin;
 };
 

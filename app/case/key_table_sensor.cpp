@@ -83,6 +83,12 @@ std::vector<KeyDeclaration> sensor_keys() {
         .help = "Corners of a flux in order, in one plane; sides meet at common corners alone. Forward is to "
                 "where they are seen counterclockwise."}},
       {"sensor",
+       "daylight_factor",
+       boolean,
+       {.default_value = "false",
+        .help = "Of irradiance and grid: also the daylight factor, in percent of what the unobstructed sky "
+                "brings to a horizontal plane. The sky must be the only light."}},
+      {"sensor",
        "rays",
        integer,
        {.default_value = "2000",

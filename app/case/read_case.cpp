@@ -2,6 +2,7 @@
 #include "app/case/band_values.h"
 #include "app/case/build.h"
 #include "app/case/case.h"
+#include "app/case/daylight.h"
 #include "app/case/key_check.h"
 #include "app/case/mesh_names.h"
 #include "app/case/override.h"
@@ -79,6 +80,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
     check_rotations(top.section("directions"), top.section("output"), result);
     check_first_collided(top.section("directions"), result);
     check_possible_names(result, faults);
+    check_daylight_factors(result, faults);
   }
   report_unused(root, faults);
   if (!faults.empty()) throw InputError(std::move(faults));

@@ -23,13 +23,13 @@ const std::map<std::string, SensorKind> kinds = {{"irradiance", SensorKind::irra
 
 /// The keys that a kind of sensor takes, beside name, kind and rays.
 const std::map<SensorKind, std::vector<std::string>> keys_of = {
-    {SensorKind::irradiance, {"position", "normal"}},
+    {SensorKind::irradiance, {"position", "normal", "daylight_factor"}},
     {SensorKind::exitance, {"position", "normal"}},
     {SensorKind::radiosity, {"position", "normal"}},
     {SensorKind::fluence, {"position"}},
     {SensorKind::radiance, {"position", "direction"}},
     {SensorKind::cone, {"position", "direction", "angle"}},
-    {SensorKind::grid, {"position", "along", "across", "normal", "parts"}},
+    {SensorKind::grid, {"position", "along", "across", "normal", "parts", "daylight_factor"}},
     {SensorKind::flux, {"polygon", "wall", "region", "beyond", "parts", "direction", "angle"}},
     {SensorKind::intensity, {"wall", "parts"}},
     {SensorKind::region, {"region", "direction", "angle"}}};
@@ -44,7 +44,7 @@ bool takes(SensorKind kind, const std::string& key) { return std::ranges::count(
 
 void refuse_other_keys(Section& section, const std::string& name, SensorKind kind) {
   for (const char* key : {"position", "normal", "direction", "angle", "along", "across", "parts", "polygon",
-                          "wall", "region", "beyond"})
+                          "wall", "region", "beyond", "daylight_factor"})
     if (!takes(kind, key)) section.unused(key, "a sensor of kind \"" + name + "\" does not take it");
 }
 
@@ -181,6 +181,8 @@ SensorCase read_sensor(Section& section) {
   refuse_other_keys(section, kind, sensor.kind);
   if (takes(sensor.kind, "position")) read_position(section, sensor);
   if (takes(sensor.kind, "parts")) read_parts(section, sensor);
+  if (takes(sensor.kind, "daylight_factor") && section.boolean("daylight_factor"))
+    result.daylight_factor = section.origin("daylight_factor");
   if (sensor.kind == SensorKind::exitance || sensor.kind == SensorKind::radiosity)
     sensor.direction = unit_vector(section, "normal", "a vector into the domain");
   if (sensor.kind == SensorKind::irradiance)

@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "app/case/daylight.h"
+#include "app/write/illuminance_ratios.h"
 #include "app/write/unit_labels.h"
 #include "solver/sensors/photometric_units.h"
 #include "solver/sensors/photometry.h"
@@ -195,6 +197,21 @@ class RowMaker {
   std::optional<SiScale> scale_;
 };
 
+void append(const std::vector<SensorTableRow>& more, std::vector<SensorTableRow>& rows) {
+  rows.insert(rows.end(), more.begin(), more.end());
+}
+
+/// What the unobstructed sky brings to a horizontal plane, in the units of sensors.
+std::vector<SensorTableRow> sky_rows(const RunResult& result, const RowMaker& maker) {
+  const std::vector<double> nothing(static_cast<std::size_t>(result.problem.band_count()), 0);
+  std::vector<SensorTableRow> rows;
+  maker.add(
+      "sky",
+      {Quantity::irradiance, unobstructed_sky_irradiance(result.input, result.problem), nothing, nothing}, {},
+      rows);
+  return rows;
+}
+
 }  // namespace
 
 std::vector<SensorTableRow> radiant_rows(const RunResult& result, const SensorRow& row) {
@@ -210,9 +227,15 @@ std::vector<SensorTableRow> radiant_rows(const RunResult& result, const SensorRo
 std::vector<SensorTableRow> sensor_rows(const RunResult& result) {
   const RowMaker maker(result);
   std::vector<SensorTableRow> rows;
-  for (const SensorRow& row : result.sensors)
+  for (const SensorRow& row : result.sensors) {
+    std::vector<SensorTableRow> of_sensor;
     for (const Measurement& found : row.reading.measurements)
-      maker.add(row.place.name, found, row.reading.grid, rows);
+      maker.add(row.place.name, found, row.reading.grid, of_sensor);
+    if (row.place.sensor.kind == SensorKind::grid) append(uniformity_rows(of_sensor), of_sensor);
+    if (row.place.daylight_factor)
+      append(daylight_factor_rows(of_sensor, sky_rows(result, maker)), of_sensor);
+    append(of_sensor, rows);
+  }
   return rows;
 }
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/case/case.h"
+#include "app/case/value_check.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// Reports every sensor with `daylight_factor` in a case whose light is not that of one sky alone: sunlight
+/// is excluded from a daylight factor, and light of lamps is no daylight.
+void check_daylight_factors(const Case& input, Faults& faults);
+
+/// Irradiance [band] that the sky of a case brings to an unobstructed horizontal plane: the integral of
+/// L cos(zenith angle) over the upper hemisphere [power/length^2]. The zenith is opposite to the light's
+/// `direction`. The case must have passed check_daylight_factors().
+std::vector<double> unobstructed_sky_irradiance(const Case& input, const Problem& problem);
+
+}  // namespace etendue
