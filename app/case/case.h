@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/case/exact_family.h"
+#include "app/case/false_color.h"
 #include "app/case/light_table.h"
 #include "mesh/base/errors.h"
 #include "mesh/base/vec3.h"
@@ -139,6 +140,7 @@ struct CameraCase {
   Tone tone = Tone::linear;
   White white;  ///< what is neutral in the PNG
   Origin origin;
+  std::optional<FalseColor> false_color = {};  ///< of NAME.false.png; empty: none
 };
 
 /// An instrument that reads the solution.

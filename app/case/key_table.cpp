@@ -71,6 +71,9 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "camera",
        .form = list,
        .help = "A picture: NAME.exr, linear, and NAME.png (docs/pictures.md)."},
+      {.path = "camera.false_color",
+       .help = "NAME.false.png: the picture in the colors of a scale (viridis), which is drawn beside it "
+               "numbers and unit."},
       {.path = "sensor",
        .form = list,
        .help = "An instrument, anywhere in the domain or on a wall; its numbers go into `sensors.csv` "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/read_camera.h"
 
+#include "app/case/read_false_color.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -28,14 +30,36 @@ void read_view(Section& section, Camera& camera) {
                   "points along the view (nothing says what is up in the picture); use a vector across it");
 }
 
+/// The name of the projection, which follows from the other keys where it is not given.
+std::string projection_of(Section& section) {
+  const bool has_height = section.has("orthographic");
+  const std::string name =
+      section.text_if("projection").value_or(has_height ? "orthographic" : "perspective");
+  if (name == "orthographic" && !has_height)
+    section.fault("projection", "needs the height that the picture shows; add orthographic = height");
+  if (name != "orthographic" && has_height) {
+    section.fault("orthographic", "beside projection = \"" + name + "\"; use one of them");
+    section.find("orthographic");
+  }
+  return name;
+}
+
 void read_lens(Section& section, Camera& camera) {
-  if (section.has("orthographic")) {
+  const std::string name = projection_of(section);
+  if (name == "orthographic") {
     if (section.has("field_of_view")) section.fault("orthographic", "beside field_of_view; use one of them");
     section.find("field_of_view");
     camera.orthographic = section.number_if("orthographic");
     return;
   }
-  camera.field_of_view = section.number("field_of_view");
+  if (name == "fisheye") camera.projection = Projection::fisheye;
+  if (name == "fisheye-equisolid") camera.projection = Projection::fisheye_equisolid;
+  const bool is_fisheye = camera.projection != Projection::perspective;
+  camera.field_of_view = section.number_if("field_of_view").value_or(is_fisheye ? 180 : 50);
+  if (!is_fisheye && camera.field_of_view >= 180)
+    section.fault("field_of_view",
+                  "a perspective picture shows less than 180 degrees; use less, or "
+                  "projection = \"fisheye\"");
 }
 
 White read_white(Section& section) {
@@ -68,6 +92,7 @@ CameraCase read_camera(Section& section) {
   result.camera.glossy = section.integer("glossy");
   result.camera.shadow_rays = section.integer("shadow_rays");
   result.camera.errors = section.boolean("errors");
+  if (section.has("false_color")) result.false_color = read_false_color(section.section("false_color"));
   result.exposure = section.number_if("exposure");
   result.white = read_white(section);
   if (const auto tone = tones.find(section.text("tone")); tone != tones.end()) result.tone = tone->second;

@@ -3,6 +3,7 @@
 #include "app/case/build.h"
 #include "app/case/case.h"
 #include "app/case/daylight.h"
+#include "app/case/eye_check.h"
 #include "app/case/key_check.h"
 #include "app/case/mesh_names.h"
 #include "app/case/override.h"
@@ -81,6 +82,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
     check_first_collided(top.section("directions"), result);
     check_possible_names(result, faults);
     check_daylight_factors(result, faults);
+    check_seen_by_eye(result, faults);
   }
   report_unused(root, faults);
   if (!faults.empty()) throw InputError(std::move(faults));

@@ -3,10 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+#include <numeric>
+#include <span>
+
+#include "app/write/false_color_png.h"
 #include "app/write/image_files.h"
 #include "app/write/output_folder.h"
+#include "app/write/seen_luminance.h"
 #include "app/write/summary.h"
 #include "app/write/toned_png.h"
+#include "app/write/unit_labels.h"
+#include "solver/sensors/photometric_units.h"
 
 namespace etendue {
 namespace {
@@ -44,6 +52,39 @@ std::string exr_of(const Case& input, const NamedPicture& named, const BandColor
                                rule.rule()));
 }
 
+/// Makes pixels NaN that lie outside of the circle of a fisheye.
+void hide_unseen(const Camera& camera, std::vector<double>& values) {
+  if (camera.projection == Projection::perspective) return;
+  const CameraRays rays(camera);
+  for (int row = 0; row < camera.pixels[1]; ++row)
+    for (int column = 0; column < camera.pixels[0]; ++column)
+      if (!rays.shows(column + 0.5, row + 0.5))
+        values[static_cast<std::size_t>(row) * static_cast<std::size_t>(camera.pixels[0]) +
+               static_cast<std::size_t>(column)] = std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string false_colors_of(const Case& input, const NamedPicture& named) {
+  const FalseColor& scale = *named.camera.false_color;
+  const Picture& picture = named.picture;
+  std::vector<double> values;
+  const auto add_each = [&](const auto& value) {
+    for (std::size_t at = 0; at < picture.radiance.size(); at += picture.bands)
+      values.push_back(value(std::span(picture.radiance).subspan(at, picture.bands)));
+  };
+  std::string title;
+  if (scale.quantity == FalseColorQuantity::luminance) {
+    const SeenLuminance seen(input);
+    const PhotometricUnit& unit = *find_photometric_unit(input.units.luminance);
+    add_each([&](std::span<const double> radiance) { return seen.in_si(radiance) / unit.in_si; });
+    title = "luminance [" + unit.symbol + "]";
+  } else {
+    add_each([](std::span<const double> radiance) { return std::reduce(radiance.begin(), radiance.end()); });
+    title = "radiance [" + UnitLabels(input.units).radiance + "]";
+  }
+  hide_unseen(named.camera.camera, values);
+  return false_color_png(picture.pixels, values, scale, title);
+}
+
 }  // namespace
 
 std::vector<std::string> add_pictures(const std::filesystem::path& directory, const Case& input,
@@ -59,6 +100,7 @@ std::vector<std::string> add_pictures(const std::filesystem::path& directory, co
     folder.add_text(camera.name + ".png",
                     toned_png(picture.pixels, balanced(colors, WhiteBalance(input.bands, camera.white)),
                               camera.exposure, camera.tone));
+    if (camera.false_color) folder.add_text(camera.name + ".false.png", false_colors_of(input, named));
   }
   const std::vector<std::string> names = folder.names();
   const std::string summary = summary_with_files(directory, names, seconds);

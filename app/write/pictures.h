@@ -25,7 +25,8 @@ struct NamedPicture {
 /// Adds NAME.exr and NAME.png of each picture to a directory, all or none, and to the list of files in its
 /// summary.json where there is one. NAME.exr holds linear numbers: R, G, B as BandColor has them, and
 /// `radiance.BAND` and
-/// `error.cells.BAND`, `error.directions.BAND` of each band. NAME.png went through exposure and tone curve.
+/// `error.cells.BAND`, `error.directions.BAND` of each band. NAME.png went through exposure and tone curve;
+/// NAME.false.png is in false colors, where the camera asks for them.
 /// Returns the names of the files. The summary counts the seconds that the pictures of a run took where they
 /// are given. Throws FileError.
 std::vector<std::string> add_pictures(const std::filesystem::path& directory, const Case& input,

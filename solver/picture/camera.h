@@ -11,12 +11,20 @@ namespace etendue {
 /// Enough for lobes that are not seen to be made of rays once pixels have four of them.
 inline constexpr int default_glossy_rays = 16;
 
-/// A pinhole camera, or one whose rays are parallel.
+/// How the angle from the view becomes a distance from the middle of the picture.
+enum class Projection {
+  perspective,       ///< as its tangent: straight lines stay straight
+  fisheye,           ///< as the angle (equidistant)
+  fisheye_equisolid  ///< as the sine of its half: equal areas are equal solid angles
+};
+
+/// A pinhole camera, a fisheye, or a camera whose rays are parallel.
 struct Camera {
   Vec3 position = Vec3::Zero();
   Vec3 look_at = -Vec3::UnitZ();  ///< what is in the middle of the picture
   Vec3 up = Vec3::UnitZ();        ///< of any length; what points up in the picture
-  double field_of_view = 50;      ///< vertical [degree]
+  Projection projection = Projection::perspective;
+  double field_of_view = 50;  ///< vertical, of a fisheye across its circle [degree]
   /// Height of what the picture shows [length]; then the rays are parallel and start in the plane through the
   /// position.
   std::optional<double> orthographic;
@@ -47,14 +55,21 @@ class CameraRays {
   /// The camera must look somewhere, and not along `up`.
   explicit CameraRays(const Camera& camera);
 
-  /// Through a place of the picture, in pixels from its upper left corner.
+  /// Whether a place of the picture shows something: a fisheye is a circle as wide as the shorter side.
+  bool shows(double across, double down) const;
+  /// Through a place of the picture that shows something, in pixels from its upper left corner.
   CameraRay through(double across, double down) const;
 
  private:
+  CameraRay fisheye_ray(const Vec3& aside) const;
+
   bool parallel_;
+  Projection projection_;
+  double half_angle_;  ///< of a fisheye, at the rim [rad]
   Vec3 position_;
   Vec3 ahead_;
-  Vec3 right_;  ///< of one pixel: a length, or its ratio to the distance
+  Vec3 right_;  ///< of one pixel: a length, its ratio to the distance, or, of a fisheye, to the radius of the
+                ///< circle
   Vec3 down_;
   std::array<int, 2> pixels_;
 };

@@ -19,8 +19,10 @@ void add_rays(const RayLook& look, const Camera& camera, const CameraRays& rays,
   std::vector<double> radiance(pixel.size());
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) {
+      const double across = column + (i + 0.5) / side, down = row + (j + 0.5) / side;
+      if (!rays.shows(across, down)) continue;
       std::fill(radiance.begin(), radiance.end(), 0.0);
-      look(rays.through(column + (i + 0.5) / side, row + (j + 0.5) / side), radiance);
+      look(rays.through(across, down), radiance);
       for (std::size_t b = 0; b < pixel.size(); ++b) pixel[b] += radiance[b] / (side * side);
     }
 }

@@ -82,6 +82,46 @@ TEST(ReadCamera, RefusesTwoLenses) {
             "slab.toml:12: camera[0].orthographic = 1: beside field_of_view; use one of them");
 }
 
+TEST(ReadCamera, TakesProjections) {
+  const std::string aim = camera + "look_at = [0, 0, 0]\n";
+  const auto read = [&](const std::string& keys) { return case_of(aim + keys).cameras.at(0).camera; };
+  EXPECT_EQ(read("").projection, Projection::perspective);
+  EXPECT_EQ(read("projection = \"fisheye\"\n").projection, Projection::fisheye);
+  EXPECT_EQ(read("projection = \"fisheye\"\n").field_of_view, 180);
+  EXPECT_EQ(read("projection = \"fisheye-equisolid\"\nfield_of_view = 120\n").projection,
+            Projection::fisheye_equisolid);
+  EXPECT_EQ(read("projection = \"orthographic\"\northographic = 2\n").orthographic, 2);
+  EXPECT_EQ(faults_of(aim + "projection = \"orthographic\"\n"),
+            "slab.toml:11: camera[0].projection = \"orthographic\": needs the height that the picture shows; "
+            "add orthographic = height");
+  EXPECT_EQ(faults_of(aim + "projection = \"fisheye\"\northographic = 2\n"),
+            "slab.toml:12: camera[0].orthographic = 2: beside projection = \"fisheye\"; use one of them");
+  EXPECT_EQ(faults_of(aim + "field_of_view = 180\n"),
+            "slab.toml:11: camera[0].field_of_view = 180: a perspective picture shows less than 180 degrees; "
+            "use less, or projection = \"fisheye\"");
+}
+
+TEST(ReadCamera, TakesFalseColors) {
+  const std::string aim = camera + "look_at = [0, 0, 0]\n";
+  EXPECT_FALSE(case_of(aim).cameras.at(0).false_color);
+  const FalseColor scale = case_of(aim + "false_color = { quantity = \"radiance\", max = 100, log = true }\n")
+                               .cameras.at(0)
+                               .false_color.value();
+  EXPECT_EQ(scale.quantity, FalseColorQuantity::radiance);
+  EXPECT_EQ(scale.most, 100);
+  EXPECT_FALSE(scale.least);
+  EXPECT_TRUE(scale.logarithmic);
+  EXPECT_EQ(faults_of(aim + "false_color = { quantity = \"radiance\", min = 5, max = 2 }\n"),
+            "slab.toml:11: camera[0].false_color.min = 5: is not below max; use a smaller number");
+  EXPECT_EQ(faults_of(aim + "false_color = { quantity = \"radiance\", min = 0, log = true }\n"),
+            "slab.toml:11: camera[0].false_color.min = 0: a logarithmic scale does not reach 0; use a number "
+            "above 0");
+  EXPECT_EQ(
+      faults_of(aim + "false_color = { max = 10 }\n"),
+      "slab.toml:7: camera[0]: false_color: luminance needs bands that the eye sees; use bands.edges, or "
+      "bands called red, green and blue, or quantity = \"radiance\"");
+}
+
 TEST(ReadCamera, RefusesPixelsThatAreNotTwoWholeNumbers) {
   EXPECT_EQ(faults_of(camera + "look_at = [0, 0, 0]\npixels = [800]\n"),
             "slab.toml:11: camera[0].pixels = [800]: must be two whole numbers; use [across, down]");

@@ -42,6 +42,31 @@ TEST(Camera, HasParallelRaysWhereItIsOrthographic) {
   EXPECT_LT((corner.origin - Vec3(-3, 2, 5)).norm(), 1e-14);
 }
 
+TEST(Camera, HasAnglesAsDistancesInAFisheye) {
+  Camera camera = looking_along_y();
+  camera.projection = Projection::fisheye;
+  camera.field_of_view = 180;
+  const CameraRays rays(camera);
+  EXPECT_LT((rays.through(100, 50).direction - Vec3::UnitY()).norm(), 1e-15);
+  EXPECT_LT((rays.through(150, 50).direction - Vec3::UnitX()).norm(), 1e-14);
+  EXPECT_LT((rays.through(100, 0).direction - Vec3::UnitZ()).norm(), 1e-14);
+  EXPECT_NEAR(rays.through(100, 75).direction.z(), -std::sqrt(0.5), 1e-14);
+  EXPECT_EQ(rays.through(130, 20).origin, camera.position);
+  EXPECT_TRUE(rays.shows(149.9, 50));
+  EXPECT_FALSE(rays.shows(150.1, 50));
+}
+
+// Within the radius r of an equisolid picture there is the share r^2 of the half sphere's solid angle, so a
+// cosine of 1 - r^2 at its rim.
+TEST(Camera, HasSolidAnglesAsAreasInAnEquisolidFisheye) {
+  Camera camera = looking_along_y();
+  camera.projection = Projection::fisheye_equisolid;
+  camera.field_of_view = 180;
+  const CameraRays rays(camera);
+  for (const double radius : {0.2, 0.5, 0.9, 1.0})
+    EXPECT_NEAR(rays.through(100 + 50 * radius, 50).direction.y(), 1 - radius * radius, 1e-14);
+}
+
 TEST(Camera, TurnsAboutItsView) {
   Camera camera = looking_along_y();
   camera.up = {1, 4, 0};  // only the part across the view counts
