@@ -9,9 +9,12 @@
 #include <numbers>
 #include <optional>
 
+#include "app/case/glazed_light.h"
 #include "app/case/open_walls.h"
 #include "app/case/point_light.h"
+#include "app/case/sky_parts.h"
 #include "mesh/tetrahedra/cell_locator.h"
+#include "mesh/tetrahedra/outer_walls.h"
 #include "solver/lights/lamp_in_cone.h"
 #include "solver/problem/lamp_shape.h"
 #include "solver/problem/mirror.h"
@@ -23,9 +26,6 @@ using std::numbers::pi;
 
 constexpr int sides_of_a_disc = 64;
 
-/// Normals of one flat wall differ by rounding only.
-constexpr double same_normal = 1e-9;
-
 /// The walls that a light names, else the open ones.
 std::vector<int> walls_of(const LightCase& light, const std::vector<Wall>& walls,
                           const TetrahedralMesh& mesh) {
@@ -34,44 +34,6 @@ std::vector<int> walls_of(const LightCase& light, const std::vector<Wall>& walls
   for (std::size_t w = 0; w < walls.size(); ++w)
     if (std::ranges::count(light.walls, walls[w].name) > 0) numbers.push_back(static_cast<int>(w));
   return numbers;
-}
-
-/// Parts of a sky are about as wide as that [rad]: a sun in it is a light of its own.
-constexpr double width_of_part = 10 * pi / 180;
-
-// Rings about the zenith, each cut into parts, as many in each quarter, that stand at its mean cosine: a
-// level plane gets from them exactly what an even sky sends. Their brightness is a mean over 3 x 3 points.
-// The table counts azimuths counterclockwise seen from above.
-std::vector<Light> sky_lights(const LightCase& light, const std::vector<int>& walls) {
-  PointLight table = point_light(light);
-  table.axis = -light.direction;
-  std::vector<Light> sky;
-  double level = 0;  // irradiance of a level plane, of radiance 1
-  const auto rings = static_cast<int>(std::ceil(table.angle.back() / width_of_part));
-  for (int ring = 0; ring < rings; ++ring) {
-    const double upper = std::cos(table.angle.back() * ring / rings),
-                 lower = std::cos(table.angle.back() * (ring + 1) / rings);
-    const double cosine = (upper + lower) / 2, sine = std::sqrt(1 - cosine * cosine);
-    const int count = 4 * static_cast<int>(std::ceil(2 * pi * sine / (4 * width_of_part)));
-    for (int i = 0; i < count; ++i) {
-      const auto azimuth = [&](double place) { return 2 * pi * (i + place) / count; };
-      double brightness = 0;
-      for (const double a : {1. / 6, 0.5, 5. / 6})
-        for (const double b : {1. / 6, 0.5, 5. / 6})
-          brightness += lamp_shape(table, std::acos(upper + a * (lower - upper)), azimuth(b)) / 9;
-      if (brightness == 0) continue;
-      const Vec3 from = cosine * table.axis + sine * (std::cos(azimuth(0.5)) * table.zero_plane +
-                                                      std::sin(azimuth(0.5)) * table.quarter_plane);
-      BeamLight beam{-from, light.strength, walls};
-      for (double& irradiance : beam.irradiance) irradiance *= 2 * pi * (upper - lower) / count * brightness;
-      level += 2 * pi * (upper - lower) / count * brightness * cosine;
-      sky.push_back({light.name, std::move(beam), light.origin, light.uncollided});
-    }
-  }
-  if (light.level_irradiance)
-    for (Light& part : sky)
-      for (double& irradiance : std::get<BeamLight>(part.kind).irradiance) irradiance /= level;
-  return sky;
 }
 
 // A regular polygon of the disc's area, counterclockwise from where it shines to.
@@ -172,18 +134,6 @@ void require_incoming(const LightCase& light, const std::vector<int>& numbers, c
                   light.name, light.direction.x(), light.direction.y(), light.direction.z())));
 }
 
-/// The faces of a wall look one way: the normal into the domain; empty where they do not.
-std::optional<Vec3> normal_of(const TetrahedralMesh& mesh, int wall) {
-  std::optional<Vec3> normal;
-  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
-    if (mesh.wall(FaceIndex(f)) != wall) continue;
-    const Vec3 of_face = -mesh.area_normal(FaceIndex(f)).normalized();
-    if (normal && (*normal - of_face).norm() > same_normal) return {};
-    normal = of_face;
-  }
-  return normal;
-}
-
 /// Light of a beam behind a smooth surface: Snell's law, and the irradiance across it that is left.
 BeamLight refracted(const BeamLight& beam, const Vec3& normal, double index) {
   const double cosine = beam.direction.dot(normal);
@@ -202,7 +152,7 @@ BeamLight beam_light(const LightCase& light, const std::vector<int>& numbers, co
   const auto first = std::ranges::find_if(numbers, refracts);
   if (first == numbers.end()) return beam;
   const std::string& name = walls[static_cast<std::size_t>(*first)].name;
-  const std::optional<Vec3> normal = normal_of(mesh, *first);
+  const std::optional<Vec3> normal = normal_of_wall(mesh, *first);
   if (numbers.size() == 1 && normal && beam.direction.dot(*normal) > 0)
     return refracted(beam, *normal, walls[static_cast<std::size_t>(*first)].refractive_index);
   faults.push_back(
@@ -212,6 +162,59 @@ BeamLight beam_light(const LightCase& light, const std::vector<int>& numbers, co
                            : !normal ? "and is not flat; give each flat part a name and a light of its own"
                                      : "from behind; turn the light, or name another wall")));
   return beam;
+}
+
+/// Name of the light that comes in by some of its walls: lights in a row that have one name are
+/// taken for one sky.
+std::string name_by(const LightCase& light, const EntryWalls& entry, const TetrahedralMesh& mesh) {
+  if (entry.glazing == nullptr) return light.name;
+  return light.name + " through " + mesh.wall_names()[static_cast<std::size_t>(entry.walls.front())];
+}
+
+std::vector<Light> beams_of_sun(const LightCase& light, const std::vector<EntryWalls>& entries,
+                                const std::vector<Wall>& walls, const TetrahedralMesh& mesh,
+                                std::vector<Fault>& faults) {
+  std::vector<Light> beams;
+  for (const EntryWalls& entry : entries) {
+    const BeamLight outside = beam_light(light, entry.walls, walls, mesh, faults);
+    if (auto beam = behind_glazing(outside, entry))
+      beams.push_back({name_by(light, entry, mesh), *std::move(beam), light.origin, light.uncollided});
+  }
+  return beams;
+}
+
+std::vector<Light> parts_of_sky(const LightCase& light, const EntryWalls& entry,
+                                const TetrahedralMesh& mesh) {
+  std::vector<Light> sky;
+  for (const BeamLight& part : light.angle.empty() ? even_sky_parts(light, entry.inwards, entry.walls)
+                                                   : sky_parts(light, entry.walls))
+    if (auto beam = behind_glazing(part, entry))
+      sky.push_back({name_by(light, entry, mesh), *std::move(beam), light.origin, light.uncollided});
+  return sky;
+}
+
+void require_no_glazing(const LightCase& light, const Case& input, std::vector<Fault>& faults) {
+  for (const std::string& wall : light.walls)
+    if (glazing_of(input, wall) != nullptr)
+      return faults.push_back(fault_at(
+          light.origin, "",
+          fmt::format("the light \"{}\" shines from the glazed wall {}; use kind \"sky\" for light that "
+                      "comes in by glazing",
+                      light.name, wall)));
+}
+
+/// By a wall of a body or a sheet in the domain no light comes in.
+void require_outer_glazing(const Case& input, const TetrahedralMesh& mesh, std::vector<Fault>& faults) {
+  const std::vector<bool> outer = outer_walls(mesh);
+  for (std::size_t w = 0; w < outer.size(); ++w) {
+    const std::string& name = mesh.wall_names()[w];
+    const auto entry = input.walls.find(name);
+    if (outer[w] || entry == input.walls.end() || entry->second.glazing.empty()) continue;
+    faults.push_back(
+        fault_at(entry->second.origin, "",
+                 "glazing in a wall that is no outer one; use it where light from outside comes in, "
+                 "and transmittance for sheets"));
+  }
 }
 
 void shine(const LightCase& light, const std::vector<int>& numbers, std::vector<Wall>& walls,
@@ -240,6 +243,7 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
   std::vector<Light> lights, skies;
   std::vector<Fault> faults;
   if (input.lights.empty()) return lights;
+  require_outer_glazing(input, mesh, faults);
   const CellLocator locator(mesh);
   const std::vector<Wall> as_written = walls;
   for (const LightCase& light : input.lights) {
@@ -251,13 +255,21 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
     } else if (light.kind == "sun") {
       const std::size_t before = faults.size();
       require_open(light, numbers, as_written, faults);
-      lights.push_back(
-          {light.name, beam_light(light, numbers, as_written, mesh, faults), light.origin, light.uncollided});
+      for (Light& beam :
+           beams_of_sun(light, entry_walls(light, numbers, input, mesh, faults), as_written, mesh, faults))
+        lights.push_back(std::move(beam));
       if (faults.size() == before) require_incoming(light, numbers, mesh, faults);
-    } else if (light.kind == "sky" && !light.angle.empty()) {
-      require_open(light, numbers, as_written, faults);
-      std::ranges::move(sky_lights(light, numbers), std::back_inserter(skies));
-    } else if (light.kind == "wall" || light.kind == "sky") {
+    } else if (light.kind == "sky") {
+      for (const EntryWalls& entry : entry_walls(light, numbers, input, mesh, faults)) {
+        if (entry.glazing == nullptr && light.angle.empty()) {
+          shine(light, entry.walls, walls, faults);
+          continue;
+        }
+        require_open(light, entry.walls, as_written, faults);
+        std::ranges::move(parts_of_sky(light, entry, mesh), std::back_inserter(skies));
+      }
+    } else if (light.kind == "wall") {
+      require_no_glazing(light, input, faults);
       shine(light, numbers, walls, faults);
     } else {
       SurfaceLight surface = light.kind == "disc" ? disc_light(light) : rectangle_light(light);

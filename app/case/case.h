@@ -30,6 +30,7 @@
 #include "solver/problem/phase_function.h"
 #include "solver/radiosity/radiosity_method.h"
 #include "solver/sensors/sensor.h"
+#include "solver/surfaces/glazing.h"
 #include "solver/surfaces/reflectance.h"
 
 namespace etendue {
@@ -123,6 +124,7 @@ struct WallCase {
   Uncollided uncollided = Uncollided::automatic;
   std::optional<LightCase> beam;
   Origin origin;
+  std::vector<Glazing> glazing = {};  ///< [band] of what light from outside comes in by; empty: an opening
 };
 
 struct Probe {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "app/case/sky_parts.h"
+
 namespace etendue {
 namespace {
 
@@ -51,19 +53,18 @@ void check_daylight_factors(const Case& input, Faults& faults) {
   }
 }
 
-std::vector<double> unobstructed_sky_irradiance(const Case& input, const Problem& problem) {
+std::vector<double> unobstructed_sky_irradiance(const Case& input) {
   const LightCase& sky = *std::ranges::find_if(input.lights, is_sky);
-  std::vector<double> sum(static_cast<std::size_t>(problem.band_count()), 0);
-  bool has_parts = false;
-  for (const Light& light : problem.lights())
-    if (const auto* part = std::get_if<BeamLight>(&light.kind)) {
-      has_parts = true;
-      const double cosine = std::max(0.0, part->direction.dot(sky.direction));
-      for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += part->irradiance[b] * cosine;
+  std::vector<double> sum(static_cast<std::size_t>(input.bands.count()), 0);
+  // Without a table the sky has the same radiance L all over: pi L, unless that is what is given.
+  if (sky.angle.empty())
+    for (std::size_t b = 0; b < sum.size(); ++b)
+      sum[b] = sky.level_irradiance ? sky.strength[b] : std::numbers::pi * sky.strength[b];
+  else
+    for (const BeamLight& part : sky_parts(sky, {})) {
+      const double cosine = std::max(0.0, part.direction.dot(sky.direction));
+      for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += part.irradiance[b] * cosine;
     }
-  // A sky of even radiance L is that of walls: pi L.
-  if (!has_parts)
-    for (std::size_t b = 0; b < sum.size(); ++b) sum[b] = std::numbers::pi * sky.strength[b];
   return sum;
 }
 

@@ -5,7 +5,6 @@
 
 #include "app/case/case.h"
 #include "app/case/value_check.h"
-#include "solver/problem/problem.h"
 
 namespace etendue {
 
@@ -16,6 +15,6 @@ void check_daylight_factors(const Case& input, Faults& faults);
 /// Irradiance [band] that the sky of a case brings to an unobstructed horizontal plane: the integral of
 /// L cos(zenith angle) over the upper hemisphere [power/length^2]. The zenith is opposite to the light's
 /// `direction`. The case must have passed check_daylight_factors().
-std::vector<double> unobstructed_sky_irradiance(const Case& input, const Problem& problem);
+std::vector<double> unobstructed_sky_irradiance(const Case& input);
 
 }  // namespace etendue

@@ -43,6 +43,10 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "walls.NAME.glossy",
        .help = "A reflectance f_r beside the diffuse and the mirror one; of all together at most 1 is "
                "reflected at every angle."},
+      {.path = "walls.NAME.glazing",
+       .help = "Panes of clear or tinted glass in an outer, flat wall, by which the sun and the sky come in: "
+               "Fresnel's reflection and absorption by the angle of incidence. Light that arrives there from "
+               "inside leaves, but for what the wall reflects diffusely."},
       {.path = "walls.NAME.beam", .help = "Collimated light that enters here; the wall must not mirror."},
       {.path = "light",
        .form = list,
@@ -73,6 +77,7 @@ std::vector<TableDeclaration> make_tables() {
        .help = "A picture: NAME.exr, linear, and NAME.png (docs/pictures.md)."},
       {.path = "camera.false_color",
        .help = "NAME.false.png: the picture in the colors of a scale (viridis), which is drawn beside it "
+               "with its "
                "numbers and unit."},
       {.path = "sensor",
        .form = list,

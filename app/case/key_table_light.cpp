@@ -91,6 +91,23 @@ std::vector<KeyDeclaration> light_keys() {
             "Of table: a CSV file of angle_in, angle_out, azimuth [degree] and value [1/sr], a whole grid; "
             "the azimuth is 180 on the mirror's side."}},
 
+      {"walls.NAME.glazing",
+       "transmittance",
+       band_numbers,
+       {.range = {.lowest = 0, .highest = 1, .lowest_excluded = true},
+        .need = required,
+        .help = "Of all panes together, at normal incidence; 0.917 is that of one clear pane."}},
+      {"walls.NAME.glazing",
+       "refractive_index",
+       number,
+       {.default_value = "1.526", .range = {.lowest = 1}, .help = "Of the glass."}},
+      {"walls.NAME.glazing",
+       "panes",
+       integer,
+       {.default_value = "1",
+        .range = {.lowest = 1, .highest = 8},
+        .help = "Equal panes, with air between."}},
+
       {"walls.NAME.beam",
        "direction",
        point,

@@ -9,6 +9,7 @@
 #include "app/case/band_values.h"
 #include "app/case/medium_coefficients.h"
 #include "app/case/read_directional.h"
+#include "app/case/read_glazing.h"
 #include "app/case/read_glossy.h"
 #include "app/case/read_light.h"
 #include "app/case/read_phase.h"
@@ -250,6 +251,10 @@ WallCase read_wall(const std::string& name, Section section, const Bands& bands,
   wall.beam = read_beam(section, name, bands);
   if (wall.beam) wall.beam->uncollided = wall.uncollided;
   wall.refractive_index = section.number("refractive_index");
+  if (section.has("glazing")) {
+    wall.glazing = read_glazing(section.section("glazing"), bands);
+    check_glazed_wall(section, wall);
+  }
   if (!any_faulty(section, {"diffuse", "specular", "transmittance"}))
     check_reflectances(section, wall, bands);
   return wall;

@@ -205,10 +205,8 @@ void append(const std::vector<SensorTableRow>& more, std::vector<SensorTableRow>
 std::vector<SensorTableRow> sky_rows(const RunResult& result, const RowMaker& maker) {
   const std::vector<double> nothing(static_cast<std::size_t>(result.problem.band_count()), 0);
   std::vector<SensorTableRow> rows;
-  maker.add(
-      "sky",
-      {Quantity::irradiance, unobstructed_sky_irradiance(result.input, result.problem), nothing, nothing}, {},
-      rows);
+  maker.add("sky", {Quantity::irradiance, unobstructed_sky_irradiance(result.input), nothing, nothing}, {},
+            rows);
   return rows;
 }
 

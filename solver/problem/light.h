@@ -34,6 +34,7 @@ struct BeamLight {
   Vec3 direction = -Vec3::UnitZ();  ///< unit, in which the light travels
   std::vector<double> irradiance;   ///< [band] on a plane across the beam [power/length^2]
   std::vector<int> walls;
+  double solid_angle = 0;  ///< [sr] of the part of a sky that it represents; 0: it comes from one direction
 };
 
 /// A flat light inside of the domain that shines from one side and stands in nobody's way.

@@ -61,9 +61,14 @@ void refuse_for_radiosity(const Problem& problem) {
       faults.add(origin_of(wall, "radiance"),
                  "depends on the place or the direction (not in this version for radiosity)");
   }
-  for (const Light& light : problem.lights())
+  // The parts of a sky in a row are one light of the case.
+  Origin before;
+  for (const Light& light : problem.lights()) {
+    if (light.origin.line == before.line && light.origin.key == before.key) continue;
+    before = light.origin;
     faults.add(light.origin,
                "is a light that is no wall (not in this version for radiosity: walls with a radiance shine)");
+  }
   std::vector<Fault> found = faults.all();
   if (problem.space() == AngularSpace::plane)
     found.push_back(fault_at({}, "",
