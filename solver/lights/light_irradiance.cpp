@@ -7,6 +7,7 @@
 #include "solver/lights/even_pieces.h"
 #include "solver/lights/polygon_irradiance.h"
 #include "solver/lights/wide_source.h"
+#include "solver/problem/mirror.h"
 
 namespace etendue {
 namespace {
@@ -36,6 +37,13 @@ std::span<const EmitterPart> flat_parts(const LightSource& source) {
 LightIrradiance::LightIrradiance(const LightSetup& lights) : lights_(lights) {
   if (std::ranges::any_of(lights.sources(), [](const auto& source) { return !flat_parts(*source).empty(); }))
     images_ = lights.paths().mirrors().images_of_point();
+  const auto& walls = lights.problem().walls();
+  if (std::ranges::any_of(walls, [](const Wall& wall) { return is_mirror(wall); })) return;
+  for (const auto& source : lights.sources()) {
+    const WideSource* wide = source->as_wide();
+    const SkySource* sky = wide != nullptr ? wide->as_sky() : nullptr;
+    if (sky != nullptr && sky->shows_radiance()) skies_.emplace_back(*sky, lights.paths());
+  }
 }
 
 UncollidedAtPoint LightIrradiance::at(const PointInCell& point, const Vec3& normal) const {
@@ -44,7 +52,9 @@ UncollidedAtPoint LightIrradiance::at(const PointInCell& point, const Vec3& norm
   LightBeams seen(bands), clear(bands);
   LightDetail each = each_triangle;
   each.creases = &lights_.creases();
+  for (const SkyIrradiance& sky : skies_) add_sky(sky, point, normal, light);
   for (const auto& source : lights_.sources()) {
+    if (std::ranges::any_of(skies_, [&](const auto& sky) { return &sky.sky() == source.get(); })) continue;
     const bool flat = !flat_parts(*source).empty();
     const LightDetail detail = flat ? each : fine_light;
     seen.clear();
@@ -54,6 +64,27 @@ UncollidedAtPoint LightIrradiance::at(const PointInCell& point, const Vec3& norm
     add(*source, point.position, normal, seen, clear, light);
   }
   return light;
+}
+
+// The beams are exact where all of them arrive; beside obstacles and windows they do so by chance.
+void LightIrradiance::add_sky(const SkyIrradiance& sky, const PointInCell& point, const Vec3& normal,
+                              UncollidedAtPoint& light) const {
+  const std::size_t bands = lights_.paths().bands();
+  LightBeams seen(bands);
+  sky.sky().add_beams(point, Sight::attenuated, fine_light, seen);
+  const auto falls = [&](const Vec3& direction) { return normal.dot(direction) < 0; };
+  std::size_t falling = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) falling += falls(seen.direction(i)) ? 1 : 0;
+  const std::span<const Vec3> all = sky.sky().directions();
+  const bool whole = falling == static_cast<std::size_t>(std::ranges::count_if(all, falls));
+  UncollidedAtPoint by_beams{std::vector<double>(bands, 0), std::vector<double>(bands, 0)},
+      by_faces = by_beams;
+  if (whole || seen.size() == all.size()) add_beams(seen, normal, 1, by_beams);
+  if (!whole || seen.size() < all.size()) sky.add(point, normal, by_faces.irradiance, by_faces.fluence);
+  for (std::size_t b = 0; b < bands; ++b) {
+    light.irradiance[b] += (whole ? by_beams : by_faces).irradiance[b];
+    light.fluence[b] += (seen.size() == all.size() ? by_beams : by_faces).fluence[b];
+  }
 }
 
 void LightIrradiance::add(const LightSource& source, const Vec3& position, const Vec3& normal,

@@ -6,6 +6,7 @@
 
 #include "solver/lights/emitter_tree.h"
 #include "solver/lights/light_setup.h"
+#include "solver/lights/sky_irradiance.h"
 
 namespace etendue {
 
@@ -24,8 +25,9 @@ struct UncollidedAtPoint {
 /// keep of the beams (transmittance T, 0 in the shadow) that it is cut into. Where nothing stands in the way
 /// that is exact to rounding; else the error is that of the beams times the part that is lost. The same holds
 /// of the fluence, with solid angles, and of the light's images behind mirrors, of which E_polygon is taken
-/// whole and what the edges of a mirror cut off is lost like that behind an obstacle. Lights of other kinds
-/// are the sums of their beams: exact for points, spots and the sun.
+/// whole and what the edges of a mirror cut off is lost like that behind an obstacle. Skies are
+/// integrated over the faces by which they come in (SkyIrradiance) where not all of their beams arrive.
+/// Lights of other kinds are the sums of their beams: exact for points, spots and the sun.
 class LightIrradiance {
  public:
   /// The lights must outlive it.
@@ -41,12 +43,15 @@ class LightIrradiance {
            const LightBeams& clear, UncollidedAtPoint& light) const;
 
  private:
+  void add_sky(const SkyIrradiance& sky, const PointInCell& point, const Vec3& normal,
+               UncollidedAtPoint& light) const;
   /// What would arrive of one of its images in empty space.
   void add_clear(std::span<const EmitterPart> flat, MirrorSet mirrors, const Vec3& position,
                  const Vec3& normal, UncollidedAtPoint& light) const;
 
   const LightSetup& lights_;
-  std::vector<MirrorSet> images_;  ///< behind which flat lights are seen
+  std::vector<MirrorSet> images_;     ///< behind which flat lights are seen
+  std::vector<SkyIrradiance> skies_;  ///< without mirrors
 };
 
 }  // namespace etendue

@@ -10,12 +10,17 @@ namespace {
 /// A direction that comes back to that of a beam through mirrors does so to rounding.
 constexpr double same_direction = 1e-9;
 
-bool comes_in_by(const BeamLight& part, int wall) { return std::ranges::count(part.walls, wall) > 0; }
+bool lets_in(const BeamLight& part, int wall) { return std::ranges::count(part.walls, wall) > 0; }
+
+/// A dark part of a sky sends no beam, but rays see it.
+bool is_dark(const BeamLight& part) {
+  return std::ranges::all_of(part.irradiance, [](double irradiance) { return irradiance == 0; });
+}
 
 std::vector<double> power_of(std::span<const BeamLight> parts, const TetrahedralMesh& mesh) {
   std::vector<double> power(parts.front().irradiance.size(), 0);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
-    if (!comes_in_by(parts.front(), mesh.wall(FaceIndex(f)))) continue;
+    if (!lets_in(parts.front(), mesh.wall(FaceIndex(f)))) continue;
     for (const BeamLight& part : parts)
       for (std::size_t b = 0; b < power.size(); ++b)
         power[b] += part.irradiance[b] * std::max(0.0, -part.direction.dot(mesh.area_normal(FaceIndex(f))));
@@ -44,6 +49,7 @@ SkySource::SkySource(std::string name, std::vector<BeamLight> parts, const Light
       images_(paths.mirrors().images_of_direction()) {
   for (const MirrorSet mirrors : images_)
     for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (is_dark(parts_[i])) continue;
       const Vec3 direction = paths.mirrors().image_direction(mirrors, parts_[i].direction);
       const auto known = std::ranges::find_if(
           directions_, [&](const Vec3& other) { return (other - direction).norm() < same_direction; });
@@ -54,6 +60,9 @@ SkySource::SkySource(std::string name, std::vector<BeamLight> parts, const Light
       }
       if (std::ranges::count(from_[place], i) == 0) from_[place].push_back(i);
     }
+  if (std::ranges::all_of(parts_, [](const BeamLight& part) { return part.solid_angle > 0; }))
+    for (const BeamLight& part : parts_)
+      for (const double irradiance : part.irradiance) radiance_.push_back(irradiance / part.solid_angle);
   const bool perfect = mirrors_are_perfect(paths.problem());
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const auto like = std::ranges::find_if(
@@ -62,15 +71,23 @@ SkySource::SkySource(std::string name, std::vector<BeamLight> parts, const Light
   }
 }
 
+bool SkySource::comes_in_by(int wall) const { return lets_in(parts_.front(), wall); }
+
+std::span<const double> SkySource::radiance(const Vec3& towards) const {
+  const auto nearest = std::ranges::min_element(
+      parts_, {}, [&](const BeamLight& part) { return part.direction.dot(towards); });
+  const std::size_t bands = parts_.front().irradiance.size();
+  return std::span(radiance_).subspan(static_cast<std::size_t>(nearest - parts_.begin()) * bands, bands);
+}
+
 std::optional<SkySource::Entry> SkySource::transmit(const PointInCell& at, std::size_t direction,
                                                     std::span<double> transmittance) const {
   const std::optional<WayOut> out = paths_.leave(at, -directions_[direction], transmittance);
   if (!out) return std::nullopt;
   for (const std::size_t i : from_[direction])
     if ((out->direction + parts_[i].direction).norm() < same_direction)
-      return comes_in_by(parts_[i], paths_.problem().mesh().wall(out->face))
-                 ? std::optional(Entry{out->face, i})
-                 : std::nullopt;
+      return lets_in(parts_[i], paths_.problem().mesh().wall(out->face)) ? std::optional(Entry{out->face, i})
+                                                                         : std::nullopt;
   return std::nullopt;
 }
 

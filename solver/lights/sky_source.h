@@ -20,6 +20,11 @@ class SkySource : public WideSource {
   bool is_near(const Vec3&, double) const override { return false; }
   const SkySource* as_sky() const override { return this; }
   std::span<const BeamLight> parts() const { return parts_; }
+  bool comes_in_by(int wall) const;
+  /// Whether its parts have solid angles: then rays see it.
+  bool shows_radiance() const { return !radiance_.empty(); }
+  /// [band] Radiance that comes from where a unit vector points, that of the nearest part.
+  std::span<const double> radiance(const Vec3& towards) const;
 
   /// Unit, in which it travels, images behind mirrors included, each once.
   std::span<const Vec3> directions() const { return directions_; }
@@ -37,6 +42,7 @@ class SkySource : public WideSource {
 
  private:
   std::vector<BeamLight> parts_;
+  std::vector<double> radiance_;  ///< [part][band] [power/(length^2 sr)]; empty where it is not known
   const LightPaths& paths_;
   std::vector<MirrorSet> images_;
   std::vector<Vec3> directions_;

@@ -8,6 +8,7 @@
 
 #include "solver/angle/gauss_legendre.h"
 #include "solver/lights/attenuation.h"
+#include "solver/lights/sky_source.h"
 #include "solver/picture/bent_state.h"
 #include "solver/picture/lit_triangle.h"
 #include "solver/picture/ray_stretch.h"
@@ -119,6 +120,7 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
     if (view.lights_shown) add_flat_lights(stretch, end.distance, work, radiance);
     add_cells(stretch, work, radiance);
     add_wall(*end.wall, end.point, stretch, work, radiance);
+    if (view.lights_shown) add_skies(*end.wall, stretch, work, radiance);
     add_glossy(*end.wall, end.point, stretch, work, radiance);
     const Vec3 normal = problem_.mesh().area_normal(*end.wall).normalized();
     if (!reflect(*end.wall, towards.dot(normal), work)) return;
@@ -235,6 +237,18 @@ void RayRadiance::add_flat_lights(const Stretch& stretch, double length, Workspa
                    std::min(part.length, distance - part.from);
       radiance[band] += work.factor[band] * std::exp(-depth) * surface->radiance[band];
     }
+}
+
+void RayRadiance::add_skies(FaceIndex face, const Stretch& stretch, const Workspace& work,
+                            std::span<double> radiance) const {
+  for (const auto& source : lights_.sources()) {
+    const WideSource* wide = source->as_wide();
+    const SkySource* sky = wide != nullptr ? wide->as_sky() : nullptr;
+    if (sky == nullptr || !sky->shows_radiance() || !sky->comes_in_by(problem_.mesh().wall(face))) continue;
+    const std::span<const double> of_sky = sky->radiance(stretch.direction);
+    for (std::size_t b = 0; b < bands_; ++b)
+      radiance[b] += work.factor[b] * std::exp(-work.depth[b]) * of_sky[b];
+  }
 }
 
 void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,

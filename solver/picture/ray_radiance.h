@@ -108,6 +108,8 @@ class RayRadiance {
                        std::span<double> radiance) const;
   void add_wall(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
                 std::span<double> radiance) const;
+  void add_skies(FaceIndex face, const Stretch& stretch, const Workspace& work,
+                 std::span<double> radiance) const;
   void add_glossy(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
                   std::span<double> radiance) const;
   void add_glossy_lights(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,

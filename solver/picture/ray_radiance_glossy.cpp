@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "solver/lights/sky_source.h"
 #include "solver/lights/wide_source.h"
 #include "solver/picture/ray_radiance.h"
 #include "solver/picture/ray_stretch.h"
@@ -35,6 +36,12 @@ Shift shift_at(const Vec3& place) {
 }
 
 double fraction(double x) { return x - std::floor(x); }
+
+/// Parts of a sky without a solid angle are single beams, which no ray meets.
+bool rays_see(const WideSource& light) {
+  const SkySource* sky = light.as_sky();
+  return sky == nullptr || sky->shows_radiance();
+}
 
 /// The first band's lobe that there is: others have other values in the same directions.
 const Reflectance* drawn_from(const Wall& wall) {
@@ -72,7 +79,7 @@ void RayRadiance::add_glossy_lights(FaceIndex face, const Vec3& point, const Str
   const bool rays_see_lamps = drawn_from(wall)->width() < narrow;
   for (const auto& source : lights_.sources()) {
     const WideSource* wide = source->as_wide();
-    if (rays_see_lamps && wide != nullptr && wide->as_sky() == nullptr) continue;
+    if (rays_see_lamps && wide != nullptr && rays_see(*wide)) continue;
     walls_.find_beams(*source, {problem_.mesh().owner(face), point}, stretch.view.shadow_rays, work.beams,
                       clear);
     for (std::size_t k = 0; k < work.beams.size(); ++k) {
