@@ -14,6 +14,9 @@ void check_seen_by_eye(const Case& input, Faults& faults) {
   else if (!si_scale(input.units.length, input.units.power))
     why = "needs units of the SI; use units.length of m, cm, mm or km and units.power of W or mW";
   if (why.empty()) return;
+  for (const SensorCase& sensor : input.sensors)
+    if (sensor.sensor.kind == SensorKind::glare)
+      faults.push_back(fault_at(sensor.origin, "", "glare " + why));
   for (const CameraCase& camera : input.cameras)
     if (camera.false_color && camera.false_color->quantity == FalseColorQuantity::luminance)
       faults.push_back(

@@ -15,7 +15,7 @@ std::vector<KeyDeclaration> sensor_keys() {
        text,
        {.default_value = "\"irradiance\"",
         .choices = {"irradiance", "exitance", "radiosity", "fluence", "radiance", "cone", "grid", "flux",
-                    "intensity", "region"},
+                    "intensity", "region", "glare"},
         .help =
             "irradiance on one side of a plane; exitance, also called radiosity: all that leaves a wall at a "
             "point; fluence "
@@ -24,7 +24,7 @@ std::vector<KeyDeclaration> sensor_keys() {
             "middles of parts of a parallelogram; flux: power through a polygon, a wall or the surface of a "
             "region, both ways; "
             "intensity of what leaves the domain by a wall, over directions; region: the account of its "
-            "light."}},
+            "light; glare: UGR and DGP of an observer."}},
       {"sensor",
        "position",
        point,
@@ -39,9 +39,9 @@ std::vector<KeyDeclaration> sensor_keys() {
       {"sensor",
        "direction",
        point,
-       {.help =
-            "Of radiance and cone: where the sensor looks, against the light; of any length. Of a flux: the "
-            "axis of the cone that light comes from."}},
+       {.help = "Of radiance, cone and glare: where the sensor looks, against the light; of any length. Of a "
+                "flux: the "
+                "axis of the cone that light comes from."}},
       {"sensor",
        "angle",
        number,
@@ -54,12 +54,12 @@ std::vector<KeyDeclaration> sensor_keys() {
       {"sensor",
        "parts",
        numbers,
-       {.default_note = "[4, 4]; of a flux [4], through a wall [1], of intensity [24, 19]",
+       {.default_note = "[4, 4]; of a flux [4], through a wall [1], of intensity [24, 19], of glare [360]",
         .range = {.lowest = 1, .highest = 4096},
         .help =
             "Of a grid: parts along and across. Of a flux: n, and 3 n^2 points for each triangle about the "
             "polygon's first corner, or for each face of the wall. Of intensity: azimuths, and polar angles "
-            "from 0 to 90 degrees."}},
+            "from 0 to 90 degrees. Of glare: pixels across the view of 180 degrees."}},
       {"sensor",
        "wall",
        text,
@@ -88,6 +88,26 @@ std::vector<KeyDeclaration> sensor_keys() {
        {.default_value = "false",
         .help = "Of irradiance and grid: also the daylight factor, in percent of what the unobstructed sky "
                 "brings to a horizontal plane. The sky must be the only light."}},
+      {"sensor",
+       "up",
+       point,
+       {.default_value = "[0, 0, 1]", .help = "Of glare: what points up for the observer."}},
+      {"sensor",
+       "sources",
+       text,
+       {.default_value = "\"threshold\"",
+        .choices = {"threshold", "lights"},
+        .help =
+            "Of glare: its sources are all that is brighter than `threshold`, or the lights that are seen, "
+            "each alone."}},
+      {"sensor",
+       "threshold",
+       number,
+       {.unit = "cd/m^2",
+        .default_value = "2000",
+        .range = positive,
+        .help = "Of glare: luminance from which on something is a source; up to 100 a factor of the mean "
+                "luminance of the view."}},
       {"sensor",
        "rays",
        integer,

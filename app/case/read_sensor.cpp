@@ -19,7 +19,8 @@ const std::map<std::string, SensorKind> kinds = {{"irradiance", SensorKind::irra
                                                  {"grid", SensorKind::grid},
                                                  {"flux", SensorKind::flux},
                                                  {"intensity", SensorKind::intensity},
-                                                 {"region", SensorKind::region}};
+                                                 {"region", SensorKind::region},
+                                                 {"glare", SensorKind::glare}};
 
 /// The keys that a kind of sensor takes, beside name, kind and rays.
 const std::map<SensorKind, std::vector<std::string>> keys_of = {
@@ -32,10 +33,14 @@ const std::map<SensorKind, std::vector<std::string>> keys_of = {
     {SensorKind::grid, {"position", "along", "across", "normal", "parts", "daylight_factor"}},
     {SensorKind::flux, {"polygon", "wall", "region", "beyond", "parts", "direction", "angle"}},
     {SensorKind::intensity, {"wall", "parts"}},
-    {SensorKind::region, {"region", "direction", "angle"}}};
+    {SensorKind::region, {"region", "direction", "angle"}},
+    {SensorKind::glare, {"position", "direction", "up", "parts", "sources", "threshold"}}};
 
 /// Of intensities: every 15 degrees around, every 5 from the axis.
 constexpr int default_azimuths = 24, default_polar_angles = 19;
+
+/// Pixels of half a degree across the view of an observer.
+constexpr int default_view = 360;
 
 /// Corners stand in one plane to this part of the polygon's size.
 constexpr double flat = 1e-6;
@@ -44,7 +49,7 @@ bool takes(SensorKind kind, const std::string& key) { return std::ranges::count(
 
 void refuse_other_keys(Section& section, const std::string& name, SensorKind kind) {
   for (const char* key : {"position", "normal", "direction", "angle", "along", "across", "parts", "polygon",
-                          "wall", "region", "beyond", "daylight_factor"})
+                          "wall", "region", "beyond", "daylight_factor", "up", "sources", "threshold"})
     if (!takes(kind, key)) section.unused(key, "a sensor of kind \"" + name + "\" does not take it");
 }
 
@@ -81,12 +86,13 @@ void read_parts(Section& section, Sensor& sensor) {
   sensor.count = {4, 4};
   if (sensor.kind == SensorKind::flux && section.has("wall")) sensor.count = {1, 1};
   if (sensor.kind == SensorKind::intensity) sensor.count = {default_azimuths, default_polar_angles};
+  if (sensor.kind == SensorKind::glare) sensor.count = {default_view, default_view};
   const TomlNode* given = section.find("parts");
   if (given == nullptr) return;
   const TomlArray& parts = given->array();
   const bool whole = std::ranges::all_of(
       parts, [](const auto& item) { return std::holds_alternative<std::int64_t>(item->value); });
-  const std::size_t wanted = sensor.kind == SensorKind::flux ? 1 : 2;
+  const std::size_t wanted = sensor.kind == SensorKind::flux || sensor.kind == SensorKind::glare ? 1 : 2;
   if (!whole || parts.size() != wanted)
     return section.fault("parts", wanted == 2 ? "must be two whole numbers; use a list of two"
                                               : "must be one whole number; use a list of one");
@@ -166,6 +172,17 @@ void read_surface(Section& section, SensorCase& result) {
     section.unused("parts", "through the surface of a region the faces of the mesh are summed up");
 }
 
+/// Of a view and `up` that are all but parallel rounding would decide what points up.
+constexpr double smallest_sine = 1e-6;
+
+void read_glare(Section& section, Sensor& sensor) {
+  sensor.up = to_vec3(section.value("up"));
+  if (sensor.direction.cross(sensor.up).norm() <= smallest_sine * sensor.up.norm())
+    section.fault("up", "points along the view, or nowhere; use a vector across the direction");
+  sensor.glare_threshold = section.number("threshold");
+  if (section.text("sources") == "lights") sensor.glare_sources = GlareSources::lights;
+}
+
 SensorCase read_sensor(Section& section) {
   SensorCase result;
   result.origin = section.origin();
@@ -187,9 +204,11 @@ SensorCase read_sensor(Section& section) {
     sensor.direction = unit_vector(section, "normal", "a vector into the domain");
   if (sensor.kind == SensorKind::irradiance)
     sensor.direction = unit_vector(section, "normal", "a vector to the side where light is measured");
-  if (sensor.kind == SensorKind::radiance || sensor.kind == SensorKind::cone)
+  if (sensor.kind == SensorKind::radiance || sensor.kind == SensorKind::cone ||
+      sensor.kind == SensorKind::glare)
     sensor.direction = unit_vector(section, "direction", "a vector to where the sensor looks");
   if (sensor.kind == SensorKind::cone) read_cone_angle(section, sensor);
+  if (sensor.kind == SensorKind::glare) read_glare(section, sensor);
   if (sensor.kind == SensorKind::grid) read_sides(section, sensor);
   if (sensor.kind == SensorKind::flux) read_surface(section, result);
   if (sensor.kind == SensorKind::region) {

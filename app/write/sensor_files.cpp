@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/write/csv_field.h"
+#include "app/write/glare_rating.h"
 #include "app/write/image_files.h"
 #include "app/write/intensity_files.h"
 #include "app/write/sensor_rows.h"
@@ -142,6 +143,11 @@ void add_sensor_files(const RunResult& result, OutputFolder& folder) {
       folder.add_text(name + ".grid.csv", grid_csv(result, row));
       folder.add_text(name + ".grid.exr", grid_exr(result, row));
       folder.add_text(name + ".grid.png", grid_png(result, row));
+    }
+    if (row.place.sensor.kind == SensorKind::glare) {
+      const GlareRating rating = rate_glare(result, row);
+      folder.add_text(name + ".glare.csv", glare_csv(rating));
+      folder.add_text(name + ".glare.png", glare_png(rating, row.reading.view.across));
     }
     if (row.place.sensor.kind != SensorKind::intensity) continue;
     folder.add_text(name + ".intensity.csv", intensity_csv(result, row));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/case/daylight.h"
+#include "app/write/glare_rating.h"
 #include "app/write/illuminance_ratios.h"
 #include "app/write/unit_labels.h"
 #include "solver/sensors/photometric_units.h"
@@ -230,6 +231,7 @@ std::vector<SensorTableRow> sensor_rows(const RunResult& result) {
     for (const Measurement& found : row.reading.measurements)
       maker.add(row.place.name, found, row.reading.grid, of_sensor);
     if (row.place.sensor.kind == SensorKind::grid) append(uniformity_rows(of_sensor), of_sensor);
+    if (row.place.sensor.kind == SensorKind::glare) append(glare_rows(result, row), of_sensor);
     if (row.place.daylight_factor)
       append(daylight_factor_rows(of_sensor, sky_rows(result, maker)), of_sensor);
     append(of_sensor, rows);

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "mesh/base/vec3.h"
+
 namespace etendue {
 
 /// What sensors report, in the words and units of radiometry.
@@ -51,9 +53,26 @@ struct GridReading {
   std::vector<double> collided;
 };
 
+/// What an observer sees of the half space ahead, in an equidistant fisheye picture of equal sides.
+struct ObservedView {
+  int across = 0;                   ///< pixels of a side
+  std::vector<Vec3> directions;     ///< [row from the top][column] unit, away from the observer
+  std::vector<double> solid_angle;  ///< [row][column] [sr]; 0 outside of the circle
+  std::vector<double> uncollided;   ///< [row][column][band] radiance
+  std::vector<double> collided;     ///< [row][column][band]
+  /// Light of points, spots and suns, which no pixel shows, directly and by mirrors.
+  struct Beam {
+    Vec3 towards;                    ///< unit, to where it comes from
+    std::vector<double> irradiance;  ///< [band] on a plane across it
+    double distance;                 ///< of a point [length]; 0: a sun
+  };
+  std::vector<Beam> beams;
+};
+
 struct SensorReading {
   std::vector<Measurement> measurements;
-  GridReading grid;  ///< empty for other kinds
+  GridReading grid;        ///< empty for other kinds
+  ObservedView view = {};  ///< of glare
 };
 
 }  // namespace etendue

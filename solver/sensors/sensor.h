@@ -19,7 +19,14 @@ enum class SensorKind {
   grid,        ///< irradiance at the middles of equal parts of a parallelogram
   flux,        ///< power through a flat polygon or a whole wall, to both sides
   intensity,   ///< what leaves the domain by a wall, over directions
-  region       ///< the account of a region, of all light or of that from within a cone
+  region,      ///< the account of a region, of all light or of that from within a cone
+  glare        ///< discomfort glare of an observer
+};
+
+/// What is a source of glare in the view of an observer.
+enum class GlareSources {
+  threshold,  ///< what is brighter than a threshold (evalglare; Wienold and Christoffersen 2006)
+  lights      ///< what shines as a light, seen directly or in mirrors
 };
 
 /// An instrument, anywhere in the domain or on a wall.
@@ -32,11 +39,15 @@ struct Sensor {
   double half_angle = 0;
   std::array<Vec3, 2> sides = {};  ///< of a grid, from its first corner [length]
   /// Of a grid, parts of its sides; of a polygon the first, see SensorReader; of intensities, azimuths and
-  /// polar angles.
+  /// polar angles; of glare, pixels across the view.
   std::array<int, 2> count = {1, 1};
   std::vector<Vec3> polygon = {};  ///< corners, in order, of a flux
   int wall = -1;                   ///< of intensities; of a flux in place of a polygon
-  int rays = 2000;                 ///< at most, from one point, for other light than that of lights
+  Vec3 up = Vec3::UnitZ();         ///< of glare, of any length: what points up for the observer
+  GlareSources glare_sources = GlareSources::threshold;
+  /// Of glare [cd/m^2]; up to 100 a factor of the mean luminance of the view.
+  double glare_threshold = 2000;
+  int rays = 2000;  ///< at most, from one point, for other light than that of lights
 };
 
 /// The middle of a part of a grid.

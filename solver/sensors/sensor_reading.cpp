@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "solver/parallel/parallel_for.h"
+#include "solver/sensors/observed_view.h"
 #include "solver/sensors/polygon_points.h"
 #include "solver/sensors/wall_intensity.h"
 
@@ -342,6 +343,8 @@ std::optional<SensorReading> SensorReader::read(const Sensor& sensor, const Loca
     reading.measurements.push_back(most_of(reading.grid, scene_.bands(), Quantity::intensity_most));
   } else {
     read_point(sensor, locate, counter, reading);
+    if (sensor.kind == SensorKind::glare)
+      reading.view = observe_view(lights_, scene_, locate(sensor.position).value(), sensor, threads, counter);
   }
   if (counter.stopped()) return std::nullopt;
   return reading;
@@ -363,6 +366,8 @@ std::size_t SensorReader::rays_of(const Sensor& sensor, const Locate& locate) co
       return intensity_rays(scene_.problem().mesh(), sensor.wall, value_count(sensor));
     case SensorKind::radiance:
       return 1;
+    case SensorKind::glare:
+      return rays + rays_of_view(sensor);
     default:
       return rays;
   }

@@ -51,6 +51,24 @@ TEST(ReadSensor, TakesEachKind) {
   EXPECT_NEAR(region.sensor.half_angle, std::numbers::pi / 3, 1e-15);
 }
 
+TEST(ReadSensor, TakesGlare) {
+  const std::string seen = "kind = \"glare\"\nposition = [0.5, 0.5, 0.5]\ndirection = [2, 0, 0]\n";
+  const std::string eye = sensor + seen, colors = "[bands]\nnames = [\"red\", \"green\", \"blue\"]\n";
+  const Sensor glare = case_of(eye + colors).sensors.at(0).sensor;
+  EXPECT_EQ(glare.direction, Vec3(1, 0, 0));
+  EXPECT_EQ(glare.count[0], 360);
+  EXPECT_EQ(glare.glare_threshold, 2000);
+  EXPECT_EQ(glare.glare_sources, GlareSources::threshold);
+  const Sensor lights =
+      case_of(eye + "sources = \"lights\"\nparts = [90]\nthreshold = 5\nup = [0, 1, 0]\n" + colors)
+          .sensors.at(0)
+          .sensor;
+  EXPECT_EQ(lights.glare_sources, GlareSources::lights);
+  EXPECT_EQ(lights.count[0], 90);
+  EXPECT_EQ(lights.up, Vec3(0, 1, 0));
+  EXPECT_NE(faults_of(eye + "up = [1, 0, 0]\n" + colors).find("points along the view"), std::string::npos);
+}
+
 // The resolved case is read again by render and by runs that go on.
 TEST(ReadSensor, ReadsItsResolvedCase) {
   const std::string grid = "kind = \"grid\"\nposition = [0, 0, 0]\nalong = [1, 0, 0]\nacross = [0, 1, 0]\n";
