@@ -48,15 +48,21 @@ std::size_t find_assignment(const std::string& text) {
   return std::string::npos;
 }
 
+double call(void* function, double x, double y, double z) {
+  return static_cast<const PlaceFunction*>(function)->at(Vec3(x, y, z));
+}
+
 }  // namespace
 
 struct Expression::Parser {
-  Parser(const std::string& text, const std::vector<std::string>& variables) : values(variables.size(), 0.0) {
+  Parser(const Formula& formula, const std::vector<std::string>& variables) : values(variables.size(), 0.0) {
     parser.ClearConst();  // muParser's own _pi has only 13 digits
     parser.DefineConst("pi", std::numbers::pi);
     parser.DefineConst("e", std::numbers::e);
     for (std::size_t i = 0; i < variables.size(); ++i) parser.DefineVar(variables[i], &values[i]);
-    parser.SetExpr(text);
+    for (const auto& [name, function] : formula.functions)
+      parser.DefineFunUserData(name, call, const_cast<PlaceFunction*>(function.get()), false);
+    parser.SetExpr(formula.text);
     for (const auto& [name, address] : parser.GetUsedVar()) used.insert(name);
     parser.Eval();  // muParser parses at the first evaluation
     results = parser.GetNumResults();
@@ -68,14 +74,14 @@ struct Expression::Parser {
   int results = 0;
 };
 
-Expression::Expression(std::string text, std::vector<std::string> variables)
-    : text_(std::move(text)), variables_(std::move(variables)) {
-  if (const std::size_t at = find_assignment(text_); at != std::string::npos)
+Expression::Expression(Formula formula, std::vector<std::string> variables)
+    : formula_(std::move(formula)), variables_(std::move(variables)) {
+  if (const std::size_t at = find_assignment(formula_.text); at != std::string::npos)
     throw InputError("assignment (character " + std::to_string(at + 1) + "); use == to compare");
   try {
-    parser_ = std::make_unique<Parser>(text_, variables_);
+    parser_ = std::make_unique<Parser>(formula_, variables_);
   } catch (const mu::Parser::exception_type& error) {
-    const int last = static_cast<int>(text_.size());
+    const int last = static_cast<int>(formula_.text.size());
     throw InputError(plain_message(error.GetMsg()) + " (character " +
                      std::to_string(std::clamp(error.GetPos() + 1, 1, std::max(last, 1))) + ")" +
                      what_is_accepted(variables_));
@@ -85,7 +91,7 @@ Expression::Expression(std::string text, std::vector<std::string> variables)
 }
 
 Expression::~Expression() = default;
-Expression::Expression(const Expression& other) : Expression(other.text_, other.variables_) {}
+Expression::Expression(const Expression& other) : Expression(other.formula_, other.variables_) {}
 Expression& Expression::operator=(const Expression& other) {
   if (this != &other) *this = Expression(other);
   return *this;

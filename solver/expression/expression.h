@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/expression/formula.h"
+
 namespace etendue {
 
 /// A formula in named variables, parsed once. Constants pi and e are known; `==`, `&&`, `?:` and the usual
@@ -13,7 +15,7 @@ namespace etendue {
 class Expression {
  public:
   /// Throws InputError (without a file; the caller adds it) where the text is not a formula in `variables`.
-  Expression(std::string text, std::vector<std::string> variables);
+  Expression(Formula formula, std::vector<std::string> variables);
   ~Expression();
   Expression(const Expression& other);
   Expression& operator=(const Expression& other);
@@ -22,13 +24,14 @@ class Expression {
 
   /// `values` in the order of the variables. May be infinite or NaN where the formula is.
   double operator()(std::span<const double> values) const;
-  const std::string& text() const { return text_; }
+  const std::string& text() const { return formula_.text; }
+  const Formula& formula() const { return formula_; }
   /// Whether the formula uses this variable.
   bool uses(const std::string& variable) const;
 
  private:
   struct Parser;
-  std::string text_;
+  Formula formula_;
   std::vector<std::string> variables_;
   std::unique_ptr<Parser> parser_;
 };

@@ -25,7 +25,7 @@ Vec3 slope_of(const Coefficient& coefficient, const std::array<Vec3, 4>& corners
   if (coefficient.is_constant()) return Vec3::Zero();
   std::array<double, 4> moments{};
   double sum = 0;
-  for (const CellRulePoint& node : cell_rule()) {
+  for (const CellRulePoint& node : coefficient.rule(corners)) {
     const double value = node.weight * coefficient.at(point_at(node.barycentric, corners));
     sum += value;
     for (std::size_t i = 0; i < 4; ++i) moments[i] += node.barycentric[i] * value;

@@ -67,11 +67,6 @@ class LeafProjection {
   std::vector<double> values_;
 };
 
-bool asks_place(const AngularFormula& formula) {
-  const Expression expression(formula.text(), angular_variables());
-  return expression.uses("x") || expression.uses("y") || expression.uses("z");
-}
-
 /// What a formula scatters out of each direction for a density of 1.
 class FormulaScattering {
  public:
@@ -141,7 +136,7 @@ struct RayMatter::Kind {
 
 struct RayMatter::Formula {
   explicit Formula(AngularFormula formula)
-      : depends_on_place(asks_place(formula)), pool(std::move(formula)) {}
+      : depends_on_place(formula.depends_on_place()), pool(std::move(formula)) {}
   double at(const Vec3& point, const Vec3& travel) {
     const CopyPool<AngularFormula>::Loan formula(pool);
     return formula->at(point, travel);

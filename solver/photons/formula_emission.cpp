@@ -34,11 +34,6 @@ bool any(const Formulas& formulas) {
   return std::ranges::any_of(formulas, [](const auto& formula) { return formula.has_value(); });
 }
 
-bool asks_place(const AngularFormula& formula) {
-  const Expression expression(formula.text(), angular_variables());
-  return expression.uses("x") || expression.uses("y") || expression.uses("z");
-}
-
 /// The largest value of a function of the direction: the best of a set, climbed to the top.
 template <class Function>
 double largest_value(const Function& function) {
@@ -133,7 +128,7 @@ void FormulaEmitter::fill(const std::vector<Place>& places) {
 
 void FormulaEmitter::look_at_region(int region) {
   const TetrahedralMesh& mesh = problem_.mesh();
-  const bool one = !asks_place(*CopyPool<AngularFormula>::Loan(pool_));
+  const bool one = !CopyPool<AngularFormula>::Loan(pool_)->depends_on_place();
   std::map<std::int32_t, std::size_t> known;
   std::vector<Place> places;
   row_.assign(4 * static_cast<std::size_t>(mesh.cell_count()), 0);
@@ -151,7 +146,7 @@ void FormulaEmitter::look_at_region(int region) {
 
 void FormulaEmitter::look_at_wall(int wall) {
   const TetrahedralMesh& mesh = problem_.mesh();
-  const bool one = !asks_place(*CopyPool<AngularFormula>::Loan(pool_));
+  const bool one = !CopyPool<AngularFormula>::Loan(pool_)->depends_on_place();
   std::map<std::array<std::int64_t, 4>, std::size_t> known;
   std::vector<Place> places;
   row_.assign(3 * static_cast<std::size_t>(mesh.boundary_face_count()), 0);

@@ -36,7 +36,7 @@ std::vector<std::pair<Vec3, double>> mean_rule(bool in_plane) {
 
 }  // namespace
 
-AngularFormula::AngularFormula(std::string text) : formula_(std::move(text), angular_variables()) {}
+AngularFormula::AngularFormula(Formula formula) : formula_(std::move(formula), angular_variables()) {}
 
 double AngularFormula::at(const Vec3& point, const Vec3& direction) const {
   return formula_(std::array{point.x(), point.y(), point.z(), direction.x(), direction.y(), direction.z()});
@@ -46,29 +46,33 @@ bool AngularFormula::depends_on_direction() const {
   return formula_.uses("wx") || formula_.uses("wy") || formula_.uses("wz");
 }
 
+bool AngularFormula::depends_on_place() const {
+  return formula_.uses("x") || formula_.uses("y") || formula_.uses("z");
+}
+
 const std::vector<std::string>& angular_variables() {
   static const std::vector<std::string> names = {"x", "y", "z", "wx", "wy", "wz"};
   return names;
 }
 
-bool depends_on_direction(const std::string& text) {
+bool depends_on_direction(const Formula& formula) {
   try {
-    return AngularFormula(text).depends_on_direction();
+    return AngularFormula(formula).depends_on_direction();
   } catch (const InputError&) {
     return false;
   }
 }
 
-std::string mean_over_directions(const std::string& text, bool in_plane) {
+Formula mean_over_directions(const Formula& formula, bool in_plane) {
   std::string mean;
   for (const auto& [direction, share] : mean_rule(in_plane)) {
-    std::string term = text;
+    std::string term = formula.text;
     for (std::size_t axis = 0; axis < direction_names.size(); ++axis)
       term = std::regex_replace(term, std::regex(fmt::format("\\b{}\\b", direction_names[axis])),
                                 fmt::format("({:.17g})", direction[static_cast<Eigen::Index>(axis)]));
     mean += fmt::format("{}{:.17g}*({})", mean.empty() ? "" : "+", share, term);
   }
-  return mean;
+  return {mean, formula.functions};
 }
 
 }  // namespace etendue

@@ -14,11 +14,13 @@ namespace etendue {
 class AngularFormula {
  public:
   /// Throws InputError (without a file) where the text is not a formula in these.
-  explicit AngularFormula(std::string text);
+  explicit AngularFormula(Formula formula);
 
   double at(const Vec3& point, const Vec3& direction) const;
   /// Whether it uses wx, wy or wz.
   bool depends_on_direction() const;
+  /// Whether it uses x, y or z.
+  bool depends_on_place() const;
   const std::string& text() const { return formula_.text(); }
 
  private:
@@ -29,10 +31,10 @@ class AngularFormula {
 const std::vector<std::string>& angular_variables();
 
 /// Whether a text is a formula in these that uses wx, wy or wz.
-bool depends_on_direction(const std::string& text);
+bool depends_on_direction(const Formula& formula);
 
 /// The formula's mean over all directions as a formula in x, y, z: the rule of degree 5 on the axes and
 /// diagonals (Lebedev 1976), in the plane eight directions.
-std::string mean_over_directions(const std::string& text, bool in_plane);
+Formula mean_over_directions(const Formula& formula, bool in_plane);
 
 }  // namespace etendue

@@ -31,7 +31,50 @@ std::array<CellRulePoint, 14> make_rule() {
   return rule;
 }
 
+using Corners = std::array<Eigen::Vector4d, 4>;  ///< of a part, by barycentric coordinates of the whole
+
+/// The corners are cut off, and the octahedron between them into four around a diagonal.
+std::array<Corners, 8> halved(const Corners& c) {
+  const auto middle = [&c](std::size_t i, std::size_t j) -> Eigen::Vector4d { return 0.5 * (c[i] + c[j]); };
+  const Eigen::Vector4d m01 = middle(0, 1), m02 = middle(0, 2), m03 = middle(0, 3), m12 = middle(1, 2),
+                        m13 = middle(1, 3), m23 = middle(2, 3);
+  return {{{c[0], m01, m02, m03},
+           {c[1], m01, m12, m13},
+           {c[2], m02, m12, m23},
+           {c[3], m03, m13, m23},
+           {m01, m23, m02, m12},
+           {m01, m23, m12, m13},
+           {m01, m23, m13, m03},
+           {m01, m23, m03, m02}}};
+}
+
+void add_points(const Corners& corners, int level, double volume, std::vector<CellRulePoint>& rule) {
+  if (level > 0) {
+    for (const Corners& part : halved(corners)) add_points(part, level - 1, volume / 8, rule);
+    return;
+  }
+  for (const CellRulePoint& node : cell_rule()) {
+    Eigen::Vector4d point = Eigen::Vector4d::Zero();
+    for (std::size_t i = 0; i < 4; ++i) point += node.barycentric[i] * corners[i];
+    rule.push_back({{point[0], point[1], point[2], point[3]}, volume * node.weight});
+  }
+}
+
+std::vector<CellRulePoint> make_composite_rule(int level) {
+  std::vector<CellRulePoint> rule;
+  add_points({Eigen::Vector4d::Unit(0), Eigen::Vector4d::Unit(1), Eigen::Vector4d::Unit(2),
+              Eigen::Vector4d::Unit(3)},
+             level, 1, rule);
+  return rule;
+}
+
 }  // namespace
+
+const std::vector<CellRulePoint>& composite_cell_rule(int level) {
+  static const std::array<std::vector<CellRulePoint>, largest_rule_level + 1> rules = {
+      make_composite_rule(0), make_composite_rule(1), make_composite_rule(2), make_composite_rule(3)};
+  return rules[static_cast<std::size_t>(level)];
+}
 
 const std::array<CellRulePoint, 14>& cell_rule() {
   static const std::array<CellRulePoint, 14> rule = make_rule();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "mesh/base/vec3.h"
 
@@ -15,6 +16,11 @@ struct CellRulePoint {
 
 /// Fourteen points inside a tetrahedron with positive weights that sum to 1, exact to degree 5.
 const std::array<CellRulePoint, 14>& cell_rule();
+
+/// The same points in each of the 8^level tetrahedra that a tetrahedron is cut into by halving its edges so
+/// often, as barycentric coordinates of the whole; `level` is at most `largest_rule_level`.
+inline constexpr int largest_rule_level = 3;
+const std::vector<CellRulePoint>& composite_cell_rule(int level);
 
 Vec3 point_at(const std::array<double, 4>& barycentric, const std::array<Vec3, 4>& vertices);
 

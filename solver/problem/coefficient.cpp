@@ -3,12 +3,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <span>
-
-#include "solver/problem/cell_rule.h"
+#include <numbers>
 
 namespace etendue {
+namespace {
+
+/// Edge of the regular tetrahedron of the same volume [length].
+double edge_length(const std::array<Vec3, 4>& v) {
+  return std::cbrt(std::numbers::sqrt2 * std::abs((v[1] - v[0]).cross(v[2] - v[0]).dot(v[3] - v[0])));
+}
+
+/// Around the middle and the corners of a tetrahedron [length].
+double smooth_length(const PlaceFunction& function, const std::array<Vec3, 4>& vertices) {
+  double length = function.smooth_length(point_at({0.25, 0.25, 0.25, 0.25}, vertices));
+  for (const Vec3& vertex : vertices) length = std::min(length, function.smooth_length(vertex));
+  return length;
+}
+
+}  // namespace
 
 double Coefficient::at(const Vec3& point) const {
   return formula_ ? (*formula_)(std::span<const double>(point.data(), 3)) : value_;
@@ -16,10 +30,19 @@ double Coefficient::at(const Vec3& point) const {
 
 std::string Coefficient::text() const { return formula_ ? formula_->text() : fmt::format("{:.17g}", value_); }
 
+std::span<const CellRulePoint> Coefficient::rule(const std::array<Vec3, 4>& vertices) const {
+  if (is_constant() || formula_->formula().functions.empty()) return cell_rule();
+  double smooth = HUGE_VAL;
+  for (const auto& [name, function] : formula_->formula().functions)
+    smooth = std::min(smooth, smooth_length(*function, vertices));
+  const double halvings = std::round(std::log2(edge_length(vertices) / smooth));
+  return composite_cell_rule(static_cast<int>(std::clamp(halvings, 0.0, double{largest_rule_level})));
+}
+
 CellSample Coefficient::sample(const std::array<Vec3, 4>& vertices) const {
   if (is_constant()) return {value_, value_, point_at({0.25, 0.25, 0.25, 0.25}, vertices)};
   CellSample sample{0, HUGE_VAL, Vec3::Zero()};
-  for (const CellRulePoint& node : cell_rule()) {
+  for (const CellRulePoint& node : rule(vertices)) {
     const Vec3 point = point_at(node.barycentric, vertices);
     const double value = at(point);
     if (!std::isfinite(value)) return {value, value, point};

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "mesh/base/vec3.h"
 #include "solver/expression/expression.h"
+#include "solver/problem/cell_rule.h"
 
 namespace etendue {
 
@@ -29,9 +31,11 @@ class Coefficient {
   double at(const Vec3& point) const;
   /// The number or formula.
   std::string text() const;
-  /// Mean over a tetrahedron and smallest value by a 14-point rule of degree 5 (Walkington 2000) with
-  /// positive weights and points inside: the mean of a coefficient that is nowhere negative is not negative
-  /// either.
+  /// Points and weights of a tetrahedron for integrals of the coefficient: a 14-point rule of degree 5
+  /// (Walkington 2000), in parts of the tetrahedron where a field from a file has smaller cells.
+  std::span<const CellRulePoint> rule(const std::array<Vec3, 4>& vertices) const;
+  /// Mean over a tetrahedron and smallest value by that rule, which has positive weights and points inside:
+  /// the mean of a coefficient that is nowhere negative is not negative either.
   CellSample sample(const std::array<Vec3, 4>& vertices) const;
   double cell_mean(const std::array<Vec3, 4>& vertices) const { return sample(vertices).mean; }
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "mesh/base/field_data.h"
+#include "solver/expression/formula.h"
+#include "solver/problem/image_field.h"
+#include "solver/problem/tetrahedral_field.h"
+
+namespace etendue {
+
+/// A field that is known by numbers on a grid, as a function of the place.
+class SampledField : public PlaceFunction {
+ public:
+  /// `outside` is the value where the grid ends; without it the field is not known there.
+  SampledField(std::string name, FieldData data, std::optional<double> outside);
+
+  double at(const Vec3& point) const override;
+  bool covers(const Vec3& point) const override;
+  double smooth_length(const Vec3& point) const override;
+  std::string name() const override { return name_; }
+
+ private:
+  std::optional<double> inside(const Vec3& point) const;
+
+  std::string name_;
+  std::variant<ImageField, TetrahedralField> field_;
+  std::optional<double> outside_;
+};
+
+}  // namespace etendue
