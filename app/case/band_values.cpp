@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/case/field_value.h"
 #include "solver/problem/angular_formula.h"
 
 namespace etendue {
@@ -47,14 +48,27 @@ Value value_in(const TomlNode& node) {
   return node.number();
 }
 
-BandValues values_in(const TomlNode& node) {
+// Empty where a file is faulty.
+std::optional<Value> value_in(TomlNode& node, const std::string& function, Faults& faults) {
+  if (!node.is_table()) return value_in(node);
+  return read_field_value(node, function, faults);
+}
+
+std::optional<BandValues> values_in(TomlNode& node, std::string_view name, Faults& faults) {
   BandValues result;
   result.origin = node.origin;
-  if (!node.is_array()) {
-    result.values = {value_in(node)};
-    return result;
+  std::vector<TomlNode*> items = {&node};
+  if (node.is_array()) {
+    items.clear();
+    for (const auto& item : node.array()) items.push_back(item.get());
   }
-  for (const auto& item : node.array()) result.values.push_back(value_in(*item));
+  for (std::size_t band = 0; band < items.size(); ++band) {
+    // Of one medium, whose coefficients may be in one formula.
+    std::optional<Value> value = value_in(*items[band], fmt::format("{}_of_file_{}", name, band), faults);
+    if (!value) node.faulty = true;
+    result.values.push_back(value.value_or(0.0));
+  }
+  if (node.faulty) return std::nullopt;
   return result;
 }
 
@@ -111,18 +125,19 @@ std::optional<BandValues> read_band_values(Section& section, std::string_view na
   if (node->is_array())
     for (auto& item : node->array())
       if (item->is_text()) check_formula(*item, formula, section.faults());
-  return values_in(*node);
+  return values_in(*node, name, section.faults());
 }
 
 BandValues read_band_values_or_default(Section& section, std::string_view name, const Bands& bands,
                                        FormulaOf formula) {
   if (auto values = read_band_values(section, name, bands, formula)) return *values;
-  return values_in(section.value(name));
+  const TomlNode& fallback = section.value(name);
+  return {{value_in(fallback)}, fallback.origin};
 }
 
 bool depend_on_direction(const std::optional<BandValues>& values) {
   return values && std::ranges::any_of(values->values, [](const Value& value) {
-           const auto* text = std::get_if<std::string>(&value);
+           const auto* text = std::get_if<Formula>(&value);
            return text != nullptr && depends_on_direction(*text);
          });
 }

@@ -2,6 +2,8 @@
 #include "app/case/band_values.h"
 #include "app/case/build.h"
 #include "app/case/build_lights.h"
+#include "app/case/entry_of.h"
+#include "app/case/field_uses.h"
 #include "app/case/kernel_coefficient.h"
 #include "app/case/medium_coefficients.h"
 #include "app/case/mesh_names.h"
@@ -17,7 +19,7 @@ namespace {
 
 Coefficient coefficient(const Value& value) {
   if (const double* number = std::get_if<double>(&value)) return *number;
-  return Coefficient(Expression(std::get<std::string>(value), {"x", "y", "z"}));
+  return Coefficient(Expression(std::get<Formula>(value), {"x", "y", "z"}));
 }
 
 std::vector<double> region_volumes(const TetrahedralMesh& mesh) {
@@ -27,18 +29,10 @@ std::vector<double> region_volumes(const TetrahedralMesh& mesh) {
   return volumes;
 }
 
-// The entry of a name, else that of "*". An empty one for names in the mesh's list that nothing carries.
-template <class Entry>
-Entry entry_of(const std::map<std::string, Entry>& entries, const std::string& name) {
-  for (const std::string& key : {name, std::string("*")})
-    if (const auto found = entries.find(key); found != entries.end()) return found->second;
-  return {};
-}
-
 std::optional<AngularFormula> by_direction(const Value& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  if (text == nullptr || !depends_on_direction(*text)) return std::nullopt;
-  return AngularFormula(*text);
+  const auto* formula = std::get_if<Formula>(&value);
+  if (formula == nullptr || !depends_on_direction(*formula)) return std::nullopt;
+  return AngularFormula(*formula);
 }
 
 // A formula that depends on the direction stands beside its mean.
@@ -46,7 +40,7 @@ void add_absorption(Medium& medium, const Value& value, AngularSpace space) {
   medium.absorption_by_direction.push_back(by_direction(value));
   medium.absorption.push_back(
       medium.absorption_by_direction.back()
-          ? coefficient(mean_over_directions(std::get<std::string>(value), space == AngularSpace::plane))
+          ? coefficient(mean_over_directions(std::get<Formula>(value), space == AngularSpace::plane))
           : coefficient(value));
 }
 
@@ -117,11 +111,12 @@ void add_kernel(Medium& medium, const BandValues& extinctions, const DirectionSe
       if (!medium.extinction_by_direction) continue;
       const Value& given = value_of(extinctions, static_cast<int>(band));
       const double* number = std::get_if<double>(&given);
-      const std::string extinction =
-          number != nullptr ? fmt::format("{:.17g}", *number) : std::get<std::string>(given);
+      const Formula extinction =
+          number != nullptr ? Formula(fmt::format("{:.17g}", *number)) : std::get<Formula>(given);
       medium.absorption_by_direction[band].emplace(extinction);
-      medium.absorption[band] = coefficient(
-          fmt::format("{}-({})", mean_over_directions(extinction, false), medium.scattering[band].text()));
+      Formula absorption = mean_over_directions(extinction, false);
+      absorption.text += fmt::format("-({})", medium.scattering[band].text());
+      medium.absorption[band] = coefficient(absorption);
     }
   } catch (const InputError& error) {
     fail_kernel(medium.origin, error);
@@ -157,7 +152,7 @@ Wall wall_of(const WallCase& entry, const std::string& name, int bands) {
     if (const double* number = std::get_if<double>(&value))
       wall.radiance[static_cast<std::size_t>(band)] = *number;
     else
-      wall.radiance_by_direction.back().emplace(std::get<std::string>(value));
+      wall.radiance_by_direction.back().emplace(std::get<Formula>(value));
   }
   return wall;
 }
@@ -176,6 +171,7 @@ std::vector<DirectionSet> rotated_and_fitted(const DirectionSet& set, const Case
 
 Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
   check_names(input, names_of(mesh));
+  field_uses(input, mesh);  // all fields cover what they are used in
   const int bands = input.bands.count();
   const std::vector<double> volumes = region_volumes(mesh);
   std::vector<Wall> walls;

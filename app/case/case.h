@@ -21,6 +21,7 @@
 #include "solver/angle/refinement.h"
 #include "solver/angle/rotation.h"
 #include "solver/ordinates/solve.h"
+#include "solver/expression/formula.h"
 #include "solver/picture/camera.h"
 #include "solver/picture/tone.h"
 #include "solver/picture/white_balance.h"
@@ -36,7 +37,7 @@
 namespace etendue {
 
 /// A number or a formula.
-using Value = std::variant<double, std::string>;
+using Value = std::variant<double, Formula>;
 
 /// One value for all bands, or one for each.
 struct BandValues {

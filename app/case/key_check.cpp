@@ -73,12 +73,25 @@ class KeyCheck {
  private:
   void entry(TomlNode& node, std::string_view table, const std::string& name) {
     const std::string path = child_path(table, name);
-    if (const KeyDeclaration* key = find_key(table, name))
-      return key->support == Support::later ? later(node) : check_value(node, *key, faults_);
-    const bool plain = name != any_name && name.find('.') == std::string::npos;
+    if (const KeyDeclaration* key = find_key(table, name)) return value(node, *key);
+    const bool plain = name != any_name && path != field_table && name.find('.') == std::string::npos;
     if (plain && find_table(path) != nullptr) return subtable(node, path);
     if (takes_names(table)) return named(node, table, name);
     report(node, unknown_key_problem(table, name), faults_);
+  }
+
+  void value(TomlNode& node, const KeyDeclaration& key) {
+    if (key.support == Support::later) return later(node);
+    check_value(node, key, faults_);
+    if (key.type != KeyType::band_values) return;
+    field(node);
+    if (node.is_array())
+      for (auto& item : node.array()) field(*item);
+  }
+
+  // A value that is read from a file.
+  void field(TomlNode& node) {
+    if (node.is_table()) table(node, field_table);
   }
 
   // A table of the user's naming, as [media.smoke].

@@ -36,7 +36,7 @@ std::string type_column(KeyType type) {
     case KeyType::band_numbers:
       return "number per band";
     case KeyType::band_values:
-      return "number or formula per band";
+      return "number, formula or field per band";
     case KeyType::size_bound:
       return "number or table NAME = number";
     case KeyType::named_points:

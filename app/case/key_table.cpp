@@ -31,6 +31,10 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "media.NAME.phase",
        .form = table_or_list,
        .help = "How light turns when it scatters: one table, or a list with one for each band; without it "
+      {.path = field_table,
+       .help =
+           "A value from a file, in the place of a number or formula: `absorption = { file = \"gas.vtu\", "
+           "array = \"kappa\" }`; for every key of that type, radiance of walls too (docs/fields.md)."},
                "isotropic."},
       {.path = "media.NAME.leaves",
        .help = "A canopy of flat leaves (Ross), instead of absorption, scattering and phase."},

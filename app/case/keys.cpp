@@ -35,7 +35,7 @@ std::string type_text(KeyType type) {
     case KeyType::band_numbers:
       return "a number, or a list with one for each band";
     case KeyType::band_values:
-      return "a number or a formula in x, y, z, or a list with one for each band";
+      return "a number, a formula in x, y, z or { file, array }, or a list with one for each band";
     case KeyType::size_bound:
       return "a number, or a table of one for each region";
     case KeyType::named_points:
@@ -100,7 +100,8 @@ std::vector<std::string> names_in(std::string_view table) {
     if (key.table == table) names.emplace_back(key.name);
   for (const TableDeclaration& declared : table_declarations()) {
     const auto [parent, name] = split_path(declared.path);
-    if (parent == table && !name.empty() && name != "NAME") names.emplace_back(name);
+    if (parent == table && !name.empty() && name != "NAME" && declared.path != field_table)
+      names.emplace_back(name);
   }
   return names;
 }

@@ -22,7 +22,9 @@ void refuse(Section& section, std::initializer_list<const char*> names, const st
 /// A density times a part of it.
 Value part_of(const Value& density, double part) {
   if (const double* number = std::get_if<double>(&density)) return *number * part;
-  return fmt::format("({})*{:.17g}", std::get<std::string>(density), part);
+  Formula formula = std::get<Formula>(density);
+  formula.text = fmt::format("({})*{:.17g}", formula.text, part);
+  return formula;
 }
 
 BandValues required_density(Section& section, const char* name, const Bands& bands) {

@@ -136,8 +136,8 @@ void check_medium(Section& section, const MediumCase& medium, const Bands& bands
 }
 
 bool is_by_direction(const Value& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text != nullptr && depends_on_direction(*text);
+  const auto* formula = std::get_if<Formula>(&value);
+  return formula != nullptr && depends_on_direction(*formula);
 }
 
 // Absorption may depend on the direction of travel; scattering that does is a kernel's.
@@ -246,7 +246,7 @@ WallCase read_wall(const std::string& name, Section section, const Bands& bands,
   wall.uncollided = read_uncollided(section);
   check_uncollided(section, wall.uncollided,
                    std::ranges::any_of(wall.radiance.values, [](const Value& value) {
-                     return std::holds_alternative<std::string>(value);
+                     return std::holds_alternative<Formula>(value);
                    }));
   wall.beam = read_beam(section, name, bands);
   if (wall.beam) wall.beam->uncollided = wall.uncollided;

@@ -109,7 +109,11 @@ class ValueCheck {
 
   bool chosen_text(TomlNode& node) { return text(node) && choice(node, node.text()); }
 
-  bool number_or_formula(TomlNode& node) { return node.is_text() ? text(node) : number(node); }
+  // A field is a table with keys of its own.
+  bool number_or_formula(TomlNode& node) {
+    if (node.is_table()) return true;
+    return node.is_text() ? text(node) : number(node);
+  }
 
   bool switch_value(TomlNode& node) {
     const bool known = std::holds_alternative<bool>(node.value) || (node.is_text() && node.text() == "auto");

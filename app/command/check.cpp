@@ -5,6 +5,7 @@
 #include "app/case/build.h"
 #include "app/command/check_run.h"
 #include "app/command/commands.h"
+#include "app/command/field_text.h"
 #include "app/command/interruption.h"
 #include "app/command/lamp_text.h"
 #include "app/command/phase_text.h"
@@ -80,6 +81,7 @@ ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream
   check_run(input, problem);
   out << request.file.string() << " is a valid case\n" << summary_of(input) << lamp_text(problem, input);
   if (request.mesh) out << '\n' << to_string(mesh_report(mesh), mesh, input.units.length);
+  for (const std::string& field : field_texts(input, mesh)) out << field << '\n';
   return ExitCode::done;
 }
 

@@ -10,6 +10,7 @@
 #include "app/case/build.h"
 #include "app/command/begun_run.h"
 #include "app/command/exact_setup.h"
+#include "app/command/field_text.h"
 #include "app/command/lamp_text.h"
 #include "app/command/memory.h"
 #include "app/command/method_checks.h"
@@ -160,6 +161,8 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   seconds.mesh = watch.lap();
   out << mesh_line(mesh) << std::flush;
   const Problem problem = build_problem(input, mesh);
+  for (const std::string& field : field_texts(input, mesh)) out << field << '\n';
+  out << std::flush;
   seconds.setup = watch.lap();
   out << lamp_text(problem, input) << std::flush;
   if (input.photons)

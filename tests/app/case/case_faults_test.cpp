@@ -107,23 +107,28 @@ const Check values[] = {
      "one value, or "
      "a list with one for each band"},
     {"NegativeAbsorption", "[media.air]\nabsorption = -0.1\n",
-     "slab.toml:8: media.air.absorption = -0.1: out of range; use a number or a formula in x, y, z, or a "
+     "slab.toml:8: media.air.absorption = -0.1: out of range; use a number, a formula in x, y, z or { file, "
+     "array }, or a "
      "list with one "
      "for each band, each at least 0"},
     {"NegativeScattering", "[media.air]\nscattering = [-1]\n",
-     "slab.toml:8: media.air.scattering[0] = -1: out of range; use a number or a formula in x, y, z, or a "
+     "slab.toml:8: media.air.scattering[0] = -1: out of range; use a number, a formula in x, y, z or { file, "
+     "array }, or a "
      "list with one "
      "for each band, each at least 0"},
     {"EmissionIsNan", "[media.air]\nemission = nan\n",
-     "slab.toml:8: media.air.emission = nan: must be a finite number; use a number or a formula in x, y, z, "
+     "slab.toml:8: media.air.emission = nan: must be a finite number; use a number, a formula in x, y, z or "
+     "{ file, array }, "
      "or a list "
      "with one for each band, each at least 0"},
     {"AbsorptionIsTrue", "[media.air]\nabsorption = true\n",
-     "slab.toml:8: media.air.absorption = true: must not be true or false; use a number or a formula in x, "
-     "y, z, or a "
+     "slab.toml:8: media.air.absorption = true: must not be true or false; use a number, a formula in x, y, "
+     "z or { file, array }"
+     ", or a "
      "list with one for each band, each at least 0"},
     {"AlbedoAboveOne", "[media.air]\nextinction = 1\nalbedo = 1.1\n",
-     "slab.toml:9: media.air.albedo = 1.1: out of range; use a number or a formula in x, y, z, or a list "
+     "slab.toml:9: media.air.albedo = 1.1: out of range; use a number, a formula in x, y, z or { file, array "
+     "}, or a list "
      "with one for "
      "each band, each from 0 to 1"},
     {"AlbedoAlone", "[media.air]\nalbedo = 0.5\n",
@@ -174,7 +179,8 @@ const Check values[] = {
      "use at most "
      "1"},
     {"NegativeRadiance", "[walls.xmin]\nradiance = -1\n",
-     "slab.toml:8: walls.xmin.radiance = -1: out of range; use a number or a formula in x, y, z, or a list "
+     "slab.toml:8: walls.xmin.radiance = -1: out of range; use a number, a formula in x, y, z or { file, "
+     "array }, or a list "
      "with one for each band, each at least 0"},
     {"ReflectanceIsText", "[walls.xmin]\nspecular = \"much\"\n",
      "slab.toml:8: walls.xmin.specular = \"much\": must not be text; use a number, or a list with one for "
@@ -304,16 +310,17 @@ max = [0, 1, 1]
 }
 
 TEST(CaseFaults, OfAnotherKeyHideNoContradiction) {
-  EXPECT_EQ(
-      faults_of(cube + "[walls.xmin]\ndiffuse = 0.7\nspecular = 0.7\nradiance = -1\n"),
-      "slab.toml:7: walls.xmin: diffuse + specular = 1.4 (more light would leave than arrives); use at "
-      "most 1\n"
-      "slab.toml:10: walls.xmin.radiance = -1: out of range; use a number or a formula in x, y, z, or a "
-      "list with one for each band, each at least 0");
+  EXPECT_EQ(faults_of(cube + "[walls.xmin]\ndiffuse = 0.7\nspecular = 0.7\nradiance = -1\n"),
+            "slab.toml:7: walls.xmin: diffuse + specular = 1.4 (more light would leave than arrives); use at "
+            "most 1\n"
+            "slab.toml:10: walls.xmin.radiance = -1: out of range; use a number, a formula in x, y, z or { "
+            "file, array }, or a "
+            "list with one for each band, each at least 0");
   EXPECT_EQ(faults_of(cube + "[media.air]\nalbedo = 0.5\nemission = -1\n"),
             "slab.toml:7: media.air: albedo without extinction (it does not say how far light goes); add "
             "extinction\n"
-            "slab.toml:9: media.air.emission = -1: out of range; use a number or a formula in x, y, z, or a "
+            "slab.toml:9: media.air.emission = -1: out of range; use a number, a formula in x, y, z or { "
+            "file, array }, or a "
             "list with "
             "one for each band, each at least 0");
 }

@@ -15,7 +15,7 @@ double number(const Value& value) { return std::get<double>(value); }
 
 double at(const Value& formula, double x) {
   const std::array<double, 3> point = {x, 0, 0};
-  return Expression(std::get<std::string>(formula), {"x", "y", "z"})(point);
+  return Expression(std::get<Formula>(formula), {"x", "y", "z"})(point);
 }
 
 TEST(MediumCoefficients, TakeAlbedoOfExtinction) {

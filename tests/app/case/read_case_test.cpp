@@ -145,7 +145,7 @@ TEST(CaseReader, ReadsMediaAndWallsPerBand) {
   const Case room = case_of(smoke_room);
   const MediumCase& smoke = room.media.at("smoke");
   EXPECT_EQ(number(*smoke.absorption, 2), 0.3);
-  EXPECT_EQ(std::get<std::string>(smoke.absorption->values[1]), "0.1 + 0.05*sin(3*x)");
+  EXPECT_EQ(std::get<Formula>(smoke.absorption->values[1]).text, "0.1 + 0.05*sin(3*x)");
   EXPECT_EQ(smoke.phase, std::vector<PhaseFunction>{PhaseHenyeyGreenstein{0.6}});
   EXPECT_EQ(number(*smoke.power_density, 0), 4);
   EXPECT_TRUE(room.media.contains("*"));

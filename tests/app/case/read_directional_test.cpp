@@ -33,7 +33,7 @@ TEST(LeavesReader, ReadsACanopyWithMeansOverAllDirections) {
 
 TEST(LeavesReader, ReadsADensityByFormula) {
   const MediumCase medium = medium_of("[media.air.leaves]\narea_density = \"1 + z\"\nreflectance = 0.5\n");
-  EXPECT_EQ(std::get<std::string>(medium.scattering->values[0]), "(1 + z)*0.25");
+  EXPECT_EQ(std::get<Formula>(medium.scattering->values[0]).text, "(1 + z)*0.25");
 }
 
 TEST(LeavesReader, RefusesWhatMakesNoSense) {
@@ -72,7 +72,7 @@ TEST(KernelReader, ReadsAFormulaWithAbsorptionOrExtinction) {
   EXPECT_EQ(
       *std::get<KernelFormula>(medium_of("kernel = \"0.1\"\nextinction = 2\n").directional[0]).extinction, 2);
   const MediumCase by_direction = medium_of("kernel = \"0.1\"\nextinction = \"2 + wz\"\n");
-  EXPECT_EQ(std::get<std::string>(by_direction.kernel_extinction.values[0]), "2 + wz");
+  EXPECT_EQ(std::get<Formula>(by_direction.kernel_extinction.values[0]).text, "2 + wz");
 }
 
 TEST(KernelReader, RefusesFormulasThatAreNone) {
@@ -132,8 +132,8 @@ TEST(KernelReader, SaysThatTheFileIsMissing) {
 TEST(DirectionFormulas, AreReadWhereTheyMayBe) {
   const MediumCase medium =
       medium_of("absorption = \"1 + 0.5*wz\"\nscattering = 1\nemission = \"max(0, wx)*y\"\n");
-  EXPECT_EQ(std::get<std::string>(medium.absorption->values[0]), "1 + 0.5*wz");
-  EXPECT_EQ(std::get<std::string>(medium.emission->values[0]), "max(0, wx)*y");
+  EXPECT_EQ(std::get<Formula>(medium.absorption->values[0]).text, "1 + 0.5*wz");
+  EXPECT_EQ(std::get<Formula>(medium.emission->values[0]).text, "max(0, wx)*y");
   EXPECT_EQ(faults("extinction = \"2 + wz\"\nscattering = 1\n"), "");
 }
 

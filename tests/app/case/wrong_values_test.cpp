@@ -18,8 +18,9 @@ namespace {
 /// No key takes a date.
 const std::string wrong = "1979-05-27";
 
-/// The name "NAME" of a region or wall in a path, as one that exists.
+/// The names "NAME" of a region or wall, and of a coefficient, in a path as some that exist.
 std::string with_names(std::string path) {
+  if (path == field_table) path = "media.NAME.absorption";
   for (std::size_t at = path.find("NAME"); at != std::string::npos; at = path.find("NAME"))
     path.replace(at, 4, "air");
   return path;
