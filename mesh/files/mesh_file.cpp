@@ -32,9 +32,9 @@ RawMesh read_unscaled(const std::filesystem::path& path, const Origin& origin) {
 
 }  // namespace
 
-RawMesh read_mesh(const std::filesystem::path& path, double scale, const Origin& origin) {
+RawMesh read_mesh(const std::filesystem::path& path, double scale, const Origin& origin, UpAxis up) {
   RawMesh mesh = read_unscaled(path, origin);
-  for (Vec3& point : mesh.points) point *= scale;
+  for (Vec3& point : mesh.points) point = with_z_up(scale * point, up);
   return mesh;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/base/errors.h"
+#include "mesh/base/up_axis.h"
 #include "mesh/files/vtk_encoding.h"
 #include "mesh/tetrahedra/raw_mesh.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
@@ -14,10 +15,11 @@ namespace etendue {
 
 /// A tetrahedral mesh by the ending of its name: Gmsh .msh (2.2 and 4.1 ASCII, physical names kept), VTK
 /// .vtu (cell array `region` on tetrahedra, `wall` on triangles, names in the field data), TetGen .node,
-/// .ele or .face (any of them; siblings are found). Coordinates are multiplied by `scale`. Throws
-/// FileError where it cannot be opened, InputError with file and line where its content is wrong.
-/// `origin` is that of the key that names the file.
-RawMesh read_mesh(const std::filesystem::path& path, double scale = 1, const Origin& origin = {});
+/// .ele or .face (any of them; siblings are found). Coordinates are multiplied by `scale`, and turned so that
+/// z is up. Throws FileError where it cannot be opened, InputError with file and line where its content is
+/// wrong. `origin` is that of the key that names the file.
+RawMesh read_mesh(const std::filesystem::path& path, double scale = 1, const Origin& origin = {},
+                  UpAxis up = UpAxis::z);
 
 /// A named list of texts in the field data of a file.
 struct FieldTexts {

@@ -195,12 +195,16 @@ PolygonSoup read_by_cgal(const std::filesystem::path& path) {
   return soup;
 }
 
-ClosedSurface close_surface(const PolygonSoup& soup) {
+namespace {
+
+enum class Border { refused, allowed };
+
+ClosedSurface triangulated(const PolygonSoup& soup, Border border) {
   const PolygonSoup clean = joined(soup);
   if (clean.polygons.empty()) refuse("has no polygons");
   refuse_crowded_edges(clean);
   Mesh mesh = oriented_mesh(clean);
-  refuse_holes(mesh);
+  if (border == Border::refused) refuse_holes(mesh);
   Walls walls = mesh.add_property_map<Face, int>("f:wall", 0).first;
   for (const Face face : mesh.faces()) walls[face] = clean.walls[face];
   Processing::triangulate_faces(mesh, CGAL::parameters::visitor(WallKeeper(walls)));
@@ -222,5 +226,11 @@ ClosedSurface close_surface(const PolygonSoup& soup) {
   }
   return surface;
 }
+
+}  // namespace
+
+ClosedSurface close_surface(const PolygonSoup& soup) { return triangulated(soup, Border::refused); }
+
+OpenSurface open_surface(const PolygonSoup& soup) { return triangulated(soup, Border::allowed); }
 
 }  // namespace etendue

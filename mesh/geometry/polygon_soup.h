@@ -20,7 +20,8 @@ struct PolygonSoup {
 
 /// ASCII STL; walls are its solids.
 PolygonSoup read_ascii_stl(const std::filesystem::path& path);
-/// Wavefront OBJ; walls are its groups, or objects where there are no groups.
+/// Wavefront OBJ; walls are its groups (g), or its materials (usemtl) where there are no groups, or its
+/// objects (o) where there are neither.
 PolygonSoup read_obj(const std::filesystem::path& path);
 /// Binary STL, PLY and OFF by CGAL; one wall "boundary".
 PolygonSoup read_by_cgal(const std::filesystem::path& path);
@@ -32,8 +33,13 @@ struct ClosedSurface {
   std::vector<int> walls;  ///< [triangle]
 };
 
+/// The same with a border, which every edge of one triangle is part of.
+using OpenSurface = ClosedSurface;
+
 /// Joins equal points, orients and triangulates. Throws std::invalid_argument with coordinates where the
 /// surface has holes, edges of more than two polygons, triangles without area, or cuts itself.
 ClosedSurface close_surface(const PolygonSoup& soup);
+/// The same of polygons that close nothing: their border stays.
+OpenSurface open_surface(const PolygonSoup& soup);
 
 }  // namespace etendue

@@ -74,22 +74,23 @@ PolygonSoup read_obj(const std::filesystem::path& path) {
   SurfaceLines lines(path);
   PolygonSoup soup;
   WallNames walls;
-  std::string name = "boundary";
-  bool has_groups = false;
+  std::string group, material, object;
   while (lines.next()) {
     const std::string_view keyword = lines.words()[0];
     if (keyword == "v") {
       soup.points.push_back(point_of(lines));
-    } else if (keyword == "g" || (keyword == "o" && !has_groups)) {
-      has_groups = has_groups || keyword == "g";
-      name = name_of(lines);
+    } else if (keyword == "g" || keyword == "usemtl" || keyword == "o") {
+      (keyword == "g" ? group : keyword == "usemtl" ? material : object) = name_of(lines);
     } else if (keyword == "f") {
       if (lines.words().size() < 4) lines.fail("a face needs at least 3 corners");
       std::vector<int> polygon;
       for (std::size_t word = 1; word < lines.words().size(); ++word)
         polygon.push_back(obj_corner(lines, word, static_cast<int>(soup.points.size())));
       soup.polygons.push_back(std::move(polygon));
-      soup.walls.push_back(walls.number(name));
+      soup.walls.push_back(walls.number(!group.empty()      ? group
+                                        : !material.empty() ? material
+                                        : !object.empty()   ? object
+                                                            : "boundary"));
     }
   }
   soup.wall_names = walls.all();

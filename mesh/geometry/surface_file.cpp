@@ -9,10 +9,12 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "mesh/geometry/open_surfaces.h"
 #include "mesh/geometry/outline.h"
 #include "mesh/geometry/polygon_soup.h"
 #include "mesh/geometry/surface_lines.h"
 #include "mesh/geometry/surface_regions.h"
+#include "mesh/geometry/surface_sheets.h"
 #include "mesh/geometry/tetgen_surface.h"
 
 namespace etendue {
@@ -52,9 +54,12 @@ int part_around(std::size_t part, const FilledParts& filled, const std::vector<V
   return -1;
 }
 
-SurfaceComplex surface_of_shells(const ClosedSurface& closed, const SurfaceFileOptions& options) {
+SurfaceComplex surface_of_shells(const ClosedSurface& closed, const OpenSurface& open,
+                                 const std::vector<std::string>& wall_names,
+                                 const SurfaceFileOptions& options) {
   SurfaceComplex surface;
   surface.points = closed.points;
+  surface.wall_names = wall_names;
   std::vector<SidedFacet> facets;
   for (const std::array<int, 3>& triangle : closed.triangles)
     facets.push_back(sided_facet(closed.points, triangle));
@@ -71,6 +76,11 @@ SurfaceComplex surface_of_shells(const ClosedSurface& closed, const SurfaceFileO
     }
   }
   add_part_points(filled, surface);
+  if (!open.triangles.empty())
+    add_sheets(open, surface, [&](const Vec3& point) {
+      const int part = part_at(point, filled.parts, filled.depth, closed.points, facets);
+      return part >= 0 && filled.region[n(part)] >= 0;
+    });
   return surface;
 }
 
@@ -88,13 +98,15 @@ SurfaceComplex read_surface(const std::filesystem::path& path, const SurfaceFile
   if (ending != ".stl" && ending != ".obj" && ending != ".ply" && ending != ".off")
     throw refuse("is not a kind of surface file; .poly, .smesh, .stl, .obj, .ply or .off");
   PolygonSoup soup = read_soup(path, ending);
-  for (Vec3& point : soup.points) point *= options.scale;
+  for (Vec3& point : soup.points) point = with_z_up(options.scale * point, options.up);
   try {
-    SurfaceComplex surface = surface_of_shells(close_surface(soup), options);
-    surface.wall_names = soup.wall_names;
+    const SoupParts parts = parts_of(soup);
+    const SurfaceComplex surface = surface_of_shells(
+        close_surface(parts.closed), parts.open.polygons.empty() ? OpenSurface{} : open_surface(parts.open),
+        soup.wall_names, options);
     if (log)
-      log(fmt::format("surface {}: {} triangles, {} walls", path.string(), surface.facets.size(),
-                      surface.wall_names.size()));
+      log(fmt::format("surface {}: {} triangles, {} of them sheets, {} walls", path.string(),
+                      surface.facets.size(), surface.sheets.size(), surface.wall_names.size()));
     return surface;
   } catch (const std::invalid_argument& fault) {
     throw refuse(fault.what());

@@ -7,6 +7,7 @@
 
 #include "mesh/base/errors.h"
 #include "mesh/base/log.h"
+#include "mesh/base/up_axis.h"
 #include "mesh/base/vec3.h"
 #include "mesh/geometry/surface_complex.h"
 
@@ -15,13 +16,16 @@ namespace etendue {
 struct SurfaceFileOptions {
   double scale = 1;  ///< multiplies the coordinates
   std::map<std::string, Vec3>
-      regions;    ///< name and a point inside, after scaling; empty: one region "domain"
-  Origin origin;  ///< of the key that names the file
+      regions;            ///< name and a point inside, after scaling; empty: one region "domain"
+  Origin origin;          ///< of the key that names the file
+  UpAxis up = UpAxis::z;  ///< in the file; the surface has z up, and so have `regions`
 };
 
 /// A closed surface: TetGen .poly or .smesh, or STL, OBJ, PLY, OFF. Holes and self-intersections throw
-/// InputError with their coordinates. Walls are named by the STL solid, the OBJ group, the TetGen marker,
-/// else "boundary". Throws FileError where the file cannot be read.
+/// InputError with their coordinates. Walls are named by the STL solid, the OBJ group, material or object,
+/// the TetGen marker, else "boundary". Open surfaces inside the closed one become sheets with the walls NAME
+/// in front, where their corners are seen counterclockwise, and NAME.back behind. Throws FileError where the
+/// file cannot be read.
 SurfaceComplex read_surface(const std::filesystem::path& path, const SurfaceFileOptions& options,
                             const Log& log = {});
 

@@ -58,7 +58,7 @@ class TetgenReader {
 
   Vec3 point(const SurfaceLines& lines, std::size_t word) const {
     const Vec3 read{lines.number(word, "x"), lines.number(word + 1, "y"), lines.number(word + 2, "z")};
-    return options_.scale * read;
+    return with_z_up(options_.scale * read, options_.up);
   }
 
   int corner(std::size_t word) const {
