@@ -6,9 +6,11 @@
 
 #include "app/case/build.h"
 #include "app/case/mesh_names.h"
+#include "mesh/files/field_file.h"
 #include "mesh/files/mesh_file.h"
 #include "mesh/geometry/arrangement.h"
 #include "mesh/geometry/surface_file.h"
+#include "mesh/geometry/voxel_surface.h"
 #include "mesh/tetrahedra/red_refinement.h"
 #include "mesh/tetrahedra/tetrahedralize.h"
 
@@ -39,9 +41,23 @@ std::vector<double> volume_bounds(const MeshCase& mesh, const std::vector<std::s
   return bounds;
 }
 
+SurfaceComplex surface_of_labels(const LabelsCase& labels, const MeshCase& mesh) {
+  const FieldData image = read_field({.path = labels.file.path, .array = labels.array});
+  if (!image.image)
+    throw InputError(fault_at(labels.file.origin, "\"" + labels.file.path.string() + "\"",
+                              "holds no image; use .vti or .nii"));
+  SurfaceComplex surface = voxel_surface(image, labels.labels, labels.file.origin);
+  const auto place = [&mesh](Vec3& point) { point = with_z_up(mesh.scale * point, mesh.up); };
+  for (Vec3& point : surface.points) place(point);
+  for (RegionSeed& seed : surface.seeds) place(seed.point);
+  for (Vec3& hole : surface.holes) place(hole);
+  return surface;
+}
+
 SurfaceComplex surface_of(const MeshCase& mesh, const Log& log) {
+  if (mesh.labels) return surface_of_labels(*mesh.labels, mesh);
   if (!mesh.surface) return arrange(mesh.geometry, log);
-  return read_surface(mesh.surface->path, {mesh.scale, mesh.regions, mesh.surface->origin}, log);
+  return read_surface(mesh.surface->path, {mesh.scale, mesh.regions, mesh.surface->origin, mesh.up}, log);
 }
 
 /// The sound mesh with its cells cut into eight as often as wanted.
@@ -70,8 +86,8 @@ TetrahedralMesh mesh_from_surface(const Case& input, const Log& log) {
 
 TetrahedralMesh build_mesh(const Case& input, const Log& log) {
   if (!input.mesh.file) return mesh_from_surface(input, log);
-  const TetrahedralMesh mesh =
-      split(read_mesh(input.mesh.file->path, input.mesh.scale, input.mesh.file->origin), input.mesh);
+  const TetrahedralMesh mesh = split(
+      read_mesh(input.mesh.file->path, input.mesh.scale, input.mesh.file->origin, input.mesh.up), input.mesh);
   check_names(input, names_of(mesh));
   return mesh;
 }

@@ -15,13 +15,14 @@
 #include "app/case/false_color.h"
 #include "app/case/light_table.h"
 #include "mesh/base/errors.h"
+#include "mesh/base/up_axis.h"
 #include "mesh/base/vec3.h"
 #include "mesh/files/vtk_encoding.h"
 #include "mesh/geometry/geometry.h"
 #include "solver/angle/refinement.h"
 #include "solver/angle/rotation.h"
-#include "solver/ordinates/solve.h"
 #include "solver/expression/formula.h"
+#include "solver/ordinates/solve.h"
 #include "solver/picture/camera.h"
 #include "solver/picture/tone.h"
 #include "solver/picture/white_balance.h"
@@ -57,14 +58,23 @@ struct InputFile {
   Origin origin;
 };
 
+/// Voxels with whole numbers that say which region each belongs to.
+struct LabelsCase {
+  InputFile file;
+  std::string array;                  ///< empty: the only one
+  std::map<std::string, int> labels;  ///< [region]; voxels with another number are left out
+};
+
 struct MeshCase {
   std::optional<InputFile> file;
   std::optional<InputFile> surface;
+  std::optional<LabelsCase> labels;
   Geometry geometry;  ///< used when there is neither file nor surface
   std::optional<SizeBound> max_volume;
   std::optional<SizeBound> edge_length;
   double quality = 1.4;
   double scale = 1;
+  UpAxis up = UpAxis::z;                ///< of a file or surface
   int split = 0;                        ///< how often every cell is cut into eight
   std::map<std::string, Vec3> regions;  ///< of a surface: a point inside each
   Origin origin;

@@ -39,6 +39,8 @@ std::string type_column(KeyType type) {
       return "number, formula or field per band";
     case KeyType::size_bound:
       return "number or table NAME = number";
+    case KeyType::named_integers:
+      return "table NAME = integer";
     case KeyType::named_points:
       return "table NAME = [x, y, z]";
     case KeyType::choice_or_number:

@@ -11,7 +11,10 @@ std::vector<TableDeclaration> make_tables() {
   return {
       {.path = "", .help = "Above the first table."},
       {.path = "units", .help = "One consistent system of units; nothing is converted."},
-      {.path = "mesh", .help = "The geometry: exactly one of `file`, `surface` or primitives."},
+      {.path = "mesh", .help = "The geometry: exactly one of `file`, `surface`, `labels` or primitives."},
+      {.path = "mesh.labels",
+       .help = "Voxels of an image that say which region each belongs to; the sides of the image become the "
+               "walls xmin … zmax, and what borders on voxels without a region the wall surface."},
       {.path = "mesh.box",
        .form = list,
        .help = "An axis-aligned box. Later primitives overwrite earlier ones, boxes, spheres and cylinders "
@@ -28,13 +31,13 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "bands", .help = "The spectral bands, solved side by side."},
       {.path = "media", .help = "Every region has an entry; \"*\" stands for the rest."},
       {.path = "media.NAME", .help = "The matter in the region NAME; an empty entry is a void."},
-      {.path = "media.NAME.phase",
-       .form = table_or_list,
-       .help = "How light turns when it scatters: one table, or a list with one for each band; without it "
       {.path = field_table,
        .help =
            "A value from a file, in the place of a number or formula: `absorption = { file = \"gas.vtu\", "
            "array = \"kappa\" }`; for every key of that type, radiance of walls too (docs/fields.md)."},
+      {.path = "media.NAME.phase",
+       .form = table_or_list,
+       .help = "How light turns when it scatters: one table, or a list with one for each band; without it "
                "isotropic."},
       {.path = "media.NAME.leaves",
        .help = "A canopy of flat leaves (Ross), instead of absorption, scattering and phase."},

@@ -38,6 +38,8 @@ std::string type_text(KeyType type) {
       return "a number, a formula in x, y, z or { file, array }, or a list with one for each band";
     case KeyType::size_bound:
       return "a number, or a table of one for each region";
+    case KeyType::named_integers:
+      return "a table of integers";
     case KeyType::named_points:
       return "a table of points [x, y, z]";
     case KeyType::choice_or_number:

@@ -25,6 +25,7 @@ enum class KeyType {
   band_numbers,      ///< a number, or a list with one for each band
   band_values,       ///< a number, a formula in x, y, z or a field from a file, or a list of such
   size_bound,        ///< a number, or a table NAME = number
+  named_integers,    ///< a table NAME = integer
   named_points,      ///< a table NAME = [x, y, z]
   choice_or_number,  ///< one of the choices, or a number
   rotation,          ///< "random", or a table of `axis` and `angle`
@@ -81,10 +82,10 @@ struct TableDeclaration {
   std::string_view help = "";
 };
 
-/// All keys, in the order of the reference page.
 /// The table of a value that is read from a file, in the place of a number or formula.
 inline constexpr std::string_view field_table = "media.NAME.COEFFICIENT";
 
+/// All keys, in the order of the reference page.
 std::span<const KeyDeclaration> key_declarations();
 std::span<const TableDeclaration> table_declarations();
 

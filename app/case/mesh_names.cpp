@@ -154,7 +154,7 @@ void check_names(const Case& input, const MeshNames& names) {
 }
 
 void check_possible_names(const Case& input, std::vector<Fault>& faults) {
-  if (input.mesh.file || input.mesh.surface) return;
+  if (input.mesh.file || input.mesh.surface || input.mesh.labels) return;
   const MeshNames names = possible_names(input.mesh.geometry);
   NameCheck regions("region", names.regions, of_primitives, faults),
       walls("wall", names.walls, of_primitives, faults);

@@ -12,12 +12,17 @@ namespace etendue {
 namespace {
 
 constexpr std::array<std::string_view, 3> primitive_lists = {"box", "sphere", "cylinder"};
-constexpr std::array<std::string_view, 5> geometries = {"file", "surface", "box", "sphere", "cylinder"};
+constexpr std::array<std::string_view, 6> geometries = {"file", "surface", "labels",
+                                                        "box",  "sphere",  "cylinder"};
 
 bool has_primitives(const Section& mesh) {
   for (const std::string_view list : primitive_lists)
     if (mesh.has(list)) return true;
   return false;
+}
+
+bool reads_a_file(const Section& mesh) {
+  return mesh.has("file") || mesh.has("surface") || mesh.has("labels");
 }
 
 // Boxes, spheres and cylinders are one geometry together.
@@ -31,14 +36,15 @@ void check_one_geometry(Section& mesh) {
       first = name;
       first_primitive = primitive;
     } else if (!primitive || !first_primitive) {
-      mesh.fault(name,
-                 fmt::format("a second geometry (mesh.{} is at line {}); use exactly one of file, surface or "
-                             "primitives",
-                             first, mesh.origin(first).line));
+      mesh.fault(
+          name,
+          fmt::format("a second geometry (mesh.{} is at line {}); use exactly one of file, surface, labels "
+                      "or primitives",
+                      first, mesh.origin(first).line));
     }
   }
   if (first.empty() && !mesh.node().faulty)
-    mesh.fault("no geometry; use exactly one of file, surface or primitives (box, sphere, cylinder)");
+    mesh.fault("no geometry; use exactly one of file, surface, labels or primitives (box, sphere, cylinder)");
 }
 
 std::optional<InputFile> read_file(Section& mesh, const char* name,
@@ -72,13 +78,27 @@ void read_regions(Section& section, MeshCase& mesh) {
   for (const auto& [region, point] : node->table().entries) mesh.regions[region] = to_vec3(*point);
 }
 
+std::optional<LabelsCase> read_labels(Section section, const std::filesystem::path& case_folder) {
+  const TomlNode* file = section.find("file");
+  const TomlNode* regions = section.find("regions");
+  LabelsCase labels;
+  labels.array = section.text_if("array").value_or("");
+  if (file == nullptr || regions == nullptr) return std::nullopt;
+  labels.file = {resolve_path(*file, case_folder), file->origin};
+  for (const auto& [region, label] : regions->table().entries)
+    labels.labels[region] = static_cast<int>(label->number());
+  return labels;
+}
+
 void reject_unused(Section& mesh) {
   if (mesh.has("file"))
     for (const char* name : {"max_volume", "edge_length", "quality"})
       mesh.unused(name, "the cells of a mesh file stay as they are");
   if (!mesh.has("surface")) mesh.unused("regions", "only a surface takes it");
-  if (!mesh.has("file") && !mesh.has("surface"))
+  if (!reads_a_file(mesh)) {
     mesh.unused("scale", "it multiplies coordinates read from a file");
+    mesh.unused("up", "it is that of a file");
+  }
   if (!has_primitives(mesh)) {
     mesh.unused("patch", "patches lie on boxes");
     mesh.unused("sheet", "sheets stand among boxes, spheres and cylinders");
@@ -102,7 +122,11 @@ MeshCase read_mesh_section(Section section, const std::filesystem::path& case_fo
   mesh.surface = read_file(section, "surface", case_folder);
   mesh.geometry = read_geometry(section);
   read_regions(section, mesh);
-  if (section.has("file") || section.has("surface")) mesh.scale = section.number("scale");
+  if (section.has("labels")) mesh.labels = read_labels(section.section("labels"), case_folder);
+  if (reads_a_file(section)) {
+    mesh.scale = section.number("scale");
+    mesh.up = section.text("up") == "y" ? UpAxis::y : UpAxis::z;
+  }
   if (section.has("file")) return mesh;
   read_sizes(section, mesh);
   mesh.quality = section.number("quality");

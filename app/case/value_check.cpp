@@ -55,6 +55,8 @@ class ValueCheck {
         return node.is_array() ? list(node, &ValueCheck::number_or_formula) : number_or_formula(node);
       case KeyType::size_bound:
         return node.is_table() ? names(node, &ValueCheck::number) : number(node);
+      case KeyType::named_integers:
+        return names(node, &ValueCheck::integer);
       case KeyType::named_points:
         return names(node, &ValueCheck::point);
       case KeyType::choice_or_number:

@@ -19,6 +19,7 @@ namespace {
 
 std::string geometry_text(const MeshCase& mesh) {
   if (mesh.file) return "tetrahedra of " + mesh.file->path.string();
+  if (mesh.labels) return "voxels of " + mesh.labels->file.path.string();
   if (mesh.surface) return "surface " + mesh.surface->path.string();
   return fmt::format("{} primitives, {} patches", mesh.geometry.primitives.size(),
                      mesh.geometry.patches.size());
@@ -80,8 +81,8 @@ ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream
   const Problem problem = build_problem(input, mesh);
   check_run(input, problem);
   out << request.file.string() << " is a valid case\n" << summary_of(input) << lamp_text(problem, input);
-  if (request.mesh) out << '\n' << to_string(mesh_report(mesh), mesh, input.units.length);
   for (const std::string& field : field_texts(input, mesh)) out << field << '\n';
+  if (request.mesh) out << '\n' << to_string(mesh_report(mesh), mesh, input.units.length);
   return ExitCode::done;
 }
 

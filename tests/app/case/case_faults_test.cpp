@@ -36,8 +36,9 @@ const Check keys[] = {
      "slab.toml:7: space.box: misplaced key; \"box\" belongs in [[mesh.box]]"},
     {"MisplacedOrMisspelt", "[output]\nfield = 1\nfile = \"a\"\n",
      "slab.toml:8: output.field = 1: unknown key; did you mean \"fields\"?\n"
-     "slab.toml:9: output.file = \"a\": misplaced key; \"file\" belongs in [mesh], "
-     "[media.NAME.phase] (NAME: a region or \"*\"), [[media.NAME.phase.mix]] (NAME: a region or \"*\") or "
+     "slab.toml:9: output.file = \"a\": misplaced key; \"file\" belongs in [mesh], [mesh.labels], "
+     "[media.NAME.COEFFICIENT] (NAME: a region or \"*\"), [media.NAME.phase] (NAME: a region or \"*\"), "
+     "[[media.NAME.phase.mix]] (NAME: a region or \"*\") or "
      "[walls.NAME.glossy] (NAME: a wall or \"*\")"},
     {"MisspeltAndMisplaced", "[space]\nabsorbtion = 1\n",
      "slab.toml:8: space.absorbtion = 1: unknown key; did you mean \"absorption\", which belongs in "
@@ -349,11 +350,11 @@ TEST(CaseFaults, OfNamesWaitForAGeometryThatIsRead) {
 }
 
 TEST(CaseFaults, OfAnEmptyFileNameWhatACaseNeeds) {
-  EXPECT_EQ(
-      faults_of(""),
-      "slab.toml: mesh: no geometry; use exactly one of file, surface or primitives (box, sphere, cylinder)\n"
-      "slab.toml: media: no entry; add one for each region, or \"*\" for all\n"
-      "slab.toml: walls: no entry; add one for each wall, or \"*\" for all");
+  EXPECT_EQ(faults_of(""),
+            "slab.toml: mesh: no geometry; use exactly one of file, surface, labels or primitives (box, "
+            "sphere, cylinder)\n"
+            "slab.toml: media: no entry; add one for each region, or \"*\" for all\n"
+            "slab.toml: walls: no entry; add one for each wall, or \"*\" for all");
 }
 
 TEST(CaseFaults, OfAFormulaQuoteTheParser) {

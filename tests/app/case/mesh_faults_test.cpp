@@ -22,17 +22,19 @@ constexpr const char* unit_box = "[[mesh.box]]\nregion = \"air\"\nmin = [0, 0, 0
 
 const Check checks[] = {
     {"NoMesh", "",
-     "slab.toml: mesh: no geometry; use exactly one of file, surface or primitives (box, sphere, cylinder)"},
+     "slab.toml: mesh: no geometry; use exactly one of file, surface, labels or primitives (box, sphere, "
+     "cylinder)"},
     {"EmptyMesh", "[mesh]\n",
-     "slab.toml:3: mesh: no geometry; use exactly one of file, surface or primitives (box, sphere, "
+     "slab.toml:3: mesh: no geometry; use exactly one of file, surface, labels or primitives (box, sphere, "
      "cylinder)"},
     {"FileAndSurface", "[mesh]\nfile = \"a.msh\"\nsurface = \"a.stl\"\n",
      "slab.toml:5: mesh.surface = \"a.stl\": a second geometry (mesh.file is at line 4); use exactly one of "
      "file, "
-     "surface or primitives"},
+     "surface, labels or primitives"},
     {"FileAndBox",
      "[mesh]\nfile = \"a.msh\"\n[[mesh.box]]\nregion = \"air\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n",
-     "slab.toml:5: mesh.box: a second geometry (mesh.file is at line 4); use exactly one of file, surface or "
+     "slab.toml:5: mesh.box: a second geometry (mesh.file is at line 4); use exactly one of file, surface, "
+     "labels or "
      "primitives"},
     {"BoxIsOneTable", "[mesh.box]\nregion = \"air\"\n",
      "slab.toml:3: mesh.box: must not be a table; write [[mesh.box]]"},
