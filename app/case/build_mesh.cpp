@@ -41,21 +41,7 @@ std::vector<double> volume_bounds(const MeshCase& mesh, const std::vector<std::s
   return bounds;
 }
 
-SurfaceComplex surface_of_labels(const LabelsCase& labels, const MeshCase& mesh) {
-  const FieldData image = read_field({.path = labels.file.path, .array = labels.array});
-  if (!image.image)
-    throw InputError(fault_at(labels.file.origin, "\"" + labels.file.path.string() + "\"",
-                              "holds no image; use .vti or .nii"));
-  SurfaceComplex surface = voxel_surface(image, labels.labels, labels.file.origin);
-  const auto place = [&mesh](Vec3& point) { point = with_z_up(mesh.scale * point, mesh.up); };
-  for (Vec3& point : surface.points) place(point);
-  for (RegionSeed& seed : surface.seeds) place(seed.point);
-  for (Vec3& hole : surface.holes) place(hole);
-  return surface;
-}
-
 SurfaceComplex surface_of(const MeshCase& mesh, const Log& log) {
-  if (mesh.labels) return surface_of_labels(*mesh.labels, mesh);
   if (!mesh.surface) return arrange(mesh.geometry, log);
   return read_surface(mesh.surface->path, {mesh.scale, mesh.regions, mesh.surface->origin, mesh.up}, log);
 }
@@ -73,19 +59,39 @@ TetrahedralMesh split(RawMesh raw, const MeshCase& wanted) {
   return TetrahedralMesh(raw);
 }
 
-TetrahedralMesh mesh_from_surface(const Case& input, const Log& log) {
-  const SurfaceComplex surface = surface_of(input.mesh, log);
+RawMesh filled(const Case& input, const SurfaceComplex& surface, const Log& log) {
   // Before meshing, which may take long.
   check_names(input, names_of(surface));
   const TetrahedraOptions options{volume_bounds(input.mesh, surface.region_names), input.mesh.quality,
                                   input.mesh.origin};
-  return split(tetrahedralize(surface, options, log), input.mesh);
+  return tetrahedralize(surface, options, log);
+}
+
+/// Voxels are meshed in the image's own axes, where their planes are exact, and turned into their place then.
+RawMesh mesh_of_labels(const Case& input, const Log& log) {
+  const LabelsCase& labels = *input.mesh.labels;
+  const FieldData image = read_field({.path = labels.file.path, .array = labels.array});
+  if (!image.image)
+    throw InputError(fault_at(labels.file.origin, "\"" + labels.file.path.string() + "\"",
+                              "holds no image; use .vti or .nii"));
+  VoxelSurface voxels = voxel_surface(image, labels.labels, labels.file.origin);
+  const double scale = input.mesh.scale;
+  for (Vec3& point : voxels.surface.points) point *= scale;
+  for (RegionSeed& seed : voxels.surface.seeds) seed.point *= scale;
+  for (Vec3& hole : voxels.surface.holes) hole *= scale;
+  for (SurfaceFacet& facet : voxels.surface.facets)
+    for (Vec3& opening : facet.openings) opening *= scale;
+  RawMesh mesh = filled(input, voxels.surface, log);
+  for (Vec3& point : mesh.points)
+    point = with_z_up(scale * voxels.origin + voxels.axes * point, input.mesh.up);
+  return mesh;
 }
 
 }  // namespace
 
 TetrahedralMesh build_mesh(const Case& input, const Log& log) {
-  if (!input.mesh.file) return mesh_from_surface(input, log);
+  if (input.mesh.labels) return split(mesh_of_labels(input, log), input.mesh);
+  if (!input.mesh.file) return split(filled(input, surface_of(input.mesh, log), log), input.mesh);
   const TetrahedralMesh mesh = split(
       read_mesh(input.mesh.file->path, input.mesh.scale, input.mesh.file->origin, input.mesh.up), input.mesh);
   check_names(input, names_of(mesh));

@@ -61,8 +61,8 @@ class Uses {
     std::optional<Vec3> uncovered;
     give([&](const Vec3& point, double weight) {
       if (uncovered) return;
-      if (!function.covers(point)) uncovered = point;
       const double value = function.at(point);
+      if (!std::isfinite(value) && !function.covers(point)) uncovered = point;
       use.smallest = std::min(use.smallest, value);
       use.largest = std::max(use.largest, value);
       use.mean += weight * value;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <vtkCompositeDataIterator.h>
+#include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationDoubleVectorKey.h>
@@ -17,6 +18,7 @@
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
 #include <vtkOpenFOAMReader.h>
+#include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLImageDataReader.h>
@@ -55,12 +57,28 @@ vtkSmartPointer<vtkDataSet> read_file(const std::filesystem::path& path) {
   return reader->GetOutput();
 }
 
+/// Stored numbers become what they stand for: slope times number plus intercept, where the slope is not 0.
+void rescale(vtkNIFTIImageReader& reader, vtkImageData& image) {
+  const double slope = reader.GetRescaleSlope(), intercept = reader.GetRescaleIntercept();
+  vtkDataArray* stored = image.GetPointData()->GetScalars();
+  if (stored == nullptr || slope == 0 || (slope == 1 && intercept == 0)) return;
+  const vtkNew<vtkDoubleArray> values;
+  values->SetName(stored->GetName());
+  values->SetNumberOfComponents(stored->GetNumberOfComponents());
+  values->SetNumberOfTuples(stored->GetNumberOfTuples());
+  for (vtkIdType tuple = 0; tuple < stored->GetNumberOfTuples(); ++tuple)
+    for (int component = 0; component < stored->GetNumberOfComponents(); ++component)
+      values->SetComponent(tuple, component, slope * stored->GetComponent(tuple, component) + intercept);
+  image.GetPointData()->SetScalars(values);
+}
+
 /// The voxels' places are those of the scanner where the file has them.
 vtkSmartPointer<vtkDataSet> read_nifti(const std::filesystem::path& path) {
   const vtkNew<vtkNIFTIImageReader> reader;
   reader->SetFileName(path.c_str());
   update(*reader, path);
   vtkSmartPointer<vtkImageData> image = reader->GetOutput();
+  rescale(*reader, *image);
   vtkMatrix4x4* places =
       reader->GetSFormMatrix() != nullptr ? reader->GetSFormMatrix() : reader->GetQFormMatrix();
   if (places == nullptr) return image;

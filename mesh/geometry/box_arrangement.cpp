@@ -152,9 +152,15 @@ class PartFinder {
 }  // namespace
 
 SurfaceComplex arrange_boxes(const Geometry& geometry) {
+  std::vector<std::string> region_names;
+  const std::vector<SpaceLabel> labels = primitive_labels(geometry, region_names);
+  SurfaceComplex surface = arrange_grid(geometry, ElementaryBoxes(geometry, labels));
+  surface.region_names = std::move(region_names);
+  return surface;
+}
+
+SurfaceComplex arrange_grid(const Geometry& geometry, const ElementaryBoxes& grid) {
   SurfaceComplex surface;
-  const std::vector<SpaceLabel> labels = primitive_labels(geometry, surface.region_names);
-  const ElementaryBoxes grid(geometry, labels);
   const BoxFacets facets(geometry, grid);
   if (!facets.faults().empty()) throw InputError(facets.faults());
   surface.wall_names = facets.wall_names();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace etendue {
 namespace {
@@ -68,6 +69,9 @@ ElementaryBoxes::ElementaryBoxes(const Geometry& geometry, const std::vector<Spa
   for (std::size_t i = 0; i < labels.size(); ++i)
     fill(std::get<BoxPrimitive>(geometry.primitives[i]), labels[i]);
 }
+
+ElementaryBoxes::ElementaryBoxes(std::array<std::vector<double>, 3> planes, std::vector<SpaceLabel> labels)
+    : planes_(std::move(planes)), labels_(std::move(labels)) {}
 
 bool ElementaryBoxes::contains(const GridIndex& box) const {
   for (int axis = 0; axis < 3; ++axis)

@@ -21,6 +21,8 @@ class ElementaryBoxes {
  public:
   /// All primitives must be boxes. Throws InputError where two planes are too close to be told apart.
   ElementaryBoxes(const Geometry& geometry, const std::vector<SpaceLabel>& labels);
+  /// `planes` rise along each axis; a label for each box between them, z fastest.
+  ElementaryBoxes(std::array<std::vector<double>, 3> planes, std::vector<SpaceLabel> labels);
 
   /// Number of elementary boxes along an axis; there is one plane more.
   int count(int axis) const { return static_cast<int>(planes_[static_cast<std::size_t>(axis)].size()) - 1; }

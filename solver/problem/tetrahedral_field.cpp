@@ -25,37 +25,39 @@ std::vector<Box> boxes_of(const std::vector<Vec3>& points, const std::vector<std
   return boxes;
 }
 
-/// Six times the volume, positive where d lies on the side that a, b, c turn counterclockwise to from within.
-double six_volumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return (b - a).cross(c - a).dot(d - a);
-}
-
 }  // namespace
 
 TetrahedralField::TetrahedralField(std::vector<Vec3> points, std::vector<std::array<int, 4>> cells,
                                    FieldValues on, std::vector<double> values)
-    : points_(std::move(points)),
-      cells_(std::move(cells)),
+    : cells_(std::move(cells)),
       on_(on),
       values_(std::move(values)),
-      tolerance_(tolerance_of(points_)),
-      grid_(boxes_of(points_, cells_), tolerance_) {}
+      tolerance_(tolerance_of(points)),
+      grid_(boxes_of(points, cells_), tolerance_) {
+  coordinates_.reserve(cells_.size());
+  for (const std::array<int, 4>& cell : cells_) {
+    const auto corner = [&](std::size_t i) { return points[static_cast<std::size_t>(cell[i])]; };
+    Eigen::Matrix3d edges;
+    for (std::size_t i = 0; i < 3; ++i) edges.col(static_cast<Eigen::Index>(i)) = corner(i) - corner(3);
+    // Of a cell without volume not finite: then it holds no point.
+    coordinates_.push_back({corner(3), edges.inverse()});
+  }
+}
 
 std::optional<TetrahedralField::Place> TetrahedralField::find(const Vec3& point) const {
   for (const std::int32_t candidate : grid_.candidates(point)) {
     Place place{static_cast<std::size_t>(candidate), {}};
-    std::array<Vec3, 4> corner;
-    for (std::size_t i = 0; i < 4; ++i) corner[i] = points_[static_cast<std::size_t>(cells_[place.cell][i])];
-    const double whole = six_volumes(corner[0], corner[1], corner[2], corner[3]);
-    bool inside = whole != 0;
+    const Coordinates& coordinates = coordinates_[place.cell];
+    const Vec3 first = coordinates.gradients * (point - coordinates.corner);
+    place.barycentric = {first[0], first[1], first[2], 1 - first.sum()};
+    bool inside = true;
     for (std::size_t i = 0; i < 4 && inside; ++i) {
-      std::array<Vec3, 4> replaced = corner;
-      replaced[i] = point;
-      place.barycentric[i] = six_volumes(replaced[0], replaced[1], replaced[2], replaced[3]) / whole;
-      // Over the height on face i the coordinate is the distance from the face.
-      const Vec3 normal =
-          (corner[(i + 2) % 4] - corner[(i + 1) % 4]).cross(corner[(i + 3) % 4] - corner[(i + 1) % 4]);
-      inside = place.barycentric[i] * std::abs(whole) >= -tolerance_ * normal.norm();
+      if (place.barycentric[i] >= 0) continue;
+      // Over its gradient the coordinate is the distance from the face where it is 0.
+      const Eigen::RowVector3d gradient =
+          i < 3 ? Eigen::RowVector3d(coordinates.gradients.row(static_cast<Eigen::Index>(i)))
+                : Eigen::RowVector3d(-coordinates.gradients.colwise().sum());
+      inside = place.barycentric[i] >= -tolerance_ * gradient.norm();
     }
     if (inside) return place;
   }
@@ -75,10 +77,8 @@ std::optional<double> TetrahedralField::at(const Vec3& point) const {
 double TetrahedralField::cell_length(const Vec3& point) const {
   const std::optional<Place> place = find(point);
   if (!place) return std::numeric_limits<double>::infinity();
-  const auto corner = [&](std::size_t i) {
-    return points_[static_cast<std::size_t>(cells_[place->cell][i])];
-  };
-  return std::cbrt(std::numbers::sqrt2 * std::abs(six_volumes(corner(0), corner(1), corner(2), corner(3))));
+  // The determinant of the edges is six times the volume.
+  return std::cbrt(std::numbers::sqrt2 / std::abs(coordinates_[place->cell].gradients.determinant()));
 }
 
 }  // namespace etendue

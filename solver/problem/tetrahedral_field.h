@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Dense>
+
 #include "mesh/base/field_data.h"
 #include "mesh/base/vec3.h"
 #include "mesh/tetrahedra/box_grid.h"
@@ -33,8 +35,15 @@ class TetrahedralField {
   };
   std::optional<Place> find(const Vec3& point) const;
 
-  std::vector<Vec3> points_;
+  /// Barycentric coordinates of a cell as linear functions: that of the last corner is 1 at `corner`, and
+  /// those of the others grow with the rows of `gradients` [1/length].
+  struct Coordinates {
+    Vec3 corner;
+    Eigen::Matrix3d gradients;
+  };
+
   std::vector<std::array<int, 4>> cells_;
+  std::vector<Coordinates> coordinates_;  ///< [cell]
   FieldValues on_;
   std::vector<double> values_;
   double tolerance_;  ///< [length]

@@ -150,6 +150,25 @@ TEST(FieldFile, TakesNiftiValuesAsThoseOfVoxels) {
   EXPECT_EQ(field.values, (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
+TEST(FieldFile, PlacesNiftiVoxelsByTheSformAndRescalesTheirValues) {
+  std::string bytes = nifti(0.5F);
+  const auto put = [&bytes](std::size_t at, auto value) { std::memcpy(&bytes[at], &value, sizeof value); };
+  put(112, 2.0F);  // slope
+  put(116, 3.0F);  // intercept
+  put(254, std::int16_t{1});
+  // Rows of the sform: x = 0.5 j + 10, y = -0.5 i + 20, z = 0.5 k + 30.
+  const float rows[12] = {0, 0.5F, 0, 10, -0.5F, 0, 0, 20, 0, 0, 0.5F, 30};
+  for (std::size_t i = 0; i < 12; ++i) put(280 + 4 * i, rows[i]);
+  const ScratchFolder folder;
+  const FieldData field = read_field({.path = folder.write("head.nii", bytes), .array = ""});
+  EXPECT_EQ(field.values, (std::vector<double>{5, 7, 9, 11, 13, 15, 17, 19}));
+  ASSERT_TRUE(field.image);
+  EXPECT_NEAR((field.image->steps.col(0) - Vec3(0, -0.5, 0)).norm(), 0, 1e-6);
+  EXPECT_NEAR((field.image->steps.col(1) - Vec3(0.5, 0, 0)).norm(), 0, 1e-6);
+  // The first voxel's middle is at (10, 20, 30).
+  EXPECT_NEAR((field.image->origin - Vec3(9.75, 20.25, 29.75)).norm(), 0, 1e-5);
+}
+
 /// An OpenFOAM case of one cubic cell, with T at the times 0 and 2.5.
 void write_open_foam(const ScratchFolder& folder) {
   const auto header = [](const std::string& kind, const std::string& object) {

@@ -30,13 +30,19 @@ FieldData tissue() {
 
 const std::map<std::string, int> labels = {{"skin", 2}, {"fat", 5}, {"tumour", 7}};
 
+TetrahedralMesh meshed(const VoxelSurface& voxels) {
+  RawMesh raw = tetrahedralize(voxels.surface, {});
+  for (Vec3& point : raw.points) point = voxels.origin + voxels.axes * point;
+  return TetrahedralMesh(raw);
+}
+
 double voxel_volume(const FieldData& image, int label) {
   return 0.5 * 0.5 * 0.25 * static_cast<double>(std::ranges::count(image.values, label));
 }
 
 TEST(VoxelSurface, IsMeshedWithTheVolumesOfTheVoxels) {
   const FieldData image = tissue();
-  const TetrahedralMesh mesh(tetrahedralize(voxel_surface(image, labels, {}), {}));
+  const TetrahedralMesh mesh = meshed(voxel_surface(image, labels, {}));
   const auto volumes = region_volumes(mesh);
   ASSERT_EQ(volumes.size(), labels.size());
   for (const auto& [name, label] : labels)
@@ -44,7 +50,7 @@ TEST(VoxelSurface, IsMeshedWithTheVolumesOfTheVoxels) {
 }
 
 TEST(VoxelSurface, NamesTheSidesOfTheImageAndTheSurface) {
-  const TetrahedralMesh mesh(tetrahedralize(voxel_surface(tissue(), labels, {}), {}));
+  const TetrahedralMesh mesh = meshed(voxel_surface(tissue(), labels, {}));
   const auto areas = wall_area_normals(mesh);
   ASSERT_EQ(areas.size(), 7U);
   EXPECT_NEAR((areas.at("zmin") - Vec3(0, 0, -16)).norm(), 0, 1e-12);
@@ -56,7 +62,7 @@ TEST(VoxelSurface, NamesTheSidesOfTheImageAndTheSurface) {
 
 TEST(VoxelSurface, LeavesOutVoxelsThatAreShutIn) {
   FieldData image = tissue();
-  const TetrahedralMesh mesh(tetrahedralize(voxel_surface(image, {{"skin", 2}, {"fat", 5}}, {}), {}));
+  const TetrahedralMesh mesh = meshed(voxel_surface(image, {{"skin", 2}, {"fat", 5}}, {}));
   EXPECT_EQ(region_volumes(mesh).size(), 2U);
   double total = 0;
   for (const double volume : mesh.volumes()) total += volume;
@@ -68,11 +74,35 @@ TEST(VoxelSurface, TakesPointsForTheMiddlesOfVoxels) {
   image.on = FieldValues::on_points;
   image.image->points = {8, 8, 6};
   image.image->origin += 0.5 * image.image->steps * Vec3::Ones();
-  const SurfaceComplex of_points = voxel_surface(image, labels, {}),
-                       of_cells = voxel_surface(tissue(), labels, {});
-  ASSERT_EQ(of_points.points.size(), of_cells.points.size());
-  for (std::size_t i = 0; i < of_points.points.size(); ++i)
-    EXPECT_NEAR((of_points.points[i] - of_cells.points[i]).norm(), 0, 1e-14);
+  const VoxelSurface of_points = voxel_surface(image, labels, {}),
+                     of_cells = voxel_surface(tissue(), labels, {});
+  EXPECT_NEAR((of_points.origin - of_cells.origin).norm(), 0, 1e-14);
+  EXPECT_EQ(of_points.surface.points, of_cells.surface.points);
+}
+
+TEST(VoxelSurface, OfAnImageThatIsTurnedAndMirroredKeepsVolumesAndNamesSidesInSpace) {
+  FieldData image = tissue();
+  // The first index runs down, the second along -x and up a little, the third along y.
+  const double c = std::cos(0.2), s = std::sin(0.2);
+  image.image->steps.col(0) = 0.5 * Vec3(s, 0, -c);
+  image.image->steps.col(1) = 0.5 * Vec3(-c, 0, -s);
+  image.image->steps.col(2) = 0.25 * Vec3(0, 1, 0);
+  const TetrahedralMesh mesh = meshed(voxel_surface(image, labels, {}));
+  const auto volumes = region_volumes(mesh);
+  for (const auto& [name, label] : labels)
+    EXPECT_NEAR(volumes.at(name), voxel_volume(image, label), 1e-12) << name;
+  const auto areas = wall_area_normals(mesh);
+  EXPECT_NEAR((areas.at("ymin") - Vec3(0, -16, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR((areas.at("zmax") - 6 * Vec3(-s, 0, c)).norm(), 0, 1e-12);
+  EXPECT_NEAR((areas.at("xmax") - 6 * Vec3(c, 0, s)).norm(), 0, 1e-12);
+}
+
+TEST(VoxelSurface, OfLayersIsAsCoarseAsTheirBoundaries) {
+  FieldData layers = tissue();
+  for (std::size_t v = 0; v < layers.values.size(); ++v) layers.values[v] = v < 4 * 64 ? 5 : 2;
+  const VoxelSurface voxels = voxel_surface(layers, {{"skin", 2}, {"fat", 5}}, {});
+  EXPECT_EQ(voxels.surface.points.size(), 12U);
+  EXPECT_EQ(voxels.surface.facets.size(), 11U);
 }
 
 std::string fault_of(const FieldData& image, const std::map<std::string, int>& with) {
