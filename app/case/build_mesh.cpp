@@ -67,14 +67,9 @@ RawMesh filled(const Case& input, const SurfaceComplex& surface, const Log& log)
   return tetrahedralize(surface, options, log);
 }
 
-/// Voxels are meshed in the image's own axes, where their planes are exact, and turned into their place then.
-RawMesh mesh_of_labels(const Case& input, const Log& log) {
+RawMesh mesh_of_voxels(const Case& input, const FieldData& image, FacetSize size, const Log& log) {
   const LabelsCase& labels = *input.mesh.labels;
-  const FieldData image = read_field({.path = labels.file.path, .array = labels.array});
-  if (!image.image)
-    throw InputError(fault_at(labels.file.origin, "\"" + labels.file.path.string() + "\"",
-                              "holds no image; use .vti or .nii"));
-  VoxelSurface voxels = voxel_surface(image, labels.labels, labels.file.origin);
+  VoxelSurface voxels = voxel_surface(image, labels.labels, labels.file.origin, size);
   const double scale = input.mesh.scale;
   for (Vec3& point : voxels.surface.points) point *= scale;
   for (RegionSeed& seed : voxels.surface.seeds) seed.point *= scale;
@@ -85,6 +80,22 @@ RawMesh mesh_of_labels(const Case& input, const Log& log) {
   for (Vec3& point : mesh.points)
     point = with_z_up(scale * voxels.origin + voxels.axes * point, input.mesh.up);
   return mesh;
+}
+
+/// Voxels are meshed in the image's own axes, where their planes are exact, and turned into their place then.
+RawMesh mesh_of_labels(const Case& input, const Log& log) {
+  const LabelsCase& labels = *input.mesh.labels;
+  const FieldData image = read_field({.path = labels.file.path, .array = labels.array});
+  if (!image.image)
+    throw InputError(fault_at(labels.file.origin, "\"" + labels.file.path.string() + "\"",
+                              "holds no image; use .vti or .nii"));
+  try {
+    return mesh_of_voxels(input, image, FacetSize::largest, log);
+  } catch (const InputError& error) {
+    // TetGen 1.5 fails on some large facets with very many corners.
+    if (log) log(std::string(error.what()) + "; again with a facet for each face of a voxel");
+    return mesh_of_voxels(input, image, FacetSize::elementary, log);
+  }
 }
 
 }  // namespace

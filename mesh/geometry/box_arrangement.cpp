@@ -159,9 +159,9 @@ SurfaceComplex arrange_boxes(const Geometry& geometry) {
   return surface;
 }
 
-SurfaceComplex arrange_grid(const Geometry& geometry, const ElementaryBoxes& grid) {
+SurfaceComplex arrange_grid(const Geometry& geometry, const ElementaryBoxes& grid, FacetSize size) {
   SurfaceComplex surface;
-  const BoxFacets facets(geometry, grid);
+  const BoxFacets facets(geometry, grid, size);
   if (!facets.faults().empty()) throw InputError(facets.faults());
   surface.wall_names = facets.wall_names();
   for (std::size_t i = 0; i < facets.facets().size(); ++i) {

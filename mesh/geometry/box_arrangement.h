@@ -12,6 +12,7 @@ SurfaceComplex arrange_boxes(const Geometry& geometry);
 
 /// The surfaces of boxes that are labeled already, without names of regions. The geometry names walls: holes
 /// by their labels, sides by boxes and patches.
-SurfaceComplex arrange_grid(const Geometry& geometry, const ElementaryBoxes& grid);
+SurfaceComplex arrange_grid(const Geometry& geometry, const ElementaryBoxes& grid,
+                            FacetSize size = FacetSize::largest);
 
 }  // namespace etendue

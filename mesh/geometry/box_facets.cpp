@@ -21,8 +21,8 @@ bool covers(const NamedRectangle& named, const Vec3& low, const Vec3& high) {
 
 }  // namespace
 
-BoxFacets::BoxFacets(const Geometry& geometry, const ElementaryBoxes& grid)
-    : grid_(grid), patch_used_(geometry.patches.size(), false) {
+BoxFacets::BoxFacets(const Geometry& geometry, const ElementaryBoxes& grid, FacetSize size)
+    : grid_(grid), size_(size), patch_used_(geometry.patches.size(), false) {
   for (int axis = 0; axis < 3; ++axis) find_facets(geometry, axis);
   for (std::size_t i = 0; i < patch_used_.size(); ++i)
     if (!patch_used_[i]) faults_.push_back(patch_covers_nothing(geometry.patches[i]));
@@ -125,7 +125,7 @@ void BoxFacets::grow(int axis, const GridIndex& start) {
   const int number = static_cast<int>(facets_.size());
   BoxFacet grown{axis, start[n(axis)], own[2], {start}};
   sheet[at(axis, start)] = number;
-  for (std::size_t i = 0; i < grown.rectangles.size(); ++i) {
+  for (std::size_t i = 0; size_ == FacetSize::largest && i < grown.rectangles.size(); ++i) {
     for (const int along : {(axis + 1) % 3, (axis + 2) % 3}) {
       for (const int step : {-1, 1}) {
         const GridIndex next = moved(grown.rectangles[i], along, step);

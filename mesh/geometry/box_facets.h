@@ -20,7 +20,7 @@ struct BoxFacet {
 /// normal and by the boxes along the other axes; an edge by the box along it and planes otherwise.
 class BoxFacets {
  public:
-  BoxFacets(const Geometry& geometry, const ElementaryBoxes& grid);
+  BoxFacets(const Geometry& geometry, const ElementaryBoxes& grid, FacetSize size = FacetSize::largest);
 
   const std::vector<BoxFacet>& facets() const { return facets_; }
   const std::vector<std::string>& wall_names() const { return wall_names_.all(); }
@@ -46,6 +46,7 @@ class BoxFacets {
   void grow(int axis, const GridIndex& start);
 
   const ElementaryBoxes& grid_;
+  FacetSize size_;
   std::vector<Key> keys_;                   ///< [rectangle] of the plane at hand
   std::array<std::vector<int>, 3> sheets_;  ///< [axis of the normal][rectangle] facet
   std::vector<BoxFacet> facets_;

@@ -16,6 +16,9 @@ constexpr GridIndex moved(GridIndex index, int axis, int by) {
   return index;
 }
 
+/// Whether elementary rectangles hang together as one facet where they may, or each is a facet.
+enum class FacetSize { largest, elementary };
+
 /// The planes of all boxes and patches cut space into elementary boxes, each filled by one label.
 class ElementaryBoxes {
  public:

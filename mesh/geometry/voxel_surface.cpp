@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "mesh/geometry/box_arrangement.h"
@@ -97,7 +98,7 @@ void rename_walls(const Eigen::Matrix3d& axes, SurfaceComplex& surface) {
 }  // namespace
 
 VoxelSurface voxel_surface(const FieldData& image, const std::map<std::string, int>& labels,
-                           const Origin& origin) {
+                           const Origin& origin, FacetSize size) {
   const ImageGrid& grid = *image.image;
   const bool on_points = image.on == FieldValues::on_points;
   std::array<int, 3> counts = grid.points;
@@ -108,7 +109,7 @@ VoxelSurface voxel_surface(const FieldData& image, const std::map<std::string, i
     for (int i = 0; i <= counts[axis]; ++i)
       planes[axis].push_back(i * grid.steps.col(static_cast<Eigen::Index>(axis)).norm());
   const std::vector<SpaceLabel> regions = regions_of(image.values, labels, origin);
-  VoxelSurface result{arrange_grid(naming_geometry(), {planes, with_last_fastest(regions, counts)}),
+  VoxelSurface result{arrange_grid(naming_geometry(), {planes, with_last_fastest(regions, counts)}, size),
                       grid.steps.colwise().normalized(), grid.origin};
   if (on_points) result.origin -= 0.5 * grid.steps * Vec3::Ones();
   for (const auto& [name, label] : labels) result.surface.region_names.push_back(name);

@@ -8,6 +8,7 @@
 
 #include "mesh/base/errors.h"
 #include "mesh/base/field_data.h"
+#include "mesh/geometry/elementary_boxes.h"
 #include "mesh/geometry/surface_complex.h"
 
 namespace etendue {
@@ -26,6 +27,6 @@ struct VoxelSurface {
 /// are taken for those of voxels around them. Throws InputError where a value is not a whole number or a
 /// label belongs to no voxel; `origin` is that of the image in the case.
 VoxelSurface voxel_surface(const FieldData& image, const std::map<std::string, int>& labels,
-                           const Origin& origin);
+                           const Origin& origin, FacetSize size = FacetSize::largest);
 
 }  // namespace etendue

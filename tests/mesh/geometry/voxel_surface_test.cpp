@@ -103,6 +103,9 @@ TEST(VoxelSurface, OfLayersIsAsCoarseAsTheirBoundaries) {
   const VoxelSurface voxels = voxel_surface(layers, {{"skin", 2}, {"fat", 5}}, {});
   EXPECT_EQ(voxels.surface.points.size(), 12U);
   EXPECT_EQ(voxels.surface.facets.size(), 11U);
+  const VoxelSurface fine = voxel_surface(layers, {{"skin", 2}, {"fat", 5}}, {}, FacetSize::elementary);
+  EXPECT_EQ(fine.surface.facets.size(), 3U * 64 + 4 * 8 * 6);
+  EXPECT_NEAR(region_volumes(meshed(fine)).at("skin"), voxel_volume(layers, 2), 1e-12);
 }
 
 std::string fault_of(const FieldData& image, const std::map<std::string, int>& with) {
