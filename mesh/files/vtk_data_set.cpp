@@ -57,7 +57,7 @@ vtkSmartPointer<vtkDataSet> read_file(const std::filesystem::path& path) {
   return reader->GetOutput();
 }
 
-/// Stored numbers become what they stand for: slope times number plus intercept, where the slope is not 0.
+/// Stored numbers become physical values: slope times number plus intercept, where the slope is not 0.
 void rescale(vtkNIFTIImageReader& reader, vtkImageData& image) {
   const double slope = reader.GetRescaleSlope(), intercept = reader.GetRescaleIntercept();
   vtkDataArray* stored = image.GetPointData()->GetScalars();

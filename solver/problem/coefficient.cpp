@@ -15,6 +15,15 @@ double edge_length(const std::array<Vec3, 4>& v) {
   return std::cbrt(std::numbers::sqrt2 * std::abs((v[1] - v[0]).cross(v[2] - v[0]).dot(v[3] - v[0])));
 }
 
+/// Whether a tetrahedron holds a jump of a function, as far as the points of the rule see.
+bool jumps_in(const PlaceFunction& function, const std::array<Vec3, 4>& vertices) {
+  if (!function.has_jumps()) return false;
+  const double first = function.at(point_at(cell_rule()[0].barycentric, vertices));
+  return std::ranges::any_of(cell_rule(), [&](const CellRulePoint& node) {
+    return function.at(point_at(node.barycentric, vertices)) != first;
+  });
+}
+
 /// Around the middle and the corners of a tetrahedron [length].
 double smooth_length(const PlaceFunction& function, const std::array<Vec3, 4>& vertices) {
   double length = function.smooth_length(point_at({0.25, 0.25, 0.25, 0.25}, vertices));
@@ -33,10 +42,14 @@ std::string Coefficient::text() const { return formula_ ? formula_->text() : fmt
 std::span<const CellRulePoint> Coefficient::rule(const std::array<Vec3, 4>& vertices) const {
   if (is_constant() || formula_->formula().functions.empty()) return cell_rule();
   double smooth = HUGE_VAL;
-  for (const auto& [name, function] : formula_->formula().functions)
+  bool jumps = false;
+  for (const auto& [name, function] : formula_->formula().functions) {
     smooth = std::min(smooth, smooth_length(*function, vertices));
-  const double halvings = std::round(std::log2(edge_length(vertices) / smooth));
-  return composite_cell_rule(static_cast<int>(std::clamp(halvings, 0.0, double{largest_rule_level})));
+    jumps = jumps || jumps_in(*function, vertices);
+  }
+  double halvings = std::max(std::round(std::log2(edge_length(vertices) / smooth)), 0.0);
+  if (jumps) ++halvings;
+  return composite_cell_rule(static_cast<int>(std::min(halvings, double{largest_rule_level})));
 }
 
 CellSample Coefficient::sample(const std::array<Vec3, 4>& vertices) const {

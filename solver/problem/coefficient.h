@@ -32,7 +32,7 @@ class Coefficient {
   /// The number or formula.
   std::string text() const;
   /// Points and weights of a tetrahedron for integrals of the coefficient: a 14-point rule of degree 5
-  /// (Walkington 2000), in parts of the tetrahedron where a field from a file has smaller cells.
+  /// (Walkington 2000), in parts of the tetrahedron where a field from a file has smaller cells or jumps.
   std::span<const CellRulePoint> rule(const std::array<Vec3, 4>& vertices) const;
   /// Mean over a tetrahedron and smallest value by that rule, which has positive weights and points inside:
   /// the mean of a coefficient that is nowhere negative is not negative either.

@@ -15,7 +15,10 @@ std::variant<ImageField, TetrahedralField> field_of(FieldData data) {
 }  // namespace
 
 SampledField::SampledField(std::string name, FieldData data, std::optional<double> outside)
-    : name_(std::move(name)), field_(field_of(std::move(data))), outside_(outside) {}
+    : name_(std::move(name)),
+      has_jumps_(data.on == FieldValues::on_cells),
+      field_(field_of(std::move(data))),
+      outside_(outside) {}
 
 std::optional<double> SampledField::inside(const Vec3& point) const {
   return std::visit([&point](const auto& field) { return field.at(point); }, field_);

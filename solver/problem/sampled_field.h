@@ -21,12 +21,14 @@ class SampledField : public PlaceFunction {
   double at(const Vec3& point) const override;
   bool covers(const Vec3& point) const override;
   double smooth_length(const Vec3& point) const override;
+  bool has_jumps() const override { return has_jumps_; }
   std::string name() const override { return name_; }
 
  private:
   std::optional<double> inside(const Vec3& point) const;
 
   std::string name_;
+  bool has_jumps_;
   std::variant<ImageField, TetrahedralField> field_;
   std::optional<double> outside_;
 };

@@ -128,7 +128,7 @@ TEST(SampledField, KeepsTheIntegralOfVoxelsMuchSmallerThanTheCells) {
   double integral = 0;
   for (int c = 0; c < mesh.cell_count(); ++c)
     integral += mesh.volume(CellIndex(c)) * coefficient.cell_mean(corners_of(mesh, c));
-  EXPECT_NEAR(integral, 0.5, 0.01);
+  EXPECT_NEAR(integral, 0.5, 0.005);
 }
 
 TEST(CellRule, InPartsIsExactToDegreeFiveToo) {
