@@ -13,11 +13,11 @@ namespace {
 
 constexpr double mebibyte = 1024.0 * 1024.0, gibibyte = 1024 * mebibyte;
 
+}  // namespace
+
 double installed_memory() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
-
-}  // namespace
 
 std::string matrix_memory_text(const Problem& problem, const DirectionSet& directions) {
   const std::vector<ScatteringTreatment> plan = plan_scattering(problem, directions);

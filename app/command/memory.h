@@ -10,6 +10,9 @@
 
 namespace etendue {
 
+/// Of this machine [bytes].
+double installed_memory();
+
 /// Which regions scatter by a matrix, and what keeping their angular solution once takes; empty where none
 /// does.
 std::string matrix_memory_text(const Problem& problem, const DirectionSet& directions);

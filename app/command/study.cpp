@@ -3,15 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <exception>
 #include <new>
 #include <optional>
 
 #include "app/command/commands.h"
 #include "app/command/memory.h"
+#include "app/command/study_forecast.h"
 #include "app/command/study_level.h"
 #include "app/command/study_plot.h"
+#include "app/command/study_trust.h"
 #include "app/write/fluence_distance.h"
 #include "app/write/output_folder.h"
 #include "app/write/summary.h"
@@ -43,18 +44,13 @@ std::vector<Level> read_levels(const StudyRequest& study, const Case& input) {
   return levels;
 }
 
-/// For people.
-std::string duration_text(double seconds) {
-  if (seconds < 100) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
-}
-
-void write_tables(const StudyRequest& request, const Case& input, const std::vector<StudyRow>& rows,
+void write_tables(const StudyRequest& request, const Case& input, const std::vector<LevelResult>& levels,
                   const std::vector<StudyFailure>& failures) {
+  const std::vector<StudyRow> rows = study_rows(levels, request.refinement, request.against);
   OutputFolder folder(input.output.directory);
   folder.add_text("study.csv", study_csv(rows, request.refinement));
-  folder.add_text("study.json", study_json(rows, request.refinement, input, failures));
+  folder.add_text("study.json", study_json(rows, request.refinement, input, failures,
+                                           study_trust(rows, levels, request.refinement)));
   folder.publish({});
 }
 
@@ -80,7 +76,11 @@ void add_distances(const std::vector<FluenceError>& errors, LevelResult& result)
 class Study {
  public:
   Study(const StudyRequest& request, std::ostream& out, std::ostream& err)
-      : request_(request), out_(out), err_(err) {}
+      : request_(request), out_(out), err_(err) {
+    restart_peak_memory();
+    floor_ = static_cast<double>(peak_memory());
+    out_ << plan_text(request);
+  }
 
   /// Whether there is a next level.
   bool goes_on() const { return code_ != ExitCode::interrupted; }
@@ -92,6 +92,9 @@ class Study {
       return say_what_is_left(number);
     }
     if (request_.resume && keep_saved(*level.input, number, heading)) return say_what_is_left(number);
+    if (const auto forecast = forecast_after(number - 1); !forecast.empty())
+      if (const std::string refusal = refusal_of(forecast.front(), installed_memory()); !refusal.empty())
+        return fail(number, heading, refusal);
     out_ << heading << '\n';
     restart_peak_memory();
     try {
@@ -137,21 +140,13 @@ class Study {
     return true;
   }
 
-  /// Work per level: eight times the cells, four times the directions.
-  double work(int level) const {
-    const Refinements times = refinements(request_, level);
-    return std::ldexp(1.0, 3 * times.mesh + 2 * times.directions);
+  /// Of the levels after this one, by the last that ended well.
+  std::vector<LevelForecast> forecast_after(int number) const {
+    if (results_.empty()) return {};
+    return forecast_levels(request_, results_.back(), floor_, number);
   }
 
-  /// From the time that the last level took that ended well.
-  void say_what_is_left(int number) {
-    const int levels = level_count(request_);
-    if (number == levels || results_.empty()) return;
-    double left = 0;
-    for (int level = number + 1; level <= levels; ++level) left += work(level);
-    out_ << fmt::format("study: {} of {} levels, about {} left\n", number, levels,
-                        duration_text(left / work(results_.back().level) * results_.back().seconds));
-  }
+  void say_what_is_left(int number) { out_ << forecast_text(forecast_after(number), level_count(request_)); }
 
   void fail(int number, const std::string& heading, const std::string& problem) {
     err_ << heading << " failed: " << problem << '\n';
@@ -166,6 +161,7 @@ class Study {
   const StudyRequest& request_;
   std::ostream& out_;
   std::ostream& err_;
+  double floor_ = 0;  ///< memory of the program before the first level [bytes]
   std::vector<LevelResult> results_;
   std::vector<StudyFailure> failures_;
   ExitCode code_ = ExitCode::done;
@@ -181,14 +177,15 @@ ExitCode study_case(const StudyRequest& request, std::ostream& out, std::ostream
   for (std::size_t i = 0; i < levels.size() && study.goes_on(); ++i) {
     study.take(levels[i], static_cast<int>(i) + 1);
     // After every level: a study that is ended early leaves the table of what there is.
-    write_tables(request, input, study_rows(study.results(), request.refinement, request.against),
-                 study.failures());
+    write_tables(request, input, study.results(), study.failures());
   }
   study.compare_fields(levels);
   const std::vector<StudyRow> rows = study_rows(study.results(), request.refinement, request.against);
-  write_tables(request, input, rows, study.failures());
+  write_tables(request, input, study.results(), study.failures());
   out << study_text(rows, study.results(), request.refinement, study.failures())
-      << expectation_text(input, request.refinement);
+      << expectation_text(input, request.refinement)
+      << trust_text(study_trust(rows, study.results(), request.refinement), study.results(),
+                    request.refinement);
   const std::string no_plot = request.plot ? draw_study(input.output.directory) : "not asked for";
   out << "written to " << input.output.directory.string() << ": study.csv study.json"
       << (no_plot.empty() ? " study.svg\n" : "\n");

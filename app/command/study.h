@@ -34,6 +34,8 @@ struct LevelResult {
   std::vector<StudyValue> values;
 };
 
+struct StudyTrust;
+
 /// A level that came to nothing, and why.
 struct StudyFailure {
   int level = 0;
@@ -89,7 +91,7 @@ std::vector<StudyLimit> study_limits(const std::vector<StudyRow>& rows, Refineme
 
 std::string study_csv(const std::vector<StudyRow>& rows, Refinement refinement);
 std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement, const Case& input,
-                       const std::vector<StudyFailure>& failures = {});
+                       const std::vector<StudyFailure>& failures, const std::vector<StudyTrust>& trust);
 /// What theory says of the orders of a family of exact solutions; empty where nothing is known.
 std::string expectation_text(const Case& input, Refinement refinement);
 /// The table for people, with what the errors are taken against and where the iteration disturbs them.

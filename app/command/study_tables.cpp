@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command/study.h"
+#include "app/command/study_trust.h"
 
 namespace etendue {
 namespace {
@@ -61,7 +62,7 @@ std::string study_csv(const std::vector<StudyRow>& rows, Refinement refinement) 
 }
 
 std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement, const Case& input,
-                       const std::vector<StudyFailure>& failures) {
+                       const std::vector<StudyFailure>& failures, const std::vector<StudyTrust>& trust) {
   Json json = {{"title", input.title}, {"refined", name_of(refinement)}, {"rows", Json::array()}};
   if (input.exact && input.exact->family && refinement == Refinement::mesh)
     json["expected_order"] =
@@ -75,6 +76,13 @@ std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement,
                                   {"quantity", limit.finest->quantity},
                                   {"value", limit.of.value},
                                   {"order", limit.of.order}});
+  json["trust"] = Json::array();
+  for (const StudyTrust& entry : trust)
+    json["trust"].push_back({{"band", entry.value->band},
+                             {"quantity", entry.value->quantity},
+                             {"value", entry.value->value},
+                             {"error", entry.error},
+                             {"from", name_of(entry.basis)}});
   for (const StudyRow& row : rows) json["rows"].push_back(as_json(row, refinement));
   json["case"] = input.resolved_toml;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/command/study_trust.h"
 #include "tests/app/command/small_case.h"
 
 namespace etendue {
@@ -335,7 +336,7 @@ TEST(StudyText, GivesTheLimitOfThreeLevels) {
     levels.push_back(level_with(level, cells, {{"grey", "probe:a:0", 2 + std::pow(cells, -2.0 / 3), {}}}));
   }
   const auto rows = study_rows(levels, Refinement::mesh);
-  const json study = json::parse(study_json(rows, Refinement::mesh, Case()));
+  const json study = json::parse(study_json(rows, Refinement::mesh, Case(), {}, {}));
   ASSERT_EQ(study["richardson"].size(), 1U);
   EXPECT_NEAR(study["richardson"][0]["value"].get<double>(), 2, 1e-9);
   EXPECT_NEAR(study["richardson"][0]["order"].get<double>(), 2, 1e-6);
