@@ -187,7 +187,9 @@ void read_directional(Section& section, const MatterContext& context, MediumCase
   const int kinds =
       (section.has("leaves") ? 1 : 0) + (section.has("flakes") ? 1 : 0) + (section.has("kernel") ? 1 : 0);
   if (kinds > 1) section.fault("leaves, flakes and a kernel in one region; use one of them");
-  refuse(section, {"scattering", "albedo", "phase", "scattering_method", "scattering_degree", "forward_peak"},
+  refuse(section,
+         {"scattering", "reduced_scattering", "albedo", "phase", "scattering_method", "scattering_degree",
+          "forward_peak"},
          "the leaves, flakes or kernel say it");
   if (!section.has("kernel")) {
     refuse(section, {"absorption", "extinction"}, "the leaves or flakes say it");

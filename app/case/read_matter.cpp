@@ -13,6 +13,7 @@
 #include "app/case/read_glossy.h"
 #include "app/case/read_light.h"
 #include "app/case/read_phase.h"
+#include "app/case/read_reduced_scattering.h"
 #include "solver/problem/angular_formula.h"
 
 namespace etendue {
@@ -28,7 +29,7 @@ std::string band_prefix(const Bands& bands, int band) {
 }
 
 bool scatters(const Section& section) {
-  return section.has("scattering") || section.has("albedo") ||
+  return section.has("scattering") || section.has("reduced_scattering") || section.has("albedo") ||
          (section.has("extinction") && section.has("absorption"));
 }
 
@@ -170,7 +171,8 @@ void check_uncollided(Section& section, Uncollided asked, bool by_formula) {
 // Writes what an absent key means into the resolved case.
 void fill_in(Section& section, const MediumCase& medium) {
   if (!medium.extinction && !medium.albedo)
-    for (const char* name : {"absorption", "scattering"}) section.value(name);
+    for (const char* name : {"absorption", "scattering"})
+      if (name != std::string_view("scattering") || !section.has("reduced_scattering")) section.value(name);
   if (!medium.power_density && !medium.power) section.value("emission");
   if (scatters(section) && !section.has("phase")) section.section("phase").resolve("model", "isotropic");
   if (!scatters(section)) return;
@@ -202,6 +204,8 @@ MediumCase read_medium(Section section, const MatterContext& context) {
   medium.power_density = read_band_values(section, "power_density", bands);
   medium.power = read_band_values(section, "power", bands);
   medium.phase = read_phases(section, context, medium.phase_notes);
+  if (auto scattering = read_reduced_scattering(section, bands, context.space, medium.phase))
+    medium.scattering = std::move(scattering);
   medium.uncollided = read_uncollided(section);
   check_uncollided(section, medium.uncollided, depend_on_direction(medium.emission));
   medium.choice = read_choices(section, bands);
