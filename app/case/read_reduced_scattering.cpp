@@ -22,8 +22,9 @@ Value divided(const Value& value, double divisor) {
 bool check_others(Section& section) {
   for (const char* other : {"scattering", "extinction", "albedo"})
     if (section.has(other)) {
-      section.fault("reduced_scattering",
-                    fmt::format("is beside {}, which gives the scattering already; use one of the two", other));
+      section.fault(
+          "reduced_scattering",
+          fmt::format("is beside {}, which gives the scattering already; use one of the two", other));
       return false;
     }
   if (section.has("phase")) return true;

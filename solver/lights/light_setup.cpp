@@ -10,6 +10,7 @@
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/lights/beam_source.h"
 #include "solver/lights/extended_source.h"
+#include "solver/lights/light_at_wall.h"
 #include "solver/lights/point_source.h"
 #include "solver/lights/sky_source.h"
 
@@ -21,8 +22,8 @@ using std::numbers::pi;
 /// Part of the volume or of the boundary below which an emission is a light unless it says otherwise.
 constexpr double small_part = 0.05;
 
-/// Cosines below this are those of light along a wall.
-constexpr double grazing = 1e-9;
+/// Part of a light that may end at a wall that refracts: what it reflects or lets out is left out.
+constexpr double most_at_refraction = 1e-6;
 
 std::vector<double> values_of_cell(const Problem& problem, CellIndex cell,
                                    double (Problem::*value)(CellIndex, int) const) {
@@ -86,50 +87,37 @@ LightSetup::LightSetup(const Problem& problem)
       refuse_all("beside " + reason, "uncollided = \"auto\" or false, leaves, flakes or another formula");
       return;
     }
-  check_refraction();
+  refracting_ =
+      std::ranges::any_of(problem.walls(), [](const Wall& wall) { return wall.refractive_index != 1; });
   add_lights();
   add_regions();
   add_walls();
   if (!sources_.empty()) creases_ = creases_of(paths_);
+  check_refraction();
 }
 
-// A beam that only comes in by such a wall never meets it from within.
 void LightSetup::check_refraction() {
   std::vector<Fault> faults;
-  const auto refuse = [&](const Origin& origin, const std::string& what, const Wall& wall) {
-    faults.push_back(
-        fault_at(origin, "",
-                 fmt::format("{} meets the wall {}, which refracts, from within (light along "
-                             "rays does not follow that in this version); use uncollided = false",
-                             what, wall.name)));
-  };
   for (const Wall& wall : problem_.walls()) {
     if (wall.refractive_index == 1) continue;
-    refracting_ = true;
-    for (const Light& light : problem_.lights())
-      if (light.uncollided != Uncollided::no && may_meet(light, wall))
-        refuse(light.origin, "the light " + light.name, wall);
-    for (const Medium& medium : problem_.media())
-      if (medium.uncollided == Uncollided::yes) refuse(medium.origin, "light of " + medium.name, wall);
-    for (const Wall& other : problem_.walls())
-      if (other.uncollided == Uncollided::yes && any_positive(other.radiance))
-        refuse(other.origin, "light of the wall " + other.name, wall);
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      const double part = part_at_wall(paths_, creases_, *sources_[i], wall);
+      if (part > most_at_refraction)
+        faults.push_back(fault_at(
+            origins_[i], "",
+            fmt::format(
+                "the light {} meets the wall {}, which refracts, from within with {:.2g} of its power "
+                "(light along rays ends at such a wall in this version, which may take {:g} of it); "
+                "use uncollided = false, or solve.method = \"photons\"",
+                sources_[i]->name(), wall.name, part, most_at_refraction)));
+      else if (part > 0)
+        notes_.push_back(fmt::format(
+            "light {}: {:.2g} of its power reaches the wall {}, which refracts, from within before "
+            "its first collision, and ends there (its reflection is left out)",
+            sources_[i]->name(), part, wall.name));
+    }
   }
   if (!faults.empty()) throw InputError(std::move(faults));
-}
-
-bool LightSetup::may_meet(const Light& light, const Wall& wall) const {
-  const auto* beam = std::get_if<BeamLight>(&light.kind);
-  if (beam == nullptr) return true;
-  const TetrahedralMesh& mesh = problem_.mesh();
-  for (const MirrorSet mirrors : paths_.mirrors().images_of_direction()) {
-    const Vec3 direction = paths_.mirrors().image_direction(mirrors, beam->direction);
-    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
-      if (const FaceIndex face(f); &problem_.wall(mesh.wall(face)) == &wall &&
-                                   direction.dot(mesh.area_normal(face)) > grazing * mesh.area(face))
-        return true;
-  }
-  return false;
 }
 
 void LightSetup::refuse_all(const std::string& where, const std::string& instead) {
@@ -174,6 +162,7 @@ void LightSetup::add_lights() {
       sources_.push_back(
           std::make_unique<ExtendedSource>(light.name, std::move(power), std::move(tree), paths_));
     }
+    origins_.push_back(light.origin);
     notes_.push_back(fmt::format("light {}: uncollided part exact", light.name));
   }
 }
@@ -221,6 +210,7 @@ void LightSetup::add_regions() {
     std::vector<double> power = scaled(tree.root().total, 4 * pi);
     sources_.push_back(
         std::make_unique<ExtendedSource>(medium.name, std::move(power), std::move(tree), paths_));
+    origins_.push_back(medium.origin);
   }
 }
 
@@ -245,6 +235,7 @@ void LightSetup::add_walls() {
     std::vector<double> power = scaled(tree.root().total, pi);
     sources_.push_back(
         std::make_unique<ExtendedSource>(wall.name, std::move(power), std::move(tree), paths_));
+    origins_.push_back(wall.origin);
   }
 }
 

@@ -20,7 +20,7 @@ struct LightAtPoint {
 
 /// Which emissions of a problem are lights, so that their uncollided part is integrated along rays: all that
 /// it calls lights and that do not say no, and the media and walls that say so, or that say nothing and are
-/// small (below 5 % of the volume, or of the boundary).
+/// small (below 5 % of the volume, or of the boundary). Light along rays ends at walls that refract.
 class LightSetup {
  public:
   /// The problem must outlive it. Throws InputError where a mirror does not allow what is asked.
@@ -47,14 +47,15 @@ class LightSetup {
   void add_lights();
   void add_regions();
   void add_walls();
+  /// Refuses lights that reach a wall that refracts from within with more than a trifle of their power.
   void check_refraction();
-  bool may_meet(const Light& light, const Wall& wall) const;
   bool chosen(Uncollided asked, double part, const std::string& what);
 
   const Problem& problem_;
   LightPaths paths_;
   std::vector<Crease> creases_;
   LightSources sources_;
+  std::vector<Origin> origins_;  ///< [source]
   std::vector<char> region_is_light_;
   std::vector<char> wall_is_light_;
   bool refracting_ = false;  ///< some wall does

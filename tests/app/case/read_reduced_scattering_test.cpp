@@ -48,8 +48,8 @@ TEST(ReadReducedScattering, TakesTheMeanCosineOfEachBand) {
                 "\"henyey-greenstein\", g = 0.75 }]\n"));
   EXPECT_NEAR(number(scattering_of(input, 0)), 2, 1e-12);
   EXPECT_NEAR(number(scattering_of(input, 1)), 4, 1e-12);
-  const Case list = case_of(
-      two_bands("reduced_scattering = [1, 3]\nphase = { model = \"henyey-greenstein\", g = 0.5 }\n"));
+  const Case list =
+      case_of(two_bands("reduced_scattering = [1, 3]\nphase = { model = \"henyey-greenstein\", g = 0.5 }\n"));
   EXPECT_NEAR(number(scattering_of(list, 1)), 6, 1e-12);
 }
 
@@ -70,8 +70,8 @@ TEST(ReadReducedScattering, IsReadAgainFromTheResolvedCase) {
 
 TEST(ReadReducedScattering, IsRefusedBesideOtherKeysThatGiveScattering) {
   for (const std::string other : {"scattering = 1", "extinction = 1", "albedo = 0.5"}) {
-    const std::string faults =
-        faults_of(air("reduced_scattering = 1\nphase = { model = \"henyey-greenstein\", g = 0.9 }\n" + other));
+    const std::string faults = faults_of(
+        air("reduced_scattering = 1\nphase = { model = \"henyey-greenstein\", g = 0.9 }\n" + other));
     EXPECT_NE(faults.find("slab.toml:9: media.air.reduced_scattering = 1: is beside " +
                           other.substr(0, other.find(' '))),
               std::string::npos)

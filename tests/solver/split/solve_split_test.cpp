@@ -233,6 +233,32 @@ TEST(LightSetup, RefusesLightThatMeetsASurfaceFromWithin) {
   EXPECT_FALSE(accepted(lamp({0.4, 0.5, 0.5}), 0));
 }
 
+// A collimated beam through a cube of side 1 leaves exp(-extinction) of its power at the far side: below 1e-6
+// it may refract there, and the light that is left out is in the balance as kept by the wall.
+TEST(LightSetup, EndsATrifleOfLightAtASurface) {
+  const TetrahedralMesh mesh = cube_mesh(0.05);
+  std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
+  int top = 0, bottom = 0;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    walls[i].name = mesh.wall_names()[i];
+    if (walls[i].name == "zmax") top = static_cast<int>(i);
+    if (walls[i].name == "zmin") bottom = static_cast<int>(i);
+  }
+  for (const int wall : {top, bottom}) walls[static_cast<std::size_t>(wall)].refractive_index = 1.33;
+  const Light down{"sun", BeamLight{-Vec3::UnitZ(), {1}, {top}}, {}};
+  const auto problem = [&](double extinction) {
+    return Problem(mesh, {}, {uniform_medium(1, extinction, 0, 0)}, walls, AngularSpace::sphere, {down});
+  };
+  const Problem thin = problem(13), thick = problem(15);
+  EXPECT_THROW(LightSetup{thin}, InputError);
+  const LightSetup lights(thick);
+  ASSERT_EQ(lights.notes().size(), 2u);
+  EXPECT_EQ(lights.notes()[1].find("light sun: 3.1e-07 of its power reaches the wall zmin, which refracts"), 0u)
+      << lights.notes()[1];
+  const Solution solution = solve_split(lights, directions_ldfe_sq(1), tight_options());
+  EXPECT_NEAR(solution.lights.balance[0].kept, std::exp(-15.0), 1e-3 * std::exp(-15.0));
+}
+
 TEST(LightSetup, TakesSmallEmittersAndLeavesLargeOnes) {
   const TetrahedralMesh mesh = two_region_mesh(0.02);
   std::vector<Medium> media(2, uniform_medium(1, 1, 0, 1));
