@@ -253,7 +253,8 @@ TEST(LightSetup, EndsATrifleOfLightAtASurface) {
   EXPECT_THROW(LightSetup{thin}, InputError);
   const LightSetup lights(thick);
   ASSERT_EQ(lights.notes().size(), 2u);
-  EXPECT_EQ(lights.notes()[1].find("light sun: 3.1e-07 of its power reaches the wall zmin, which refracts"), 0u)
+  EXPECT_EQ(lights.notes()[1].find("light sun: 3.1e-07 of its power reaches the wall zmin, which refracts"),
+            0u)
       << lights.notes()[1];
   const Solution solution = solve_split(lights, directions_ldfe_sq(1), tight_options());
   EXPECT_NEAR(solution.lights.balance[0].kept, std::exp(-15.0), 1e-3 * std::exp(-15.0));
