@@ -12,6 +12,7 @@
 #include "app/case/glazed_light.h"
 #include "app/case/open_walls.h"
 #include "app/case/point_light.h"
+#include "app/case/round_beam.h"
 #include "app/case/sky_parts.h"
 #include "mesh/tetrahedra/cell_locator.h"
 #include "mesh/tetrahedra/outer_walls.h"
@@ -134,6 +135,12 @@ void require_incoming(const LightCase& light, const std::vector<int>& numbers, c
                   light.name, light.direction.x(), light.direction.y(), light.direction.z())));
 }
 
+Vec3 point_of(const TetrahedralMesh& mesh, int wall) {
+  std::int32_t f = 0;
+  while (mesh.wall(FaceIndex(f)) != wall) ++f;
+  return mesh.point(VertexIndex(mesh.vertices(FaceIndex(f))[0]));
+}
+
 /// Light of a beam behind a smooth surface: Snell's law, and the irradiance across it that is left.
 BeamLight refracted(const BeamLight& beam, const Vec3& normal, double index) {
   const double cosine = beam.direction.dot(normal);
@@ -147,14 +154,18 @@ BeamLight refracted(const BeamLight& beam, const Vec3& normal, double index) {
 
 BeamLight beam_light(const LightCase& light, const std::vector<int>& numbers, const std::vector<Wall>& walls,
                      const TetrahedralMesh& mesh, std::vector<Fault>& faults) {
-  const BeamLight beam{light.direction, light.strength, numbers};
+  BeamLight beam{light.direction, light.strength, numbers};
+  if (light.kind == "beam") shape_beam(light, beam);
   const auto refracts = [&](int w) { return walls[static_cast<std::size_t>(w)].refractive_index != 1; };
   const auto first = std::ranges::find_if(numbers, refracts);
   if (first == numbers.end()) return beam;
   const std::string& name = walls[static_cast<std::size_t>(*first)].name;
   const std::optional<Vec3> normal = normal_of_wall(mesh, *first);
-  if (numbers.size() == 1 && normal && beam.direction.dot(*normal) > 0)
-    return refracted(beam, *normal, walls[static_cast<std::size_t>(*first)].refractive_index);
+  if (numbers.size() == 1 && normal && beam.direction.dot(*normal) > 0) {
+    BeamLight inside = refracted(beam, *normal, walls[static_cast<std::size_t>(*first)].refractive_index);
+    if (beam.profile) refract_profile(beam.direction, *normal, point_of(mesh, *first), inside);
+    return inside;
+  }
   faults.push_back(
       fault_at(light.origin, "",
                fmt::format("the light \"{}\" comes in by the wall {}, which refracts, {}", light.name, name,
@@ -247,18 +258,20 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
   const CellLocator locator(mesh);
   const std::vector<Wall> as_written = walls;
   for (const LightCase& light : input.lights) {
-    const bool by_walls = light.kind == "sun" || light.kind == "sky" || light.kind == "wall";
+    const bool by_walls =
+        light.kind == "sun" || light.kind == "beam" || light.kind == "sky" || light.kind == "wall";
     const std::vector<int> numbers = by_walls ? walls_of(light, as_written, mesh) : std::vector<int>{};
     if (light.kind == "point" || light.kind == "spot") {
       require_inside(light, std::span(&light.position, 1), locator, faults);
       lights.push_back({light.name, lamp(light, locator, mesh, faults), light.origin, light.uncollided});
-    } else if (light.kind == "sun") {
+    } else if (light.kind == "sun" || light.kind == "beam") {
       const std::size_t before = faults.size();
       require_open(light, numbers, as_written, faults);
-      for (Light& beam :
-           beams_of_sun(light, entry_walls(light, numbers, input, mesh, faults), as_written, mesh, faults))
-        lights.push_back(std::move(beam));
+      std::vector<Light> beams =
+          beams_of_sun(light, entry_walls(light, numbers, input, mesh, faults), as_written, mesh, faults);
       if (faults.size() == before) require_incoming(light, numbers, mesh, faults);
+      if (faults.size() == before && light.kind == "beam") require_hit(light, beams, mesh, faults);
+      std::ranges::move(beams, std::back_inserter(lights));
     } else if (light.kind == "sky") {
       for (const EntryWalls& entry : entry_walls(light, numbers, input, mesh, faults)) {
         if (entry.glazing == nullptr && light.angle.empty()) {

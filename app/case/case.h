@@ -110,6 +110,7 @@ struct LightCase {
   Vec3 direction = -Vec3::UnitZ();            ///< unit
   Vec3 along = Vec3::UnitX();                 ///< unit
   double radius = 0;                          ///< [length]
+  bool gaussian = false;                      ///< profile of a beam; else a disc
   std::array<double, 2> size{};               ///< [length]
   std::vector<double> angle;                  ///< [degree]
   std::vector<double> intensity;              ///< [plane][angle]

@@ -124,12 +124,13 @@ std::vector<KeyDeclaration> light_keys() {
       {"light",
        "kind",
        text,
-       {.choices = {"point", "spot", "sun", "disc", "rectangle", "wall", "sky"},
+       {.choices = {"point", "spot", "sun", "beam", "disc", "rectangle", "wall", "sky"},
         .need = required,
         .help =
             "What it is: point (position, power or luminous_flux; distribution, direction and along), spot "
             "(position, direction, angle, power or luminous_flux; falloff), sun (direction or sun_position, "
-            "irradiance or illuminance; walls), disc (position, direction, radius, radiance or luminance), "
+            "irradiance or illuminance; walls), beam (position, direction, radius, power or luminous_flux; "
+            "profile, walls), disc (position, direction, radius, radiance or luminance), "
             "rectangle "
             "(position, direction, along, size, radiance or luminance), wall (walls, radiance or luminance), "
             "sky "
@@ -139,21 +140,23 @@ std::vector<KeyDeclaration> light_keys() {
       {"light",
        "position",
        point,
-       {.unit = "length", .help = "Where it stands, or its middle; in the domain or on a wall of it."}},
+       {.unit = "length",
+        .help = "Where it stands, or its middle; in the domain or on a wall of it. Of a beam any point on "
+                "its axis."}},
       {"light",
        "direction",
        point,
-       {.help =
-            "The axis of a spot or of a distribution, the way of the sun's light, the side to which a disc "
-            "or a rectangle shines, the way of light from the zenith of a sky; of any length. Of a "
-            "distribution -z without it."}},
+       {.help = "The axis of a spot or of a distribution, the way of the sun's light or of a beam, the side "
+                "to which a disc "
+                "or a rectangle shines, the way of light from the zenith of a sky; of any length. Of a "
+                "distribution -z without it."}},
       {"light",
        "power",
        band_numbers,
        {.unit = "power",
         .range = not_negative,
         .help = "Of a point or a spot, into all directions; of one on a wall into those that lead into the "
-                "domain."}},
+                "domain. Of a beam before it reaches the wall by which it comes in."}},
       {"light",
        "luminous_flux",
        number,
@@ -195,7 +198,20 @@ std::vector<KeyDeclaration> light_keys() {
                 "power or luminous_flux, only the shape counts. Of a sky: such a CSV with the angle from the "
                 "zenith, and "
                 "what the radiance is multiplied with. Found beside the case."}},
-      {"light", "radius", number, {.unit = "length", .range = positive, .help = "Of a disc."}},
+      {"light",
+       "radius",
+       number,
+       {.unit = "length",
+        .range = positive,
+        .help =
+            "Of a disc or a beam; of a Gaussian beam that at which the irradiance is 1/e^2 of that on the "
+            "axis."}},
+      {"light",
+       "profile",
+       text,
+       {.default_value = "\"disc\"",
+        .choices = {"disc", "gaussian"},
+        .help = "Of a beam: the same irradiance all over its cross-section, or exp(-2 r^2/radius^2)."}},
       {"light",
        "along",
        point,

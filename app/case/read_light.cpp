@@ -23,8 +23,8 @@ struct KindKeys {
   std::vector<std::string> optional;
 };
 
-const std::array<KindKeys, 7>& kind_keys() {
-  static const std::array<KindKeys, 7> kinds = {{
+const std::array<KindKeys, 8>& kind_keys() {
+  static const std::array<KindKeys, 8> kinds = {{
       {"point",
        {"position"},
        {"power", "luminous_flux", "color_temperature", "distribution", "direction", "along"}},
@@ -32,6 +32,9 @@ const std::array<KindKeys, 7>& kind_keys() {
        {"position", "direction", "angle"},
        {"power", "luminous_flux", "color_temperature", "falloff"}},
       {"sun", {}, {"direction", "sun_position", "irradiance", "illuminance", "color_temperature", "walls"}},
+      {"beam",
+       {"position", "direction", "radius"},
+       {"power", "luminous_flux", "color_temperature", "profile", "walls"}},
       {"disc", {"position", "direction", "radius"}, {"radiance", "luminance", "color_temperature"}},
       {"rectangle",
        {"position", "direction", "along", "size"},
@@ -134,10 +137,11 @@ LightCase read_light(Section& section, const LightContext& context) {
   if (section.has("along") && light.along.cross(light.direction).norm() < 1e-6)
     section.fault("along", "has the direction in which the light shines; use one across it");
   light.radius = section.number_if("radius").value_or(0);
+  if (light.kind == "beam") light.gaussian = section.text("profile") == "gaussian";
   read_size(section, light);
   const std::optional<double> candelas = read_shape(section, light, context.folder);
   if (light.kind == "sun" || light.kind == "sky") read_daylight(section, light);
-  if (light.kind == "point" || light.kind == "spot")
+  if (light.kind == "point" || light.kind == "spot" || light.kind == "beam")
     read_lamp_power(section, context, candelas, light);
   else
     read_strength(section, context, light);

@@ -15,7 +15,9 @@ constexpr double straight_ahead = 1e-9;
 
 Value divided(const Value& value, double divisor) {
   if (const auto* number = std::get_if<double>(&value)) return *number / divisor;
-  return fmt::format("({})/{:.17g}", std::get<std::string>(value), divisor);
+  Formula formula = std::get<Formula>(value);
+  formula.text = fmt::format("({})/{:.17g}", formula.text, divisor);
+  return formula;
 }
 
 /// Whether the keys beside it allow the reduced coefficient.

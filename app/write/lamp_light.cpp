@@ -34,7 +34,7 @@ std::vector<Daylight> daylight(const Problem& problem, const Case& input) {
     bool shines = false;
     for (const Light& part : problem.lights()) {
       const auto* beam = std::get_if<BeamLight>(&part.kind);
-      if (beam == nullptr || part.name != light.name) continue;
+      if (beam == nullptr || beam->profile || part.name != light.name) continue;
       shines = true;
       for (std::size_t b = 0; b < level.size(); ++b)
         level[b] += beam->irradiance[b] * std::max(0.0, -beam->direction.z());

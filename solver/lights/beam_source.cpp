@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "solver/lights/beam_pieces.h"
+
 namespace etendue {
 namespace {
 
@@ -14,7 +16,7 @@ std::vector<double> power_of(const BeamLight& light, const TetrahedralMesh& mesh
   double area = 0;
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     if (std::count(light.walls.begin(), light.walls.end(), mesh.wall(FaceIndex(f))) > 0)
-      area += std::max(0.0, -light.direction.dot(mesh.area_normal(FaceIndex(f))));
+      area += entering_area(light, mesh, FaceIndex(f));
   std::vector<double> power = light.irradiance;
   for (double& value : power) value *= area;
   return power;
@@ -39,17 +41,25 @@ bool BeamSource::arrives(const PointInCell& at, const Vec3& direction, std::span
   if (!out || !((out->direction + light_.direction).norm() < same_direction) ||
       std::ranges::count(light_.walls, paths_.problem().mesh().wall(out->face)) == 0)
     return false;
-  for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] *= light_.irradiance[b];
-  return true;
+  const double part = part_on_ray(out->point);
+  for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] *= part * light_.irradiance[b];
+  return part > 0;
+}
+
+double BeamSource::part_on_ray(const Vec3& point) const {
+  return light_.profile ? relative_irradiance(*light_.profile, point) : 1;
 }
 
 void BeamSource::add_beams(const PointInCell& at, Sight sight, LightDetail, LightBeams& beams) const {
   for (const Vec3& direction : directions_) {
     const std::span<double> fluence = beams.add(direction);
-    if (sight == Sight::clear)
-      std::ranges::copy(light_.irradiance, fluence.begin());
-    else if (!arrives(at, direction, fluence))
+    if (sight == Sight::clear) {
+      const double part = part_on_ray(at.position);
+      for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] = part * light_.irradiance[b];
+      if (part == 0) beams.drop();
+    } else if (!arrives(at, direction, fluence)) {
       beams.drop();
+    }
   }
 }
 

@@ -23,6 +23,9 @@ class BeamSource : public LightSource {
   bool arrives(const PointInCell& at, const Vec3& direction, std::span<double> fluence) const;
 
  private:
+  /// Irradiance of the ray through a point over that on the axis; there are no mirrors beside a profile.
+  double part_on_ray(const Vec3& point) const;
+
   BeamLight light_;
   const LightPaths& paths_;
   std::vector<Vec3> directions_;

@@ -6,6 +6,7 @@
 
 #include "solver/lights/arriving_light.h"
 #include "solver/lights/beam_columns.h"
+#include "solver/lights/beam_pieces.h"
 #include "solver/lights/cell_light.h"
 #include "solver/lights/cell_way.h"
 
@@ -29,6 +30,12 @@ std::vector<double> trifle_of(const BeamSource& source) {
   return part;
 }
 
+/// Part of a cell that a thin beam fills, about.
+double part_of_beam(const BeamSource& source, const LitCell& cell) {
+  if (!source.light().profile) return 1;
+  return std::min(1.0, 1 / (source.light().profile->across.squaredNorm() * cell.size * cell.size));
+}
+
 /// The light of a beam in the columns of a cell.
 class BeamInColumns {
  public:
@@ -40,13 +47,14 @@ class BeamInColumns {
         gradients_(shape_gradients(cell)),
         moments_(moments),
         fluence_(paths.bands()),
-        trifle_(trifle_of(source)) {}
+        trifle_(trifle_of(source)),
+        sliver_(sliver * cell.volume * part_of_beam(source, cell)) {}
 
   /// `parted`: along all edges of shadows.
   void add(const Vec3& direction, const Column& column, bool parted, int cuts = 0) {
     // A sliver holds nothing, and in a flat cell rays from its corners may go wrong.
     const double length = (column.length[0] + column.length[1] + column.length[2]) / 3;
-    if (column.cross_section(direction) * length < sliver * cell_.volume) return;
+    if (column.cross_section(direction) * length < sliver_) return;
     fluence_.clear();
     for (const FacePointWeight& point : seven_point_rule()) {
       const std::span<double> fluence = fluence_.add();
@@ -112,6 +120,7 @@ class BeamInColumns {
   NodalMoments& moments_;
   ArrivingLight fluence_;       ///< at the entries
   std::vector<double> trifle_;  ///< [band]
+  double sliver_;               ///< [length^3]
 };
 
 }  // namespace
@@ -125,7 +134,11 @@ void add_in_columns(const LightPaths& paths, const BeamSource& source, const Cre
     const bool parted = creases.find(i, cell.corners, planes);
     for (const Column& column : columns_of(cell.corners, direction))
       for (const std::array<Vec3, 3>& part : cut_by_planes(column.entry, planes))
-        light.add(direction, column.over(part), parted);
+        if (source.light().profile)
+          for (const std::array<Vec3, 3>& piece : beam_pieces(*source.light().profile, part))
+            light.add(direction, column.over(piece), parted);
+        else
+          light.add(direction, column.over(part), parted);
   }
 }
 

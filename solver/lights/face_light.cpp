@@ -6,6 +6,8 @@
 #include <cstdint>
 
 #include "solver/lights/arriving_light.h"
+#include "solver/lights/beam_pieces.h"
+#include "solver/lights/beam_source.h"
 #include "solver/lights/point_source.h"
 #include "solver/lights/simplex_rules.h"
 #include "solver/lights/solid_angle.h"
@@ -180,9 +182,13 @@ void add_irradiance(const LightPaths& paths, const LightSource& source, const Cr
   PointsOfFace points(source, face, beams, moments);
   const double thickness = paths.largest_extinction(face.cell) * face.size;
   if (source.as_wide() != nullptr) return add_wide(source, face, thickness, points);
+  const Divisions divisions{most_divisions, thickness > thin ? most_even_divisions : 0};
+  const BeamSource* beam = source.as_beam();
   for (const std::array<Vec3, 3>& part : cut_by_planes(face.corners, planes))
-    points.add(seven_point_rule(), face.barycentric(part), triangle_area(part),
-               {most_divisions, thickness > thin ? most_even_divisions : 0});
+    for (const std::array<Vec3, 3>& lit : beam != nullptr && beam->light().profile
+                                              ? beam_pieces(*beam->light().profile, part)
+                                              : std::vector{part})
+      points.add(seven_point_rule(), face.barycentric(lit), triangle_area(lit), divisions);
 }
 
 }  // namespace etendue

@@ -112,7 +112,7 @@ std::optional<WayOut> LightPaths::leave(const PointInCell& from, const Vec3& dir
     const int plane = mirrors_.of(*end.wall);
     if (plane < 0) {
       for (double& value : transmittance) value = std::exp(-value);
-      return WayOut{*end.wall, along};
+      return WayOut{*end.wall, along, end.point};
     }
     reflect(*end.wall, transmittance);
     at = {end.cell, end.point};

@@ -22,6 +22,7 @@ struct PointInCell {
 struct WayOut {
   FaceIndex face;
   Vec3 direction;  ///< of the ray there
+  Vec3 point;
 };
 
 /// Ways that uncollided light takes, walked from the point that it reaches back to the light. May be used by

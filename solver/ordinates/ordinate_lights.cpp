@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "mesh/tetrahedra/cell_locator.h"
+#include "solver/lights/beam_pieces.h"
 #include "solver/ordinates/sweep_order.h"
 #include "solver/problem/lamp_shape.h"
 #include "solver/problem/tangent_cone.h"
@@ -119,8 +120,9 @@ void OrdinateLights::add(const BeamLight& light) {
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     const int wall = mesh.wall(face);
-    const double entering = -light.direction.dot(mesh.area_normal(face));
-    if (entering <= 0 || std::ranges::count(light.walls, wall) == 0) continue;
+    if (std::ranges::count(light.walls, wall) == 0) continue;
+    const double entering = entering_area(light, mesh, face);
+    if (entering <= 0) continue;
     std::int32_t nearest = -1;
     for (std::int32_t m = 0; m < directions_.count(); ++m) {
       const Vec3& direction = directions_.directions()[static_cast<std::size_t>(m)];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/lights/beam_pieces.h"
 #include "solver/photons/photon_turns.h"
 #include "solver/problem/lamp_shape.h"
 #include "solver/problem/mirror.h"
@@ -45,6 +46,16 @@ Vec3 point_in(const TetrahedralMesh& mesh, CellIndex cell, double s, double t, d
   const auto& v = mesh.vertices(cell);
   const auto point = [&](std::size_t i) -> const Vec3& { return mesh.point(VertexIndex(v[i])); };
   return (1 - s - t - u) * point(0) + s * point(1) + t * point(2) + u * point(3);
+}
+
+/// A bound of the relative irradiance on a triangle.
+double largest_on(const BeamProfile& profile, const std::array<Vec3, 3>& triangle) {
+  const Vec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3;
+  double reach = 0;
+  for (const Vec3& corner : triangle)
+    reach = std::max(reach, distance_from_axis(profile, profile.center + corner - middle));
+  const double nearest = std::max(0.0, distance_from_axis(profile, middle) - reach);
+  return profile.shape == BeamProfile::Shape::gaussian ? std::exp(-2 * nearest * nearest) : 1;
 }
 
 Triangle triangle_of(const SurfaceLight& light, std::int32_t part) {
@@ -138,10 +149,14 @@ void PhotonSources::add_lights() {
       cones_[i] = TangentCone(mesh, locator_.find(point->position));
       add({Kind::point, index, 0}, point->power[band_]);
     } else if (const auto* beam = std::get_if<BeamLight>(&kind)) {
-      for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
-        if (std::ranges::count(beam->walls, mesh.wall(FaceIndex(f))) > 0)
+      for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+        if (std::ranges::count(beam->walls, mesh.wall(FaceIndex(f))) == 0) continue;
+        if (beam->profile)
+          add_beam_pieces(*beam, index, f);
+        else
           add({Kind::beam, index, f},
               beam->irradiance[band_] * -beam->direction.dot(mesh.area_normal(FaceIndex(f))));
+      }
     } else {
       const auto& surface = std::get<SurfaceLight>(kind);
       for (std::int32_t t = 0; 3 * static_cast<std::size_t>(t) < surface.triangles.size(); ++t) {
@@ -149,6 +164,19 @@ void PhotonSources::add_lights() {
         add({Kind::triangle, index, t}, pi * surface.radiance[band_] * (b - a).cross(c - a).norm() / 2);
       }
     }
+  }
+}
+
+void PhotonSources::add_beam_pieces(const BeamLight& beam, std::int32_t light, std::int32_t face) {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const double cosine = -beam.direction.dot(mesh.area_normal(FaceIndex(face))) / mesh.area(FaceIndex(face));
+  for (const std::array<Vec3, 3>& piece :
+       beam_pieces(*beam.profile, triangle_of(mesh, FaceIndex(face)).corner)) {
+    const auto& [a, b, c] = piece;
+    const double area = (b - a).cross(c - a).norm() / 2;
+    add({Kind::beam_piece, light, static_cast<std::int32_t>(beam_pieces_.size())},
+        beam.irradiance[band_] * cosine * area * mean_profile(*beam.profile, piece));
+    beam_pieces_.push_back({face, {piece}, largest_on(*beam.profile, piece)});
   }
 }
 
@@ -194,6 +222,20 @@ PhotonStart PhotonSources::from_cell(std::int32_t cell, DrawnNumbers& random) co
   const Vec3 point = point_in(problem_.mesh(), CellIndex(cell), s, t, u);
   PhotonStart start = started(point, isotropic(random));
   start.cell = cell;
+  return start;
+}
+
+PhotonStart PhotonSources::from_beam_piece(const BeamLight& beam, const BeamPiece& piece,
+                                           DrawnNumbers& random) const {
+  const PhotonFace& face = mesh_.faces()[static_cast<std::size_t>(piece.face)];
+  Vec3 point;
+  do {
+    const double u = random.number(), v = random.number();
+    point = point_in(piece.triangle, u, v);
+  } while (random.number() * piece.largest > relative_irradiance(*beam.profile, point));
+  PhotonStart start = started(point, beam.direction);
+  start.cell = face.cell;
+  start.entered = face.local;
   return start;
 }
 
@@ -305,6 +347,9 @@ PhotonStart PhotonSources::start_of(const Source& source, DrawnNumbers& random) 
       return from_face(source.index, nullptr, random);
     case Kind::beam:
       return from_face(source.part, &std::get<BeamLight>(light().kind).direction, random);
+    case Kind::beam_piece:
+      return from_beam_piece(std::get<BeamLight>(light().kind),
+                             beam_pieces_[static_cast<std::size_t>(source.part)], random);
     case Kind::point:
       return from_point(source.index, random);
     case Kind::cell_corner:

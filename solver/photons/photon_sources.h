@@ -40,21 +40,30 @@ class PhotonSources {
                                   std::size_t count) const;
 
  private:
-  enum class Kind : std::int32_t { cell, face, point, beam, triangle, cell_corner, face_corner };
+  enum class Kind : std::int32_t { cell, face, point, beam, beam_piece, triangle, cell_corner, face_corner };
   struct Source {
     Kind kind;
     std::int32_t index;  ///< of a cell, a face or a light
-    std::int32_t part;   ///< the face that a beam comes in by, the triangle of a light, the corner
+    std::int32_t
+        part;  ///< the face or the piece by which a beam comes in, the triangle of a light, the corner
+  };
+  /// A part of a face that a beam with a profile lights.
+  struct BeamPiece {
+    std::int32_t face;
+    EmittingTriangle triangle;
+    double largest;  ///< bound of the relative irradiance on it
   };
   void add(Source source, double power);
   void add_media();
   void add_walls();
   void add_lights();
+  void add_beam_pieces(const BeamLight& beam, std::int32_t light, std::int32_t face);
   PhotonStart start_of(const Source& source, DrawnNumbers& random) const;
   PhotonStart started(const Vec3& point, const Vec3& direction) const;
   PhotonStart from_cell(std::int32_t cell, DrawnNumbers& random) const;
   /// In the direction of a beam, or without one as Lambert says.
   PhotonStart from_face(std::int32_t face, const Vec3* beam, DrawnNumbers& random) const;
+  PhotonStart from_beam_piece(const BeamLight& beam, const BeamPiece& piece, DrawnNumbers& random) const;
   /// From a corner's part of a cell or face that emits by a formula.
   PhotonStart from_cell_corner(std::int32_t cell, std::size_t corner, DrawnNumbers& random) const;
   PhotonStart from_face_corner(std::int32_t face, std::size_t corner, DrawnNumbers& random) const;
@@ -73,6 +82,7 @@ class PhotonSources {
   bool in_plane_;
   std::vector<Source> sources_;
   std::vector<double> cumulative_;  ///< [source] power of it and of all before it
+  std::vector<BeamPiece> beam_pieces_;
   std::vector<AngleTable> angles_;  ///< [light] of a point light
   std::vector<TangentCone> cones_;  ///< [light] of a point light; of others of the whole sphere
 };

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mesh/tetrahedra/sheet_faces.h"
+#include "solver/lights/beam_pieces.h"
 #include "solver/photons/directional_medium.h"
 #include "solver/problem/mirror.h"
 
@@ -17,7 +18,7 @@ void add_beam(const Problem& problem, const BeamLight& beam, Solution& fields) {
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     if (std::ranges::count(beam.walls, mesh.wall(face)) == 0) continue;
-    const double seen = std::max(0.0, -beam.direction.dot(mesh.area_normal(face)));
+    const double seen = entering_area(beam, mesh, face);
     for (std::size_t b = 0; b < bands; ++b) {
       const double sent = seen * beam.irradiance[b];
       fields.lights.from_walls[static_cast<std::size_t>(mesh.wall(face))][b] += sent;

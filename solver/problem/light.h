@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "mesh/base/errors.h"
 #include "mesh/base/vec3.h"
+#include "solver/problem/beam_profile.h"
 
 namespace etendue {
 
@@ -32,9 +34,10 @@ struct PointLight {
 /// Collimated light that enters through walls which do not mirror.
 struct BeamLight {
   Vec3 direction = -Vec3::UnitZ();  ///< unit, in which the light travels
-  std::vector<double> irradiance;   ///< [band] on a plane across the beam [power/length^2]
+  std::vector<double> irradiance;   ///< [band] on a plane across the beam, on its axis [power/length^2]
   std::vector<int> walls;
   double solid_angle = 0;  ///< [sr] of the part of a sky that it represents; 0: it comes from one direction
+  std::optional<BeamProfile> profile = {};  ///< without one the beam is as wide as its walls
 };
 
 /// A flat light inside of the domain that shines from one side and stands in nobody's way.

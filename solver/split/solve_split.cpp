@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "solver/lights/beam_pieces.h"
 #include "solver/lights/beam_source.h"
 #include "solver/lights/sky_source.h"
 #include "solver/ordinates/node_means.h"
@@ -55,7 +56,7 @@ void add_exitance(const LightSetup& lights, const UncollidedField& field, Soluti
       sent[b] = std::numbers::pi * wall.radiance[b];
     for (const BeamLight* beam : beams)
       if (std::count(beam->walls.begin(), beam->walls.end(), w) > 0) {
-        const double seen = std::max(0.0, -beam->direction.dot(mesh.area_normal(face))) / mesh.area(face);
+        const double seen = entering_area(*beam, mesh, face) / mesh.area(face);
         for (std::size_t b = 0; b < bands; ++b) sent[b] += seen * beam->irradiance[b];
       }
     for (std::size_t b = 0; b < bands; ++b) {

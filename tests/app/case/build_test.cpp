@@ -352,6 +352,34 @@ TEST(BuildProblem, RefractsTheSunAtASurface) {
               1e-12);
 }
 
+// The axis meets the surface at x = 0.4 + 0.4/3 and goes on by Snell's law; along the wall the cross-section
+// stays.
+TEST(BuildProblem, RefractsTheCrossSectionOfABeam) {
+  const Case input = case_of(
+      pool +
+      "[[light]]\nname = \"laser\"\nkind = \"beam\"\nposition = [0.4, 0.5, 1.1]\ndirection = [0.8, 0, "
+      "-0.6]\nradius = 0.2\nprofile = \"gaussian\"\npower = 3\nwalls = [\"surface\"]\n");
+  const TetrahedralMesh mesh = build_mesh(input);
+  const Problem problem = build_problem(input, mesh);
+  const auto beam = std::get<BeamLight>(problem.lights().front().kind);
+  const Vec3 entry(0.4 + 0.8 / 6, 0.5, 1);
+  EXPECT_NEAR(relative_irradiance(*beam.profile, entry + 0.7 * beam.direction), 1, 1e-12);
+  // 0.1 along the wall in the plane of incidence is 0.06 across the beam outside.
+  EXPECT_NEAR(relative_irradiance(*beam.profile, entry + 0.1 * Vec3::UnitX() + 0.7 * beam.direction),
+              std::exp(-2 * 0.09), 1e-12);
+  EXPECT_NEAR(beam.irradiance[0] * -beam.direction.z(),
+              3 / (std::numbers::pi * 0.02) * 0.6 * (1 - fresnel_reflectance(0.6, 1 / 1.33)), 1e-9);
+}
+
+TEST(BuildProblem, RefusesABeamThatMissesItsWalls) {
+  const std::string faults = build_faults(
+      case_of(pool +
+              "[[light]]\nname = \"laser\"\nkind = \"beam\"\nposition = [2, 0.5, 3]\ndirection = [0, 0, -1]\n"
+              "radius = 0.2\npower = 3\nwalls = [\"surface\"]\n"));
+  EXPECT_NE(faults.find("the light \"laser\" misses the walls by which it may come in"), std::string::npos)
+      << faults;
+}
+
 TEST(BuildProblem, RefusesASunByASurfaceAndByOtherWalls) {
   EXPECT_NE(build_faults(case_of(sun("direction = [0.8, 0, -0.6]\n")))
                 .find("comes in by the wall surface, which refracts, and by others; name one wall"),

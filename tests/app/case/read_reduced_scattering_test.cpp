@@ -56,7 +56,7 @@ TEST(ReadReducedScattering, TakesTheMeanCosineOfEachBand) {
 TEST(ReadReducedScattering, DividesFormulas) {
   const Case input =
       case_of(air("reduced_scattering = \"1 + x\"\nphase = { model = \"henyey-greenstein\", g = 0.75 }\n"));
-  const Expression formula(std::get<std::string>(scattering_of(input)), {"x", "y", "z"});
+  const Expression formula(std::get<Formula>(scattering_of(input)).text, {"x", "y", "z"});
   EXPECT_NEAR(formula(std::array{2.0, 0.0, 0.0}), 12, 1e-12);
 }
 

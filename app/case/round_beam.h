@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/case/case.h"
+#include "mesh/tetrahedra/tetrahedral_mesh.h"
+#include "solver/problem/light.h"
+
+namespace etendue {
+
+/// Gives a beam the cross-section and the irradiance on the axis of a light of kind "beam".
+void shape_beam(const LightCase& light, BeamLight& beam);
+
+/// Follows the cross-section of a beam through a flat wall that refracts, to the beam inside: rays that meet
+/// on the wall have the same coordinates. `normal` is that of the wall, `on_wall` a point of it.
+void refract_profile(const Vec3& direction_outside, const Vec3& normal, const Vec3& on_wall,
+                     BeamLight& inside);
+
+/// A fault where the beams of a light miss all of their walls.
+void require_hit(const LightCase& light, const std::vector<Light>& beams, const TetrahedralMesh& mesh,
+                 std::vector<Fault>& faults);
+
+}  // namespace etendue
