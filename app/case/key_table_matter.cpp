@@ -43,8 +43,9 @@ std::vector<KeyDeclaration> matter_keys() {
        band_values,
        {.unit = per_length,
         .range = not_negative,
-        .help = "sigma_s (1 - g), called mu_s' in tissue optics, instead of `scattering`; g is the mean cosine "
-                "of `phase`, which has to be given."}},
+        .help =
+            "sigma_s (1 - g), called mu_s' in tissue optics, instead of `scattering`; g is the mean cosine "
+            "of `phase`, which has to be given."}},
       {"media.NAME",
        "extinction",
        band_values,
