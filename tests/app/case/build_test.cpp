@@ -352,8 +352,8 @@ TEST(BuildProblem, RefractsTheSunAtASurface) {
               1e-12);
 }
 
-// The axis meets the surface at x = 0.4 + 0.4/3 and continues by Snell's law; along the wall the cross-section
-// stays.
+// The axis meets the surface at x = 0.4 + 0.4/3 and continues by Snell's law; along the wall the
+// cross-section stays.
 TEST(BuildProblem, RefractsTheCrossSectionOfABeam) {
   const Case input = case_of(
       pool +

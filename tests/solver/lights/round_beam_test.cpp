@@ -27,7 +27,7 @@ int wall_named(const TetrahedralMesh& mesh, const std::string& name) {
 Problem with_beam(const TetrahedralMesh& mesh, BeamProfile::Shape shape, double radius, double x, double y,
                   double absorption = 2) {
   const BeamProfile profile{shape, {x, y, 3}, Vec3::UnitX() / radius, Vec3::UnitY() / radius};
-  const BeamLight beam{-Vec3::UnitZ(), {1}, {wall_named(mesh, "zmax")}, profile};
+  const BeamLight beam{-Vec3::UnitZ(), {1}, {wall_named(mesh, "zmax")}, 0, profile};
   return Problem(mesh, {}, {uniform_medium(1, absorption, 0, 0)},
                  std::vector<Wall>(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0)), AngularSpace::sphere,
                  {Light{"beam", beam, {}}});
