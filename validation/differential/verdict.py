@@ -7,7 +7,8 @@ import statistics
 BEYOND = 4        # units: a difference that errors do not explain
 SHARE = 0.01      # of all values may be beyond, since errors are estimates
 LIMIT = 8         # units: none may be beyond
-WIDE_SHARE = 0.25  # of all values may have a wide bar: with more the comparison says little
+# Of all values so many may have a wide bar: with more the comparison says little. With 1e6 photons they are 19 %, with 1e5 29 %.
+WIDE_SHARE = {"full": 0.25, "quick": 0.35}
 
 
 @dataclasses.dataclass
@@ -59,7 +60,7 @@ def differ(rows):
     return beyond > SHARE * len(rows) or max((abs(row.units) for row in rows), default=0) > LIMIT
 
 
-def agrees(outcomes, seconds):
+def agrees(outcomes, seconds, full):
     """Prints the last lines and returns whether the set passes."""
     rows, faults = rows_of(outcomes), faults_of(outcomes)
     beyond, wide = sum(abs(row.units) > BEYOND for row in rows), sum(row.wide for row in rows)
@@ -67,9 +68,10 @@ def agrees(outcomes, seconds):
     print(f"{len(outcomes)} scenes, {len(rows)} values, {seconds:.0f} s: {beyond} beyond {BEYOND} units "
           f"({percent * beyond:.2f} %), median {median_units(rows):.2f} units, {percent * wide:.1f} % with a bar above 3 %, "
           f"{len(faults)} faults")
-    passed = not faults and not differ(rows) and wide <= WIDE_SHARE * len(rows)
+    allowed = WIDE_SHARE["full" if full else "quick"]
+    passed = not faults and not differ(rows) and wide <= allowed * len(rows)
     print(f"{'PASS' if passed else 'FAIL'}: allowed are {100 * SHARE:g} % beyond {BEYOND} units, none beyond {LIMIT}, "
-          f"{100 * WIDE_SHARE:g} % with a bar above 3 %, and no fault")
+          f"{100 * allowed:g} % with a bar above 3 %, and no fault")
     return passed
 
 
