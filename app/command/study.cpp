@@ -44,13 +44,11 @@ std::vector<Level> read_levels(const StudyRequest& study, const Case& input) {
   return levels;
 }
 
-void write_tables(const StudyRequest& request, const Case& input, const std::vector<LevelResult>& levels,
-                  const std::vector<StudyFailure>& failures) {
-  const std::vector<StudyRow> rows = study_rows(levels, request.refinement, request.against);
+void write_tables(const StudyRequest& request, const Case& input, const std::vector<StudyRow>& rows,
+                  const std::vector<StudyTrust>& trust, const std::vector<StudyFailure>& failures) {
   OutputFolder folder(input.output.directory);
   folder.add_text("study.csv", study_csv(rows, request.refinement));
-  folder.add_text("study.json", study_json(rows, request.refinement, input, failures,
-                                           study_trust(rows, levels, request.refinement)));
+  folder.add_text("study.json", study_json(rows, request.refinement, input, failures, trust));
   folder.publish({});
 }
 
@@ -174,18 +172,22 @@ ExitCode study_case(const StudyRequest& request, std::ostream& out, std::ostream
   check_output_directory(input.output.directory);
   const std::vector<Level> levels = read_levels(request, input);
   Study study(request, out, err);
+  std::vector<StudyRow> rows;
+  std::vector<StudyTrust> trust;
+  const auto tabulate = [&] {
+    rows = study_rows(study.results(), request.refinement, request.against);
+    trust = study_trust(rows, study.results(), request.refinement);
+    write_tables(request, input, rows, trust, study.failures());
+  };
   for (std::size_t i = 0; i < levels.size() && study.goes_on(); ++i) {
     study.take(levels[i], static_cast<int>(i) + 1);
-    // After every level: a study that is ended early leaves the table of what there is.
-    write_tables(request, input, study.results(), study.failures());
+    tabulate();  // a study that is ended early leaves the table of what there is
   }
   study.compare_fields(levels);
-  const std::vector<StudyRow> rows = study_rows(study.results(), request.refinement, request.against);
-  write_tables(request, input, study.results(), study.failures());
+  tabulate();
   out << study_text(rows, study.results(), request.refinement, study.failures())
       << expectation_text(input, request.refinement)
-      << trust_text(study_trust(rows, study.results(), request.refinement), study.results(),
-                    request.refinement);
+      << trust_text(trust, study.results(), request.refinement);
   const std::string no_plot = request.plot ? draw_study(input.output.directory) : "not asked for";
   out << "written to " << input.output.directory.string() << ": study.csv study.json"
       << (no_plot.empty() ? " study.svg\n" : "\n");

@@ -14,8 +14,6 @@ using Triangle = std::array<Vec3, 3>;
 /// Side of a piece in radii: of a Gaussian, and of a triangle before it is clipped by a disc.
 constexpr double gaussian_side = 0.4, disc_side_length = 2;
 
-double area_of(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2; }
-
 /// A triangle in the coordinates of the profile, in radii.
 struct Extent {
   Extent(const BeamProfile& profile, const Triangle& t) {
@@ -68,10 +66,10 @@ double mean_profile(const BeamProfile& profile, const Triangle& triangle) {
   double sum = 0;
   for (const Triangle& piece : beam_pieces(profile, triangle))
     for (const FacePointWeight& point : seven_point_rule())
-      sum += area_of(piece) * point.weight *
+      sum += triangle_area(piece) * point.weight *
              relative_irradiance(profile, point.barycentric[0] * piece[0] + point.barycentric[1] * piece[1] +
                                               point.barycentric[2] * piece[2]);
-  return sum / area_of(triangle);
+  return sum / triangle_area(triangle);
 }
 
 double entering_area(const BeamLight& beam, const TetrahedralMesh& mesh, FaceIndex face) {

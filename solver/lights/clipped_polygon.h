@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "mesh/base/vec3.h"
 
 namespace etendue {
+
+inline double triangle_area(const std::array<Vec3, 3>& corners) {
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2;
+}
 
 /// The part of a convex polygon where n.(x - p) >= 0; of a cone, given by the vectors along its edges, with p
 /// = 0. Corners that miss the plane by `tolerance` lie on it.

@@ -24,6 +24,11 @@ struct EmitterPart {
   std::optional<CellIndex> cell = {};  ///< that a tetrahedron is
 };
 
+/// Corners of a part that is a triangle.
+inline std::span<const Vec3> triangle_of(const EmitterPart& part) {
+  return std::span(part.corners).first<3>();
+}
+
 enum class EmitterShape { triangles, tetrahedra };
 
 /// Parts of a light and groups of them: a binary tree.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/lights/clipped_polygon.h"
 #include "solver/lights/outline.h"
 
 namespace etendue {
@@ -43,16 +44,14 @@ std::vector<Vec3> convex_corners(const EvenPiece& piece) {
   return corners;
 }
 
-double area_of(const std::array<Vec3, 3>& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2; }
-
 /// Whether the triangles about the first corner cover what the piece's own cover, and lie as they do.
 bool stand_for(const std::vector<Vec3>& corners, const EvenPiece& piece) {
   const Vec3& first = corners[0];
   double fan = 0, whole = 0, size = 0, height = 0;
-  for (std::size_t i = 2; i < corners.size(); ++i) fan += area_of({first, corners[i - 1], corners[i]});
+  for (std::size_t i = 2; i < corners.size(); ++i) fan += triangle_area({first, corners[i - 1], corners[i]});
   const Vec3 normal = (corners[1] - first).cross(corners[2] - first).normalized();
   for (const std::array<Vec3, 3>& triangle : piece.triangles) {
-    whole += area_of(triangle);
+    whole += triangle_area(triangle);
     for (const Vec3& corner : triangle) {
       size = std::max(size, (corner - first).norm());
       height = std::max(height, std::abs(normal.dot(corner - first)));

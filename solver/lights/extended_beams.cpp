@@ -17,8 +17,6 @@ constexpr std::size_t most_parted = 500;
 /// How finely a body is looked at, and the radius in distances below which three points of a part do.
 constexpr double largest_side_of_body = 0.5, small_body = 0.25;
 
-std::span<const Vec3> triangle(const EmitterPart& part) { return std::span(part.corners).first<3>(); }
-
 }  // namespace
 
 std::vector<LightPiece> ExtendedSource::cut(const Vec3& place, LightDetail detail) const {
@@ -67,14 +65,15 @@ bool ExtendedSource::cut_along_creases(const LightView& view, LightDetail detail
   std::vector<std::vector<CreasePlane>> planes(flat_parts_.size());
   bool told_apart = true;
   for (std::size_t i = 0; i < flat_parts_.size() && told_apart; ++i)
-    told_apart = !shines_to(flat_parts_[i], view.eye) || creases.find(0, triangle(flat_parts_[i]), planes[i]);
+    told_apart =
+        !shines_to(flat_parts_[i], view.eye) || creases.find(0, triangle_of(flat_parts_[i]), planes[i]);
   for (std::size_t i = 0; i < flat_parts_.size() && told_apart; ++i)
     cut_triangle(view, detail, flat_parts_[i], planes[i], pieces);
   if (told_apart) return true;
   if (tree_.parts().size() > most_parted) return false;
   for (const EmitterPart& part : tree_.parts()) {
     if (!shines_to(part, view.eye)) continue;
-    creases.find(0, triangle(part), planes[0]);
+    creases.find(0, triangle_of(part), planes[0]);
     cut_triangle(view, detail, part, planes[0], pieces);
   }
   return true;

@@ -12,8 +12,6 @@
 namespace etendue {
 namespace {
 
-std::span<const Vec3> triangle(const EmitterPart& part) { return std::span(part.corners).first<3>(); }
-
 /// Without rays more points are cheap.
 constexpr LightDetail clear_detail{0.25, 0.03, 0.3, 0.9, TriangleRule::seven_points};
 
@@ -29,12 +27,12 @@ std::optional<ExtendedSource::Plane> common_plane(std::span<const EmitterPart> f
   if (flat.empty()) return {};
   Eigen::AlignedBox3d box;
   for (const EmitterPart& part : flat)
-    for (const Vec3& corner : triangle(part)) box.extend(corner);
-  const auto first = triangle(flat.front());
+    for (const Vec3& corner : triangle_of(part)) box.extend(corner);
+  const auto first = triangle_of(flat.front());
   const auto plane = ExtendedSource::Plane::Through(first[0], first[1], first[2]);
   const double allowed = in_plane * box.diagonal().norm();
   for (const EmitterPart& part : flat)
-    for (const Vec3& corner : triangle(part))
+    for (const Vec3& corner : triangle_of(part))
       if (plane.absDistance(corner) > allowed) return {};
   return plane;
 }

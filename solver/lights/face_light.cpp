@@ -8,6 +8,7 @@
 #include "solver/lights/arriving_light.h"
 #include "solver/lights/beam_pieces.h"
 #include "solver/lights/beam_source.h"
+#include "solver/lights/clipped_polygon.h"
 #include "solver/lights/point_source.h"
 #include "solver/lights/simplex_rules.h"
 #include "solver/lights/solid_angle.h"
@@ -47,10 +48,6 @@ struct LitFace {
   Vec3 centroid, normal;  ///< out of the domain
   std::array<Vec3, 3> corners;
 };
-
-double triangle_area(const std::array<Vec3, 3>& corners) {
-  return (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2;
-}
 
 /// How often a face with a shadow's edge is divided in four.
 constexpr int most_divisions = 3;

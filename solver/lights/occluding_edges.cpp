@@ -35,7 +35,7 @@ std::vector<Vec3> corners_of(std::span<const EmitterPart> flat) {
   std::vector<Vec3> corners;
   Eigen::AlignedBox3d box;
   for (const EmitterPart& part : flat)
-    for (const Vec3& corner : std::span(part.corners).first<3>()) {
+    for (const Vec3& corner : triangle_of(part)) {
       box.extend(corner);
       if (std::ranges::find(corners, corner) == corners.end()) corners.push_back(corner);
     }
