@@ -248,7 +248,7 @@ void ExtendedLight::add(const Site<corners>& site, const std::array<std::int32_t
     return add_lit(site, losses, divisions, deposit, beams, moments);
   LightDetail detail = corners == 3 ? wall_in_shadow : coarse_light;
   if (!edges.empty()) detail.creases = &edges;
-  if (source_.is_near(site.centroid, near_in_sizes * site.size))
+  if (source_.plane() && source_.is_near(site.centroid, near_in_sizes * site.size))
     return corners == 3 ? add_along_rays(site, detail, penumbra_tolerance, divisions_in_penumbra, deposit,
                                          beams, moments)
                         : add_along_rays(site, detail, tolerance_of_cells, divisions_of_cells, deposit, beams,

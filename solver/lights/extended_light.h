@@ -57,7 +57,8 @@ class ExtendedLight {
   template <std::size_t corners, class AddPoint>
   void integrate(const Site<corners>& site, double tolerance, int divisions, const AddPoint& add_point,
                  NodalMoments& moments) const;
-  /// A cell near the light, or a face before which edges hide a part of it: each point by rays to the light.
+  /// A cell near a light in one plane, or a face before which edges hide a part of it: each point by rays to
+  /// the light.
   template <std::size_t corners, class Deposit>
   void add_along_rays(const Site<corners>& site, const LightDetail& detail, double tolerance, int divisions,
                       const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const;

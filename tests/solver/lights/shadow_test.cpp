@@ -127,16 +127,31 @@ void expect_darkness(const TetrahedralMesh& mesh, const Light& light, const Half
   EXPECT_GT(faces, 3) << light.name;
 }
 
-TEST(Shadow, IsDarkWhereNothingOfTheLightIsSeen) {
-  const Vec3 position(0.47, 0.52, 0.85), direction = Vec3(0.2, -0.1, -1).normalized();
-  for (const Obstacle obstacle : {Obstacle::box, Obstacle::sheet}) {
-    const TetrahedralMesh mesh = room_with(obstacle, 2e-3);
-    const std::vector<Vec3> corners = corners_of(obstacle);
-    expect_darkness(mesh, bulb(position), {speck(position, 1e-9), corners});
-    expect_darkness(mesh, sun(direction, mesh), {speck(obstacle_low - 1e7 * direction, 1e-3), corners});
-    for (const auto& rim : {rectangle(0.2, 0.15), disc(0.2)})
-      expect_darkness(mesh, flat_light(rim), {rim, corners});
-  }
+class Umbra : public ::testing::TestWithParam<Obstacle> {
+ protected:
+  TetrahedralMesh mesh = room_with(GetParam(), 2e-3);
+  std::vector<Vec3> corners = corners_of(GetParam());
+};
+INSTANTIATE_TEST_SUITE_P(Shadow, Umbra, ::testing::Values(Obstacle::box, Obstacle::sheet));
+
+TEST_P(Umbra, OfABulbIsDark) {
+  const Vec3 position(0.47, 0.52, 0.85);
+  expect_darkness(mesh, bulb(position), {speck(position, 1e-9), corners});
+}
+
+TEST_P(Umbra, OfTheSunIsDark) {
+  const Vec3 direction = Vec3(0.2, -0.1, -1).normalized();
+  expect_darkness(mesh, sun(direction, mesh), {speck(obstacle_low - 1e7 * direction, 1e-3), corners});
+}
+
+TEST_P(Umbra, OfARectangleIsDark) {
+  const auto rim = rectangle(0.2, 0.15);
+  expect_darkness(mesh, flat_light(rim), {rim, corners});
+}
+
+TEST_P(Umbra, OfADiscIsDark) {
+  const auto rim = disc(0.2);
+  expect_darkness(mesh, flat_light(rim), {rim, corners});
 }
 
 // On a line across the shadow's edge on the side of the box at high x: a bulb and the sun have no penumbra.
