@@ -8,7 +8,7 @@ import time
 
 from suite.result import Result
 
-LIMIT = 600  # [s], of one run
+LIMIT = 1800  # [s], of one run
 
 
 @dataclasses.dataclass
