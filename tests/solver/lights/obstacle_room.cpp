@@ -50,10 +50,12 @@ std::vector<Vec3> rectangle(double x, double y) {
           {0.5 + x, 0.5 + y, lamp_height},
           {0.5 + x, 0.5 - y, lamp_height}};
 }
-std::vector<Vec3> disc(double radius) {
+std::vector<Vec3> disc(double radius, int sides) {
   std::vector<Vec3> rim;
-  for (int i = 64; i-- > 0;)
-    rim.emplace_back(0.5 + radius * std::cos(pi * i / 32), 0.5 + radius * std::sin(pi * i / 32), lamp_height);
+  for (int i = sides; i-- > 0;) {
+    const double angle = 2 * pi * i / sides;
+    rim.emplace_back(0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle), lamp_height);
+  }
   return rim;
 }
 

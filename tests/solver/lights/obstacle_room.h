@@ -22,7 +22,7 @@ constexpr double lamp_height = 0.9;
 /// Rims of lights in the upper part of the room, at that height, clockwise as seen from above: they shine
 /// down.
 std::vector<Vec3> rectangle(double x, double y);
-std::vector<Vec3> disc(double radius);
+std::vector<Vec3> disc(double radius, int sides = 64);
 
 /// A light with this rim, of radiance 1.
 Light flat_light(const std::vector<Vec3>& rim);

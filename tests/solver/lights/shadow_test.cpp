@@ -150,7 +150,7 @@ TEST_P(Umbra, OfARectangleIsDark) {
 }
 
 TEST_P(Umbra, OfADiscIsDark) {
-  const auto rim = disc(0.2);
+  const auto rim = disc(0.2, 12);
   expect_darkness(mesh, flat_light(rim), {rim, corners});
 }
 
