@@ -33,7 +33,9 @@ TEST(FluenceDistance, IsZeroBetweenAFieldAndItself) {
   const ScratchFolder folder;
   const auto path =
       written(folder, "a.vtu", [](const Vec3& x, int band) { return 1 + x.x() - band * x.z(); });
-  for (const FluenceError& error : fluence_distance(path, path)) {
+  const auto errors = fluence_distance(path, path);
+  ASSERT_EQ(errors.size(), 2U);
+  for (const FluenceError& error : errors) {
     EXPECT_LT(error.l2, 1e-14);
     EXPECT_LT(error.linf, 1e-14);
   }

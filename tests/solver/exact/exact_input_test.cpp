@@ -39,7 +39,9 @@ TEST(ExactInput, MakesALinearRadianceTheSolutionToRounding) {
     const ExactInput input(problem, directions, radiance);
     const Solution solution = solved(problem, directions, input);
     ASSERT_TRUE(solution.converged());
-    for (const FluenceError& error : compare_with_exact(problem, solution, radiance, directions).fluence) {
+    const auto errors = compare_with_exact(problem, solution, radiance, directions).fluence;
+    ASSERT_EQ(errors.size(), 2U);
+    for (const FluenceError& error : errors) {
       EXPECT_LT(error.l2, 1e-11);
       EXPECT_LT(error.linf, 1e-11);
     }

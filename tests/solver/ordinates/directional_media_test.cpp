@@ -349,6 +349,8 @@ TEST(DirectionalAbsorption, ByTheSlopeOfARayIsThatOfBlackLevelLeaves) {
   const Problem formula(mesh, Bands{}, {absorber_by("0.8*abs(wz)", 0.4, 0)}, column(mesh));
   const Solution a = solve(leaves, directions, tight_options());
   const Solution b = solve(formula, directions, tight_options());
+  ASSERT_EQ(a.fluence.size(), 4 * static_cast<std::size_t>(mesh.cell_count()));
+  ASSERT_EQ(b.fluence.size(), a.fluence.size());
   for (std::size_t i = 0; i < a.fluence.size(); ++i) EXPECT_NEAR(a.fluence[i], b.fluence[i], 1e-10);
   expect_balance(formula, b);
 }
@@ -361,6 +363,7 @@ TEST(DirectionalAbsorption, OfPlaceAndDirectionTransmitsEveryOrdinateAsItsIntegr
   SolveOptions options = tight_options();
   for (int m = 0; m < directions.count(); m += 11) options.keep_ordinates.push_back(m);
   const Solution solution = solve(problem, directions, options);
+  ASSERT_EQ(solution.radiance.size(), options.keep_ordinates.size());
   for (const OrdinateRadiance& kept : solution.radiance) {
     const bool up = directions.direction(OrdinateIndex(kept.ordinate)).z() > 0;
     EXPECT_NEAR(mean_at_top(mesh, kept), up ? std::exp(-1.5) : 0, 2e-3) << kept.ordinate;
@@ -376,6 +379,8 @@ TEST(DirectionalAbsorption, ThatDoesNotVaryIsPlainAbsorption) {
       solve(Problem(mesh, Bands{}, {plain}, column(mesh)), directions_ldfe_sq(1), tight_options());
   const Problem problem(mesh, Bands{}, {absorber_by("0.3 + 0*wx", 0.3, 1.2)}, column(mesh));
   const Solution b = solve(problem, directions_ldfe_sq(1), tight_options());
+  ASSERT_EQ(a.fluence.size(), 4 * static_cast<std::size_t>(mesh.cell_count()));
+  ASSERT_EQ(b.fluence.size(), a.fluence.size());
   for (std::size_t i = 0; i < a.fluence.size(); ++i) EXPECT_NEAR(a.fluence[i], b.fluence[i], 1e-10);
 }
 
@@ -399,6 +404,8 @@ TEST(DirectionalAbsorption, MayFollowFromTheExtinctionBesideAKernel) {
       solve(Problem(mesh, Bands{}, {medium}, column(mesh)), directions_ldfe_sq(1), tight_options());
   const Solution b =
       solve(Problem(mesh, Bands{}, {plain}, column(mesh)), directions_ldfe_sq(1), tight_options());
+  ASSERT_EQ(a.fluence.size(), 4 * static_cast<std::size_t>(mesh.cell_count()));
+  ASSERT_EQ(b.fluence.size(), a.fluence.size());
   for (std::size_t i = 0; i < a.fluence.size(); ++i) EXPECT_NEAR(a.fluence[i], b.fluence[i], 1e-10);
 
   medium.absorption_by_direction = {AngularFormula("1.2 + 0.2*wz")};

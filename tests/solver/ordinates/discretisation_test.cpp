@@ -27,6 +27,8 @@ TEST(Patch, LinearRadianceIsReproducedToRounding) {
     options.angular_input = &input;
     options.keep_ordinates = {0, 7};
     const Solution solution = solve(problem, directions, options);
+    ASSERT_EQ(solution.radiance.size(), options.keep_ordinates.size());
+    ASSERT_GT(mesh.cell_count(), 100);
     for (const OrdinateRadiance& kept : solution.radiance)
       for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
         for (std::size_t i = 0; i < 4; ++i) {
