@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/key_table.h"
+#include "mesh/geometry/geometry.h"
 #include "solver/sensors/photometric_units.h"
 
 namespace etendue {
@@ -9,8 +10,8 @@ using namespace key_range;
 
 std::vector<KeyDeclaration> scene_keys() {
   constexpr auto required = Need::required;
-  const Range sphere_facets{.lowest = 8, .highest = 1e6};
-  const Range cylinder_facets{.lowest = 3, .highest = 1e5};
+  const Range sphere_facets{.lowest = SpherePrimitive::fewest_facets, .highest = 1e6};
+  const Range cylinder_facets{.lowest = CylinderPrimitive::fewest_facets, .highest = 1e5};
   return {
       {"", "title", text, {.default_value = "\"\"", .help = "What the case is called."}},
 

@@ -28,6 +28,7 @@ struct BoxPrimitive : PrimitiveBase {
 
 /// A ball, approximated from inside by a polyhedron of about `facets` triangles.
 struct SpherePrimitive : PrimitiveBase {
+  static constexpr int fewest_facets = 20;  ///< of the icosahedron
   Vec3 center = Vec3::Zero();
   double radius = 1;
   int facets = 320;
@@ -35,6 +36,7 @@ struct SpherePrimitive : PrimitiveBase {
 
 /// A straight round cylinder from the middle of one end to the middle of the other; `facets` sides.
 struct CylinderPrimitive : PrimitiveBase {
+  static constexpr int fewest_facets = 3;  ///< sides of a prism
   Vec3 from = Vec3::Zero();
   Vec3 to = Vec3::UnitZ();
   double radius = 1;

@@ -31,7 +31,8 @@ std::string shape_fault(const SpherePrimitive& sphere) {
   if (!sphere.center.allFinite() || !std::isfinite(sphere.radius))
     return "center and radius must be finite numbers";
   if (!(sphere.radius > 0)) return "radius must be above 0 (the sphere has no volume)";
-  if (sphere.facets < 20) return "facets must be at least 20 (the icosahedron)";
+  if (sphere.facets < SpherePrimitive::fewest_facets)
+    return fmt::format("facets must be at least {} (the icosahedron)", SpherePrimitive::fewest_facets);
   return {};
 }
 
@@ -40,7 +41,8 @@ std::string shape_fault(const CylinderPrimitive& cylinder) {
     return "from, to and radius must be finite numbers";
   if (!(cylinder.radius > 0)) return "radius must be above 0 (the cylinder has no volume)";
   if (cylinder.from == cylinder.to) return "from and to must differ (the cylinder has no length)";
-  if (cylinder.facets < 3) return "facets must be at least 3 (the sides of a prism)";
+  if (cylinder.facets < CylinderPrimitive::fewest_facets)
+    return fmt::format("facets must be at least {} (the sides of a prism)", CylinderPrimitive::fewest_facets);
   return {};
 }
 

@@ -82,7 +82,7 @@ const Check checks[] = {
     {"SphereWithoutRadius", "[[mesh.sphere]]\nregion = \"air\"\ncenter = [0, 0, 0]\nradius = 0\n",
      "slab.toml:6: mesh.sphere[0].radius = 0: out of range; use a number above 0"},
     {"SphereOfFewFacets", "[[mesh.sphere]]\nregion = \"air\"\ncenter = [0, 0, 0]\nradius = 1\nfacets = 3\n",
-     "slab.toml:7: mesh.sphere[0].facets = 3: out of range; use an integer from 8 to 1000000"},
+     "slab.toml:7: mesh.sphere[0].facets = 3: out of range; use an integer from 20 to 1000000"},
     {"CylinderWithoutLength",
      "[[mesh.cylinder]]\nregion = \"air\"\nfrom = [0, 0, 0]\nto = [0, 0, 0]\nradius = 1\n",
      "slab.toml:6: mesh.cylinder[0].to = [0, 0, 0]: the same point as from (a cylinder has a length); use "
