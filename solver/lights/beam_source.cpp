@@ -22,6 +22,17 @@ std::vector<double> power_of(const BeamLight& light, const TetrahedralMesh& mesh
   return power;
 }
 
+/// The cross-section of a beam as mirrors show it.
+std::optional<BeamProfile> image_of(const std::optional<BeamProfile>& profile, const MirrorPlanes& planes,
+                                    MirrorSet mirrors) {
+  if (!profile) return {};
+  BeamProfile image = *profile;
+  image.center = planes.image(mirrors, profile->center);
+  image.across = planes.image_direction(mirrors, profile->across);
+  image.upright = planes.image_direction(mirrors, profile->upright);
+  return image;
+}
+
 }  // namespace
 
 BeamSource::BeamSource(std::string name, const BeamLight& light, const LightPaths& paths)
@@ -33,6 +44,7 @@ BeamSource::BeamSource(std::string name, const BeamLight& light, const LightPath
     if (std::ranges::any_of(directions_, same)) continue;
     directions_.push_back(direction);
     mirrors_.push_back(mirrors);
+    profiles_.push_back(image_of(light.profile, paths.mirrors(), mirrors));
   }
 }
 
@@ -41,26 +53,38 @@ bool BeamSource::arrives(const PointInCell& at, const Vec3& direction, std::span
   if (!out || !((out->direction + light_.direction).norm() < same_direction) ||
       std::ranges::count(light_.walls, paths_.problem().mesh().wall(out->face)) == 0)
     return false;
-  const double part = part_on_ray(out->point);
+  const double part = part_on_ray(light_.profile, out->point);
   for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] *= part * light_.irradiance[b];
   return part > 0;
 }
 
-double BeamSource::part_on_ray(const Vec3& point) const {
-  return light_.profile ? relative_irradiance(*light_.profile, point) : 1;
+double BeamSource::part_on_ray(const std::optional<BeamProfile>& profile, const Vec3& point) {
+  return profile ? relative_irradiance(*profile, point) : 1;
+}
+
+void BeamSource::add_beam(std::size_t image, const PointInCell& at, Sight sight, LightBeams& beams) const {
+  const std::span<double> fluence = beams.add(directions_[image]);
+  if (sight == Sight::clear) {
+    const double part = part_on_ray(profiles_[image], at.position);
+    for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] = part * light_.irradiance[b];
+    if (part == 0) beams.drop();
+  } else if (!arrives(at, directions_[image], fluence)) {
+    beams.drop();
+  }
 }
 
 void BeamSource::add_beams(const PointInCell& at, Sight sight, LightDetail, LightBeams& beams) const {
-  for (const Vec3& direction : directions_) {
-    const std::span<double> fluence = beams.add(direction);
-    if (sight == Sight::clear) {
-      const double part = part_on_ray(at.position);
-      for (std::size_t b = 0; b < fluence.size(); ++b) fluence[b] = part * light_.irradiance[b];
-      if (part == 0) beams.drop();
-    } else if (!arrives(at, direction, fluence)) {
-      beams.drop();
-    }
-  }
+  for (std::size_t i = 0; i < directions_.size(); ++i) add_beam(i, at, sight, beams);
+}
+
+std::vector<std::array<Vec3, 3>> BeamSource::lit_parts(std::size_t image,
+                                                       const std::array<Vec3, 3>& triangle) const {
+  return profiles_[image] ? beam_pieces(*profiles_[image], triangle) : std::vector{triangle};
+}
+
+double BeamSource::part_of_cell(double size) const {
+  if (!light_.profile) return 1;
+  return std::min(1.0, 1 / (light_.profile->across.squaredNorm() * size * size));
 }
 
 }  // namespace etendue

@@ -133,8 +133,7 @@ LitCell::LitCell(const LightPaths& paths, CellIndex cell)
 
 void add_directly(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
                   const LitCell& cell, LightBeams& beams, NodalMoments& moments) {
-  const bool round = source.as_beam() != nullptr && source.as_beam()->light().profile.has_value();
-  const bool far = !round && !source.is_near(cell.centroid, far_in_sizes * cell.size);
+  const bool far = !source.is_near(cell.centroid, far_in_sizes * cell.size);
   // Between parallel mirrors suns from both sides make up for what each misses, if both are seen alike.
   if (far && cell.thickness <= thin && !creases.pass_through(cell.corners) &&
       PointsOfCell(paths, source, cell, beams, moments).add(!creases.are_complete()))

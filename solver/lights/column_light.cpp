@@ -6,7 +6,6 @@
 
 #include "solver/lights/arriving_light.h"
 #include "solver/lights/beam_columns.h"
-#include "solver/lights/beam_pieces.h"
 #include "solver/lights/cell_light.h"
 #include "solver/lights/cell_way.h"
 
@@ -30,12 +29,6 @@ std::vector<double> trifle_of(const BeamSource& source) {
   return part;
 }
 
-/// Part of a cell that a thin beam fills, about.
-double part_of_beam(const BeamSource& source, const LitCell& cell) {
-  if (!source.light().profile) return 1;
-  return std::min(1.0, 1 / (source.light().profile->across.squaredNorm() * cell.size * cell.size));
-}
-
 /// The light of a beam in the columns of a cell.
 class BeamInColumns {
  public:
@@ -48,7 +41,7 @@ class BeamInColumns {
         moments_(moments),
         fluence_(paths.bands()),
         trifle_(trifle_of(source)),
-        sliver_(sliver * cell.volume * part_of_beam(source, cell)) {}
+        sliver_(sliver * cell.volume * source.part_of_cell(cell.size)) {}
 
   /// `parted`: along all edges of shadows.
   void add(const Vec3& direction, const Column& column, bool parted, int cuts = 0) {
@@ -134,11 +127,8 @@ void add_in_columns(const LightPaths& paths, const BeamSource& source, const Cre
     const bool parted = creases.find(i, cell.corners, planes);
     for (const Column& column : columns_of(cell.corners, direction))
       for (const std::array<Vec3, 3>& part : cut_by_planes(column.entry, planes))
-        if (source.light().profile)
-          for (const std::array<Vec3, 3>& piece : beam_pieces(*source.light().profile, part))
-            light.add(direction, column.over(piece), parted);
-        else
-          light.add(direction, column.over(part), parted);
+        for (const std::array<Vec3, 3>& lit : source.lit_parts(i, part))
+          light.add(direction, column.over(lit), parted);
   }
 }
 

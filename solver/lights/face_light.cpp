@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "solver/lights/arriving_light.h"
-#include "solver/lights/beam_pieces.h"
 #include "solver/lights/beam_source.h"
 #include "solver/lights/clipped_polygon.h"
 #include "solver/lights/point_source.h"
@@ -66,17 +65,26 @@ struct Divisions {
 
 class PointsOfFace {
  public:
-  PointsOfFace(const LightSource& source, const LitFace& face, LightBeams& beams, NodalMoments& moments)
+  /// With `beam` light along its direction number `image` alone.
+  struct Image {
+    const BeamSource* beam = nullptr;
+    std::size_t image = 0;
+  };
+  PointsOfFace(const LightSource& source, Image only, const LitFace& face, LightBeams& beams,
+               NodalMoments& moments)
       : source_(source),
+        only_(only),
         face_(face),
         beams_(beams),
         moments_(moments),
         arriving_(beams.bands()),
         trifle_(beams.bands(), 0) {
-    beams_.clear();
-    source_.add_beams({face.cell, face.centroid}, Sight::clear, coarse_light, beams_);
+    look(face.centroid, Sight::clear);
     for (std::size_t k = 0; k < beams_.size(); ++k)
       for (std::size_t b = 0; b < beams_.bands(); ++b) trifle_[b] += trifle * beams_.fluence(k)[b];
+    // The beam may miss the centroid.
+    for (std::size_t b = 0; b < beams_.bands() && only.beam != nullptr; ++b)
+      trifle_[b] = trifle * only.beam->light().irradiance[b];
   }
 
   /// Divided in four as often as it is in part in a shadow, and as what media leave varies over it.
@@ -102,10 +110,16 @@ class PointsOfFace {
   }
 
  private:
+  void look(const Vec3& position, Sight sight) {
+    beams_.clear();
+    if (only_.beam != nullptr)
+      only_.beam->add_beam(only_.image, {face_.cell, position}, sight, beams_);
+    else
+      source_.add_beams({face_.cell, position}, sight, coarse_light, beams_);
+  }
   /// How many beams reach the point.
   std::size_t add_point(const std::array<double, 3>& barycentric, double measure, NodalMoments& sum) {
-    beams_.clear();
-    source_.add_beams({face_.cell, face_.position(barycentric)}, Sight::attenuated, coarse_light, beams_);
+    look(face_.position(barycentric), Sight::attenuated);
     for (std::size_t k = 0; k < beams_.size(); ++k) {
       const double seen = std::max(0.0, beams_.direction(k).dot(face_.normal)) * measure;
       for (std::size_t b = 0; b < beams_.bands(); ++b)
@@ -118,6 +132,7 @@ class PointsOfFace {
   }
 
   const LightSource& source_;
+  Image only_;
   const LitFace& face_;
   LightBeams& beams_;
   NodalMoments& moments_;
@@ -176,16 +191,26 @@ void add_irradiance(const LightPaths& paths, const LightSource& source, const Cr
     }
     return;
   }
-  PointsOfFace points(source, face, beams, moments);
   const double thickness = paths.largest_extinction(face.cell) * face.size;
-  if (source.as_wide() != nullptr) return add_wide(source, face, thickness, points);
+  if (source.as_wide() != nullptr) {
+    PointsOfFace points(source, {}, face, beams, moments);
+    return add_wide(source, face, thickness, points);
+  }
   const Divisions divisions{most_divisions, thickness > thin ? most_even_divisions : 0};
+  const std::vector<std::array<Vec3, 3>> parts = cut_by_planes(face.corners, planes);
   const BeamSource* beam = source.as_beam();
-  for (const std::array<Vec3, 3>& part : cut_by_planes(face.corners, planes))
-    for (const std::array<Vec3, 3>& lit : beam != nullptr && beam->light().profile
-                                              ? beam_pieces(*beam->light().profile, part)
-                                              : std::vector{part})
-      points.add(seven_point_rule(), face.barycentric(lit), triangle_area(lit), divisions);
+  if (beam == nullptr || !beam->has_profile()) {
+    PointsOfFace points(source, {}, face, beams, moments);
+    for (const std::array<Vec3, 3>& part : parts)
+      points.add(seven_point_rule(), face.barycentric(part), triangle_area(part), divisions);
+    return;
+  }
+  for (std::size_t image = 0; image < beam->directions().size(); ++image) {
+    PointsOfFace points(source, {beam, image}, face, beams, moments);
+    for (const std::array<Vec3, 3>& part : parts)
+      for (const std::array<Vec3, 3>& lit : beam->lit_parts(image, part))
+        points.add(seven_point_rule(), face.barycentric(lit), triangle_area(lit), divisions);
+  }
 }
 
 }  // namespace etendue

@@ -2,6 +2,10 @@
 #include "solver/lights/glossy_beams.h"
 
 #include <algorithm>
+#include <array>
+
+#include "solver/lights/beam_source.h"
+#include "solver/lights/clipped_polygon.h"
 
 namespace etendue {
 namespace {
@@ -10,11 +14,37 @@ namespace {
 /// way.
 constexpr double step_inside = 1e-3;
 
+/// Adds the mean irradiance of a face by a beam with a cross-section, which may lie between its corners.
+void add_mean_irradiance(const BeamSource& beam, const TetrahedralMesh& mesh, FaceIndex face,
+                         LightBeams& arriving) {
+  std::array<Vec3, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.point(VertexIndex(mesh.vertices(face)[i]));
+  std::vector<double> fluence(arriving.bands());
+  for (std::size_t image = 0; image < beam.directions().size(); ++image) {
+    const Vec3& direction = beam.directions()[image];
+    const double cosine = direction.dot(mesh.area_normal(face)) / mesh.area(face);
+    if (cosine <= 0) continue;
+    std::vector<double> sum(arriving.bands(), 0);
+    for (const std::array<Vec3, 3>& lit : beam.lit_parts(image, corners)) {
+      if (!beam.arrives({mesh.owner(face), (lit[0] + lit[1] + lit[2]) / 3}, direction, fluence)) continue;
+      const double part = cosine * triangle_area(lit) / mesh.area(face);
+      for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += part * fluence[b];
+    }
+    if (std::ranges::any_of(sum, [](double value) { return value > 0; }))
+      std::ranges::copy(sum, arriving.add(direction).begin());
+  }
+}
+
 /// The beams of all sources that arrive on the outer side of a face, as irradiance.
 LightBeams irradiance_at(const LightPaths& paths, const std::vector<std::unique_ptr<LightSource>>& sources,
-                         const PointInCell& at, const Vec3& normal, Sight sight) {
+                         const PointInCell& at, FaceIndex face, Sight sight) {
+  const Vec3 normal = paths.problem().mesh().area_normal(face).normalized();
   LightBeams beams(paths.bands()), arriving(paths.bands());
   for (const auto& source : sources) {
+    if (source->as_beam() != nullptr && source->as_beam()->has_profile()) {
+      add_mean_irradiance(*source->as_beam(), paths.problem().mesh(), face, arriving);
+      continue;
+    }
     beams.clear();
     source->add_beams(at, sight, coarse_light, beams);
     for (std::size_t k = 0; k < beams.size(); ++k) {
@@ -47,10 +77,9 @@ GlossyBeams::GlossyBeams(const LightPaths& paths, const std::vector<std::unique_
     const FaceIndex face(faces_[static_cast<std::size_t>(i / 3)]);
     const Vec3 corner = mesh.point(VertexIndex(mesh.vertices(face)[static_cast<std::size_t>(i % 3)]));
     const PointInCell at{mesh.owner(face), corner + step_inside * (mesh.centroid(face) - corner)};
-    const Vec3 normal = mesh.area_normal(face).normalized();
     LightBeams& beams = corners_[static_cast<std::size_t>(i)];
-    beams = irradiance_at(paths, sources, at, normal, Sight::attenuated);
-    if (beams.size() == 0) beams = irradiance_at(paths, sources, at, normal, Sight::clear);
+    beams = irradiance_at(paths, sources, at, face, Sight::attenuated);
+    if (beams.size() == 0) beams = irradiance_at(paths, sources, at, face, Sight::clear);
   }
 }
 

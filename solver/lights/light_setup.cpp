@@ -155,13 +155,7 @@ void LightSetup::add_lights() {
         parts.push_back(std::get<BeamLight>(lights[k].kind));
       sources_.push_back(std::make_unique<SkySource>(light.name, std::move(parts), paths_));
     } else if (const auto* beam = std::get_if<BeamLight>(&light.kind)) {
-      if (beam->profile && !paths_.mirrors().empty())
-        throw InputError(
-            {fault_at(light.origin, "",
-                      fmt::format("the light {} is a beam with a radius beside mirrors (not along "
-                                  "rays in this version); use solve.method = \"photons\", or "
-                                  "uncollided = false",
-                                  light.name))});
+      if (beam->profile) paths_.mirrors().require_one_image_per_direction(beam->direction);
       sources_.push_back(std::make_unique<BeamSource>(light.name, *beam, paths_));
     } else {
       EmitterTree tree(EmitterShape::triangles, parts_of(std::get<SurfaceLight>(light.kind)));

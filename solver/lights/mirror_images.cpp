@@ -97,16 +97,25 @@ double MirrorPlanes::reflectance(MirrorSet set, std::size_t band) const {
   return product;
 }
 
+void MirrorPlanes::require_right_angle(const Plane& a, const Plane& b) const {
+  const double cosine = a.normal.dot(b.normal);
+  if (std::abs(cosine) < same_plane) return;
+  const bool parallel = std::abs(cosine) > 1 - same_plane;
+  throw InputError(
+      refusal(problem_.wall(a.wall), problem_.wall(b.wall).name,
+              parallel ? "shows a light again and again" : "stands at an angle that is not 90 degrees"));
+}
+
+void MirrorPlanes::require_one_image_per_direction(const Vec3& direction) const {
+  const auto meets = [&](const Plane& plane) { return std::abs(plane.normal.dot(direction)) > same_plane; };
+  for (std::size_t i = 0; i < planes_.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (meets(planes_[i]) && meets(planes_[j])) require_right_angle(planes_[i], planes_[j]);
+}
+
 std::vector<MirrorSet> MirrorPlanes::images_of_point() const {
   for (std::size_t i = 0; i < planes_.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const double cosine = planes_[i].normal.dot(planes_[j].normal);
-      if (std::abs(cosine) < same_plane) continue;
-      const bool parallel = std::abs(cosine) > 1 - same_plane;
-      throw InputError(
-          refusal(problem_.wall(planes_[i].wall), problem_.wall(planes_[j].wall).name,
-                  parallel ? "shows a light again and again" : "stands at an angle that is not 90 degrees"));
-    }
+    for (std::size_t j = 0; j < i; ++j) require_right_angle(planes_[i], planes_[j]);
   std::vector<MirrorSet> sets(std::size_t{1} << planes_.size());
   for (std::size_t i = 0; i < sets.size(); ++i) sets[i] = static_cast<MirrorSet>(i);
   return sets;
