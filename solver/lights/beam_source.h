@@ -26,13 +26,13 @@ class BeamSource : public LightSource {
   std::span<const MirrorSet> mirrors() const { return mirrors_; }
   /// The fluence [band] that arrives at a point along one of the directions; false if none does.
   bool arrives(const PointInCell& at, const Vec3& direction, std::span<double> fluence) const;
-  /// Adds what arrives at a point along direction number `image`.
+  /// Adds the light that comes to a point along direction number `image`.
   void add_beam(std::size_t image, const PointInCell& at, Sight sight, LightBeams& beams) const;
 
   /// Whether it has a cross-section of its own; else it is as wide as its walls.
   bool has_profile() const { return light_.profile.has_value(); }
-  /// The parts of a triangle that light along direction number `image` can reach, each small enough for a rule of
-  /// degree 5; without a profile all of it.
+  /// The parts of a triangle that light along direction number `image` can reach, each small enough for a
+  /// rule of degree 5; without a profile all of it.
   std::vector<std::array<Vec3, 3>> lit_parts(std::size_t image, const std::array<Vec3, 3>& triangle) const;
   /// About the part of a cell of this size that it fills.
   double part_of_cell(double size) const;

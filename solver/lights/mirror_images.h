@@ -43,8 +43,8 @@ class MirrorPlanes {
   std::vector<MirrorSet> images_of_point() const;
   /// Sets that give different directions; planes may be parallel too.
   std::vector<MirrorSet> images_of_direction() const;
-  /// Throws InputError, naming the walls, where two planes that light of this direction meets are not at right
-  /// angles: images_of_direction() then leaves out places in which a narrow beam is seen.
+  /// Throws InputError, naming the walls, where two planes that light of this direction meets are not at
+  /// right angles: images_of_direction() then leaves out places in which a narrow beam is seen.
   void require_one_image_per_direction(const Vec3& direction) const;
 
  private:

@@ -31,7 +31,10 @@ int wall_named(const TetrahedralMesh& mesh, const std::string& name) {
 BeamLight beam_through_top(const TetrahedralMesh& mesh, BeamProfile::Shape shape, double radius,
                            const Vec3& on_axis, const Vec3& direction) {
   const Vec3 along = direction.normalized(), across = along.unitOrthogonal();
-  return {along, {1}, {wall_named(mesh, "zmax")}, 0,
+  return {along,
+          {1},
+          {wall_named(mesh, "zmax")},
+          0,
           BeamProfile{shape, on_axis, across / radius, along.cross(across) / radius}};
 }
 
@@ -106,8 +109,8 @@ TEST(BeamAtMirror, IsCutBySymmetryPlanes) {
                                          {0.0, std::vector<std::string>{"xmin", "ymin"}, 0.25}})
     for (const BeamProfile::Shape shape : {disc, gaussian}) {
       const double radius = 0.12, whole = profile_area(shape, radius);
-      const Problem problem = with_mirrors(
-          mesh, beam_through_top(mesh, shape, radius, {0, y, 2}, -Vec3::UnitZ()), 1, mirrors);
+      const Problem problem =
+          with_mirrors(mesh, beam_through_top(mesh, shape, radius, {0, y, 2}, -Vec3::UnitZ()), 1, mirrors);
       const LightSetup lights(problem);
       EXPECT_NEAR(lights.sources()[0]->power()[0] / whole, part, 1e-6);
       const UncollidedField field = uncollided_field(lights.paths(), lights.sources(), 1);
@@ -119,11 +122,11 @@ TEST(BeamAtMirror, IsCutBySymmetryPlanes) {
 // Mirrors that the beam runs along may face each other; those that it meets may not.
 TEST(BeamAtMirror, IsRefusedBetweenMirrorsThatFaceEachOther) {
   const TetrahedralMesh mesh = cube_mesh(0.2);
-  const Problem along = with_mirrors(
-      mesh, beam_through_top(mesh, disc, 0.1, {0.5, 0.5, 1}, -Vec3::UnitZ()), 1, {"xmin", "xmax"});
+  const Problem along = with_mirrors(mesh, beam_through_top(mesh, disc, 0.1, {0.5, 0.5, 1}, -Vec3::UnitZ()),
+                                     1, {"xmin", "xmax"});
   EXPECT_NO_THROW(LightSetup{along});
-  const Problem between = with_mirrors(
-      mesh, beam_through_top(mesh, disc, 0.1, {0.5, 0.5, 1}, {0.3, 0, -1}), 1, {"xmin", "xmax"});
+  const Problem between =
+      with_mirrors(mesh, beam_through_top(mesh, disc, 0.1, {0.5, 0.5, 1}, {0.3, 0, -1}), 1, {"xmin", "xmax"});
   EXPECT_THROW(LightSetup{between}, InputError);
 }
 
@@ -148,7 +151,8 @@ TEST(BeamAtMirror, ReachesGlossyWallsInItsDirection) {
       arriving += beams.fluence(0)[0] * mesh.area(face) / 3;
     }
   }
-  EXPECT_NEAR(arriving / (profile_area(gaussian, 0.01) * std::exp(-extinction * std::hypot(0.1, 1))), 1, 1e-3);
+  EXPECT_NEAR(arriving / (profile_area(gaussian, 0.01) * std::exp(-extinction * std::hypot(0.1, 1))), 1,
+              1e-3);
 }
 
 }  // namespace
