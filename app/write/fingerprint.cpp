@@ -5,35 +5,19 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string_view>
 
+#include "mesh/base/content_hash.h"
+#include "solver/problem/sampled_field.h"
+
 namespace etendue {
 namespace {
 
-/// FNV-1a (Fowler, Noll and Vo 1991) in 64 bits: for telling apart by accident, not by intent.
-class Hash {
- public:
-  void add(std::uint64_t value) {
-    for (int shift = 0; shift < 64; shift += 8) add_byte(static_cast<std::uint8_t>(value >> shift));
-  }
-  void add(std::int32_t value) { add(static_cast<std::uint64_t>(value)); }
-  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
-  void add(std::string_view text) {
-    add(std::uint64_t{text.size()});
-    for (const char c : text) add_byte(static_cast<std::uint8_t>(c));
-  }
-  std::string text() const { return fmt::format("{:016x}", value_); }
-
- private:
-  void add_byte(std::uint8_t byte) { value_ = (value_ ^ byte) * 0x100000001b3; }
-
-  std::uint64_t value_ = 0xcbf29ce484222325;
-};
+std::string text_of(const ContentHash& hash) { return fmt::format("{:016x}", hash.value()); }
 
 /// Tables that the answer does not depend on; "" is what stands above the first, the title. The mesh has a
 /// hash of its own, however it came about.
@@ -42,13 +26,21 @@ constexpr std::array<std::string_view, 7> free_tables = {"",       "mesh",   "so
 
 /// Keys of other tables that it does not depend on: a solution with negative values is a good start for one
 /// without, and photometric units are those of what sensors say of it.
-constexpr std::array<std::string_view, 7> free_keys = {
-    "positivity",    "illuminance",        "luminous_exitance", "luminance",
-    "luminous_flux", "luminous_intensity", "luminous_energy"};
+struct FreeKey {
+  std::string_view table, key;
+};
+constexpr std::array<FreeKey, 7> free_keys = {{{"space", "positivity"},
+                                               {"units", "illuminance"},
+                                               {"units", "luminous_exitance"},
+                                               {"units", "luminance"},
+                                               {"units", "luminous_flux"},
+                                               {"units", "luminous_intensity"},
+                                               {"units", "luminous_energy"}}};
 
-bool is_free(std::string_view line) {
-  return std::ranges::any_of(free_keys, [&](std::string_view key) {
-    return line.starts_with(key) && line.substr(key.size()).starts_with(" = ");
+bool is_free(std::string_view table, std::string_view line) {
+  return std::ranges::any_of(free_keys, [&](const FreeKey& free) {
+    return free.table == table && line.starts_with(free.key) &&
+           line.substr(free.key.size()).starts_with(" = ");
   });
 }
 
@@ -68,16 +60,39 @@ std::map<std::string, std::multiset<std::string>> tables_of(const std::string& r
       end_table();
       name = table_of(line);
     }
-    if (!line.empty() && !is_free(line)) table += line + "\n";
+    if (!line.empty() && !is_free(name, line)) table += line + "\n";
   }
   end_table();
   return tables;
 }
 
+/// Fields are the only functions that formulas take from files.
+void add_fields(const BandValues& values, ContentHash& hash) {
+  for (const Value& value : values.values)
+    if (const auto* formula = std::get_if<Formula>(&value))
+      for (const auto& [name, function] : formula->functions)
+        if (const auto* field = dynamic_cast<const SampledField*>(function.get())) hash.add(field->content());
+}
+
+/// What files hold that tables of this name take numbers from: the text of the case has their names alone.
+void add_files(const Case& input, const std::string& table, ContentHash& hash) {
+  if (table == "media")
+    for (const auto& [name, medium] : input.media)
+      for (const auto* values : {&medium.absorption, &medium.scattering, &medium.extinction, &medium.albedo,
+                                 &medium.emission, &medium.power_density})
+        if (*values) add_fields(**values, hash);
+  if (table == "walls")
+    for (const auto& [name, wall] : input.walls) add_fields(wall.radiance, hash);
+  if (table == "light")
+    for (const LightCase& light : input.lights)
+      for (const auto* numbers : {&light.angle, &light.intensity, &light.plane})
+        for (const double number : *numbers) hash.add(number);
+}
+
 }  // namespace
 
 std::string mesh_hash(const TetrahedralMesh& mesh) {
-  Hash hash;
+  ContentHash hash;
   for (const Vec3& point : mesh.points())
     for (const double coordinate : point) hash.add(coordinate);
   for (const auto& cell : mesh.cell_vertices())
@@ -86,16 +101,17 @@ std::string mesh_hash(const TetrahedralMesh& mesh) {
   for (const std::int32_t wall : mesh.face_walls()) hash.add(wall);
   for (const std::string& name : mesh.region_names()) hash.add(name);
   for (const std::string& name : mesh.wall_names()) hash.add(name);
-  return hash.text();
+  return text_of(hash);
 }
 
 std::vector<CasePart> case_parts(const Case& input) {
   std::vector<CasePart> parts;
   for (const auto& [name, tables] : tables_of(input.resolved_toml)) {
     if (std::count(free_tables.begin(), free_tables.end(), name) > 0) continue;
-    Hash hash;
+    ContentHash hash;
     for (const std::string& table : tables) hash.add(table);
-    parts.push_back({name, hash.text()});
+    add_files(input, name, hash);
+    parts.push_back({name, text_of(hash)});
   }
   return parts;
 }

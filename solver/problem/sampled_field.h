@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -23,12 +24,15 @@ class SampledField : public PlaceFunction {
   double smooth_length(const Vec3& point) const override;
   bool has_jumps() const override { return has_jumps_; }
   std::string name() const override { return name_; }
+  /// A number that a field with other values or on another grid will not have.
+  std::uint64_t content() const { return content_; }
 
  private:
   std::optional<double> inside(const Vec3& point) const;
 
   std::string name_;
   bool has_jumps_;
+  std::uint64_t content_;
   std::variant<ImageField, TetrahedralField> field_;
   std::optional<double> outside_;
 };

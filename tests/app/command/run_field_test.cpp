@@ -122,6 +122,21 @@ TEST(RunField, SaysRangeAndMeanAndRunsAgainFromItsOwnResults) {
   for (const auto& band : second) EXPECT_NEAR(band[3], first[1][0] * first[1][1], 1e-9 * band[3]);
 }
 
+TEST(RunField, GoesOnFromASolutionWithTheSameNumbersInTheFileOnly) {
+  const CaseFolder folder(gas("absorption = { file = \"k.vti\" }\n"));
+  write_text(folder.path() / "k.vti", image("PointData", linear));
+  regions_of(folder, "results");
+  const std::vector<std::string> again = {
+      "run",      folder.file(),
+      "--output", (folder.path() / "again").string(),
+      "--set",    "solve.initial=\"" + folder.results() + "/solution.vtu\""};
+  EXPECT_EQ(etendue_says(again).code, ExitCode::done);
+  write_text(folder.path() / "k.vti", image("PointData", cloud));
+  const Outcome outcome = etendue_says(again);
+  EXPECT_NE(outcome.code, ExitCode::done);
+  EXPECT_TRUE(has(outcome.err, "is a solution of another case ([media] differ)")) << outcome.err;
+}
+
 TEST(RunField, OfVoxelsIsTheSameByPhotonsAndByOrdinates) {
   const CaseFolder folder(
       gas("extinction = { file = \"k.vti\" }\nalbedo = [0.5, 0.9]\n"
