@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "app/case/fibre.h"
 #include "app/case/glazed_light.h"
 #include "app/case/open_walls.h"
 #include "app/case/point_light.h"
@@ -152,10 +153,10 @@ BeamLight refracted(const BeamLight& beam, const Vec3& normal, double index) {
   return inside;
 }
 
-BeamLight beam_light(const LightCase& light, const std::vector<int>& numbers, const std::vector<Wall>& walls,
-                     const TetrahedralMesh& mesh, std::vector<Fault>& faults) {
-  BeamLight beam{light.direction, light.strength, numbers};
-  if (light.kind == "beam") shape_beam(light, beam);
+/// A beam behind the walls by which it comes in.
+BeamLight beam_inside(const LightCase& light, const BeamLight& beam, const std::vector<Wall>& walls,
+                      const TetrahedralMesh& mesh, std::vector<Fault>& faults) {
+  const std::vector<int>& numbers = beam.walls;
   const auto refracts = [&](int w) { return walls[static_cast<std::size_t>(w)].refractive_index != 1; };
   const auto first = std::ranges::find_if(numbers, refracts);
   if (first == numbers.end()) return beam;
@@ -175,6 +176,14 @@ BeamLight beam_light(const LightCase& light, const std::vector<int>& numbers, co
   return beam;
 }
 
+/// The light of a sun or a beam before the walls by which it comes in.
+std::vector<BeamLight> beams_outside(const LightCase& light, const std::vector<int>& numbers) {
+  BeamLight beam{light.direction, light.strength, numbers};
+  if (light.kind == "beam") shape_beam(light, beam);
+  if (light.numerical_aperture > 0 && beam.profile) return fibre_parts(beam, light.numerical_aperture);
+  return {beam};
+}
+
 /// Name of the light that comes in by some of its walls: lights in a row that have one name are
 /// taken for one sky.
 std::string name_by(const LightCase& light, const EntryWalls& entry, const TetrahedralMesh& mesh) {
@@ -187,9 +196,12 @@ std::vector<Light> beams_of_sun(const LightCase& light, const std::vector<EntryW
                                 std::vector<Fault>& faults) {
   std::vector<Light> beams;
   for (const EntryWalls& entry : entries) {
-    const BeamLight outside = beam_light(light, entry.walls, walls, mesh, faults);
-    if (auto beam = behind_glazing(outside, entry))
-      beams.push_back({name_by(light, entry, mesh), *std::move(beam), light.origin, light.uncollided});
+    for (const BeamLight& outside : beams_outside(light, entry.walls)) {
+      const std::size_t before = faults.size();
+      if (auto beam = behind_glazing(beam_inside(light, outside, walls, mesh, faults), entry))
+        beams.push_back({name_by(light, entry, mesh), *std::move(beam), light.origin, light.uncollided});
+      if (faults.size() > before) break;
+    }
   }
   return beams;
 }
@@ -270,7 +282,7 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
       std::vector<Light> beams =
           beams_of_sun(light, entry_walls(light, numbers, input, mesh, faults), as_written, mesh, faults);
       if (faults.size() == before) require_incoming(light, numbers, mesh, faults);
-      if (faults.size() == before && light.kind == "beam") require_hit(light, beams, mesh, faults);
+      if (faults.size() == before && light.kind == "beam") require_hit(light, beams, locator, mesh, faults);
       std::ranges::move(beams, std::back_inserter(lights));
     } else if (light.kind == "sky") {
       for (const EntryWalls& entry : entry_walls(light, numbers, input, mesh, faults)) {

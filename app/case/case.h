@@ -107,14 +107,15 @@ struct LightCase {
   std::string name;
   std::string kind;
   Vec3 position = Vec3::Zero();
-  Vec3 direction = -Vec3::UnitZ();            ///< unit
-  Vec3 along = Vec3::UnitX();                 ///< unit
-  double radius = 0;                          ///< [length]
-  bool gaussian = false;                      ///< profile of a beam; else a disc
-  std::array<double, 2> size{};               ///< [length]
-  std::vector<double> angle;                  ///< [degree]
-  std::vector<double> intensity;              ///< [plane][angle]
-  std::vector<double> plane;                  ///< [degree]; empty: the same all about the axis
+  Vec3 direction = -Vec3::UnitZ();  ///< unit
+  Vec3 along = Vec3::UnitX();       ///< unit
+  double radius = 0;                ///< [length]
+  bool gaussian = false;            ///< profile of a beam; else a disc
+  double numerical_aperture = 0;    ///< of a beam: sine of the half angle of its cone; 0: collimated
+  std::array<double, 2> size{};     ///< [length]
+  std::vector<double> angle;        ///< [degree]
+  std::vector<double> intensity;    ///< [plane][angle]
+  std::vector<double> plane;        ///< [degree]; empty: the same all about the axis
   PhotometricType type = PhotometricType::c;  ///< of angle and plane
   std::vector<double> strength;               ///< [band] power, irradiance or radiance
   bool keeps_intensity =

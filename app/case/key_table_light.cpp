@@ -130,7 +130,7 @@ std::vector<KeyDeclaration> light_keys() {
             "What it is: point (position, power or luminous_flux; distribution, direction and along), spot "
             "(position, direction, angle, power or luminous_flux; falloff), sun (direction or sun_position, "
             "irradiance or illuminance; walls), beam (position, direction, radius, power or luminous_flux; "
-            "profile, walls), disc (position, direction, radius, radiance or luminance), "
+            "profile, numerical_aperture, walls), disc (position, direction, radius, radiance or luminance), "
             "rectangle "
             "(position, direction, along, size, radiance or luminance), wall (walls, radiance or luminance), "
             "sky "
@@ -212,6 +212,14 @@ std::vector<KeyDeclaration> light_keys() {
        {.default_value = "\"disc\"",
         .choices = {"disc", "gaussian"},
         .help = "Of a beam: the same irradiance all over its cross-section, or exp(-2 r^2/radius^2)."}},
+      {"light",
+       "numerical_aperture",
+       number,
+       {.default_note = "a collimated beam",
+        .range = {.lowest = 0, .highest = 1, .lowest_excluded = true, .highest_excluded = true},
+        .help = "Of a beam from the tip of a fibre, whose middle is `position`: sine of the half angle of "
+                "the cone "
+                "that its light fills before the wall, with the same radiance in all directions."}},
       {"light",
        "along",
        point,

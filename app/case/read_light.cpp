@@ -34,7 +34,7 @@ const std::array<KindKeys, 8>& kind_keys() {
       {"sun", {}, {"direction", "sun_position", "irradiance", "illuminance", "color_temperature", "walls"}},
       {"beam",
        {"position", "direction", "radius"},
-       {"power", "luminous_flux", "color_temperature", "profile", "walls"}},
+       {"power", "luminous_flux", "color_temperature", "profile", "numerical_aperture", "walls"}},
       {"disc", {"position", "direction", "radius"}, {"radiance", "luminance", "color_temperature"}},
       {"rectangle",
        {"position", "direction", "along", "size"},
@@ -138,6 +138,7 @@ LightCase read_light(Section& section, const LightContext& context) {
     section.fault("along", "has the direction in which the light shines; use one across it");
   light.radius = section.number_if("radius").value_or(0);
   if (light.kind == "beam") light.gaussian = section.text("profile") == "gaussian";
+  light.numerical_aperture = section.number_if("numerical_aperture").value_or(0);
   read_size(section, light);
   const std::optional<double> candelas = read_shape(section, light, context.folder);
   if (light.kind == "sun" || light.kind == "sky") read_daylight(section, light);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "app/case/case.h"
+#include "mesh/tetrahedra/cell_locator.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 #include "solver/problem/light.h"
 
@@ -17,8 +19,13 @@ void shape_beam(const LightCase& light, BeamLight& beam);
 void refract_profile(const Vec3& direction_outside, const Vec3& normal, const Vec3& on_wall,
                      BeamLight& inside);
 
-/// A fault where the beams of a light miss all of their walls.
-void require_hit(const LightCase& light, const std::vector<Light>& beams, const TetrahedralMesh& mesh,
-                 std::vector<Fault>& faults);
+/// The part of a light of kind "beam" that reaches its walls, before they reflect any of it: of all beams in
+/// which the light comes in. More than 1 where it passes through them more than once.
+double part_on_walls(const LightCase& light, std::span<const Light> beams, const TetrahedralMesh& mesh);
+
+/// Faults where a light of kind "beam" misses all of its walls or passes through them more than once, and
+/// where its position lies inside the domain.
+void require_hit(const LightCase& light, const std::vector<Light>& beams, const CellLocator& locator,
+                 const TetrahedralMesh& mesh, std::vector<Fault>& faults);
 
 }  // namespace etendue

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/write/balance_check.h"
+#include "app/write/beam_power.h"
 #include "app/write/lamp_light.h"
 #include "app/write/negative_fluence.h"
 #include "app/write/stage_seconds.h"
@@ -115,6 +116,12 @@ Json as_json(const Daylight& day) {
   return json;
 }
 
+Json as_json(const BeamPower& beam) {
+  return {{"name", beam.name},           {"power", beam.power},
+          {"entering", beam.entering},   {"turned_back", beam.turned_back},
+          {"beside_walls", beam.beside}, {"behind_symmetry_planes", beam.behind_symmetry}};
+}
+
 Json as_json(const NegativeFluence& negative) {
   Json json = {{"count", negative.count}, {"smallest", negative.smallest}, {"share", negative.share}};
   if (negative.count > 0) json["place"] = {negative.place.x(), negative.place.y(), negative.place.z()};
@@ -176,6 +183,8 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
     summary["lamps"] = array_of(lamps, [](const LampLight& lamp) { return as_json(lamp); });
   if (const auto days = daylight(result.problem, result.input); !days.empty())
     summary["daylight"] = array_of(days, [](const Daylight& day) { return as_json(day); });
+  if (const auto beams = beam_powers(result.problem, result.input); !beams.empty())
+    summary["beams"] = array_of(beams, [](const BeamPower& beam) { return as_json(beam); });
   if (!solution.lights.balance.empty())
     summary["uncollided"] =
         array_of(solution.lights.balance, [](const UncollidedBalance& b) { return as_json(b); });

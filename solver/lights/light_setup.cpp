@@ -98,10 +98,22 @@ LightSetup::LightSetup(const Problem& problem)
 
 void LightSetup::check_refraction() {
   std::vector<Fault> faults;
+  // The beams of a fibre follow each other.
+  const auto continues_fibre = [&](std::size_t i) {
+    return sources_[i]->name() == sources_[i - 1]->name() && sources_[i]->as_beam() != nullptr &&
+           sources_[i]->as_beam()->has_profile();
+  };
   for (const Wall& wall : problem_.walls()) {
     if (wall.refractive_index == 1) continue;
-    for (std::size_t i = 0; i < sources_.size(); ++i) {
-      const double part = part_at_wall(paths_, creases_, *sources_[i], wall);
+    for (std::size_t i = 0, next = 0; i < sources_.size(); i = next) {
+      double power = 0, at_wall = 0;
+      for (next = i; next == i || (next < sources_.size() && continues_fibre(next)); ++next) {
+        const LightSource& source = *sources_[next];
+        const double sent = std::accumulate(source.power().begin(), source.power().end(), 0.0);
+        power += sent;
+        at_wall += sent * part_at_wall(paths_, creases_, source, wall);
+      }
+      const double part = power > 0 ? at_wall / power : 0;
       if (part > most_at_refraction)
         faults.push_back(fault_at(
             origins_[i], "",
@@ -164,7 +176,9 @@ void LightSetup::add_lights() {
           std::make_unique<ExtendedSource>(light.name, std::move(power), std::move(tree), paths_));
     }
     origins_.push_back(light.origin);
-    notes_.push_back(fmt::format("light {}: uncollided part exact", light.name));
+    // A fibre has many beams.
+    const std::string note = fmt::format("light {}: uncollided part exact", light.name);
+    if (notes_.empty() || notes_.back() != note) notes_.push_back(note);
   }
 }
 

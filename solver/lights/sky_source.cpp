@@ -39,7 +39,8 @@ bool mirrors_are_perfect(const Problem& problem) {
 bool continues_sky(std::span<const Light> lights, std::size_t i) {
   return i > 0 && !lights[i].name.empty() && lights[i].name == lights[i - 1].name &&
          std::holds_alternative<BeamLight>(lights[i].kind) &&
-         std::holds_alternative<BeamLight>(lights[i - 1].kind);
+         std::holds_alternative<BeamLight>(lights[i - 1].kind) &&
+         !std::get<BeamLight>(lights[i].kind).profile;
 }
 
 SkySource::SkySource(std::string name, std::vector<BeamLight> parts, const LightPaths& paths)
