@@ -47,7 +47,8 @@ RunResult result_of(const BegunRun& run, const Solution& solution, std::vector<P
                    .walls = wall_powers(run.problem, solution),
                    .regions = region_powers(run.problem, solution),
                    .seconds = run.seconds,
-                   .threads = threads};
+                   .threads = threads,
+                   .record = run.request.record};
   result.seconds.total = run.watch.total();
   return result;
 }

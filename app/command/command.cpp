@@ -2,15 +2,13 @@
 #include "app/command/command.h"
 
 #include <exception>
-#include <new>
 
 #include "app/case/key_help.h"
 #include "app/case/keys.h"
 #include "app/command/command_line.h"
 #include "app/command/commands.h"
-#include "app/command/memory.h"
+#include "app/command/fault_report.h"
 #include "mesh/base/errors.h"
-#include "solver/ordinates/finite_check.h"
 
 namespace etendue {
 namespace {
@@ -51,21 +49,10 @@ ExitCode checked(ExitCode code, std::ostream& out) {
 ExitCode run_command(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   try {
     return checked(std::visit(Dispatch{out, err}, parse_command_line(arguments)), out);
-  } catch (const InputError& error) {
-    err << error.what() << '\n';
-    return ExitCode::input_error;
-  } catch (const FileError& error) {
-    err << error.what() << '\n';
-    return ExitCode::file_error;
-  } catch (const NotFiniteError& error) {
-    err << error.what() << "; nothing is written\n";
-    return ExitCode::not_converged;
-  } catch (const std::bad_alloc&) {
-    err << out_of_memory_message() << '\n';
-    return ExitCode::input_error;
-  } catch (const std::exception& error) {
-    err << "internal error: " << error.what() << '\n';
-    return ExitCode::internal_error;
+  } catch (const std::exception& fault) {
+    const FaultReport report = report_of(fault);
+    err << report.text << '\n';
+    return report.code;
   }
 }
 

@@ -73,6 +73,7 @@ class Parser {
 
   Request parse(std::vector<std::string> arguments) {
     refuse_unknown_command(arguments);
+    run_.record.command_line = shell_line("etendue", arguments);
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants a vector
     try {
       app_.parse(std::move(arguments));

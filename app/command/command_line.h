@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "app/write/run_record.h"
 
 namespace etendue {
 
@@ -23,6 +24,7 @@ struct CaseRequest {
 
 struct RunRequest : CaseRequest {
   ProgressStyle progress = ProgressStyle::automatic;
+  RunRecord record = {};
 };
 
 /// Pictures from a saved result. `file` is empty where the case of the result is meant.

@@ -10,6 +10,7 @@
 #include "app/case/build.h"
 #include "app/command/begun_run.h"
 #include "app/command/exact_setup.h"
+#include "app/command/fault_report.h"
 #include "app/command/field_text.h"
 #include "app/command/lamp_text.h"
 #include "app/command/memory.h"
@@ -19,6 +20,7 @@
 #include "app/command/probes.h"
 #include "app/command/progress.h"
 #include "app/command/resolution_text.h"
+#include "app/command/run_log.h"
 #include "app/command/run_report.h"
 #include "app/command/sensors.h"
 #include "app/command/stage_progress.h"
@@ -27,6 +29,7 @@
 #include "app/write/results.h"
 #include "app/write/sensor_files.h"
 #include "app/write/solution_file.h"
+#include "mesh/base/errors.h"
 #include "solver/angle/refraction_weights.h"
 #include "solver/exact/exact_balance.h"
 #include "solver/split/solve_rotated.h"
@@ -143,15 +146,14 @@ Solution solve_visibly(UncollidedLight& uncollided, const RunDirections& directi
   return solution;
 }
 
-}  // namespace
-
-ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err,
-                  const ResultReader& reader) {
-  Interruption interruption;
+/// Runs the case of a request whose style of progress is resolved, and tells the log where it belongs.
+ExitCode run_logged(const RunRequest& request, std::ostream& out, std::ostream& err,
+                    const ResultReader& reader, Interruption& interruption, RunLog& log) {
   Stopwatch watch;
   RunSeconds seconds;
   const Case input = read_case(request.file, request.overrides);
   check_output_directory(input.output.directory);
+  log.belongs_in(input.output.directory);
   if (input.initial) check_initial(*input.initial, input);
   seconds.read = watch.lap();
   out << "etendue " << program_version() << ": "
@@ -232,7 +234,8 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
                    .walls = wall_powers(problem, solution),
                    .regions = region_powers(problem, solution),
                    .seconds = seconds,
-                   .threads = options.threads};
+                   .threads = options.threads,
+                   .record = request.record};
   if (exact) add_exact(*exact, directions, result);
   result.seconds.measures = watch.lap();
   result.probes = read_probes(input.probes, lights, solution, locator, options.threads,
@@ -260,6 +263,30 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   }
   if (reader) reader(result);
   return conclude(result, interruption.noted(), err);
+}
+
+}  // namespace
+
+ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err,
+                  const ResultReader& reader) {
+  RunRequest recorded = request;
+  recorded.progress = resolved_style(request.progress, out);
+  recorded.record.begun = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  RunLog log(recorded.record);
+  Interruption interruption;
+  try {
+    const ExitCode code = [&] {
+      LoggedStream logged_out(out, log), logged_err(err, log);
+      return run_logged(recorded, logged_out, logged_err, reader, interruption, log);
+    }();
+    log.save();
+    return code;
+  } catch (const InputError&) {
+    throw;  // a run that is refused leaves no files
+  } catch (const std::exception& fault) {
+    log.save_failed(report_of(fault).text);
+    throw;
+  }
 }
 
 }  // namespace etendue

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "app/write/run_record.h"
 #include "solver/exact/exact_comparison.h"
 #include "solver/measure/balance.h"
 #include "solver/measure/probe.h"
@@ -88,6 +89,7 @@ struct RunResult {
   std::optional<ExactComparison> exact = {};  ///< of a case that says what the answer is
   RunSeconds seconds;
   int threads = 1;
+  RunRecord record = {};
   std::vector<std::string> left_out = {};  ///< what an interruption left out: "3 of 5 sensors"
 
   /// Whether a signal ended the iteration, or the reading of probes and sensors.

@@ -9,6 +9,7 @@
 
 #include "app/write/balance_check.h"
 #include "app/write/beam_power.h"
+#include "app/write/commit.h"
 #include "app/write/lamp_light.h"
 #include "app/write/negative_fluence.h"
 #include "app/write/stage_seconds.h"
@@ -163,6 +164,10 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["title"] = result.input.title;
   summary["program"] = program_name;
   summary["version"] = program_version();
+  summary["commit"] = program_commit();
+  summary["date"] = iso_date(result.record.begun);
+  summary["host"] = host_name();
+  summary["command_line"] = result.record.command_line;
   summary["method"] = solution.method;
   summary["cells"] = result.problem.mesh().cell_count();
   summary["directions"] = solution.directions;

@@ -89,7 +89,7 @@ TEST(Interruption, WhileSolvingLeavesWholeResultsThatAreMarked) {
     run.send(signal);
     EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
     EXPECT_EQ(ScratchFolder::names_in(folder.results()),
-              (std::vector<std::string>{"fields.vtu", "history.csv", "probes.csv", "regions.csv",
+              (std::vector<std::string>{"fields.vtu", "history.csv", "log.txt", "probes.csv", "regions.csv",
                                         "solution.vtu", "summary.json", "walls.csv", "walls.vtp"}));
     const json summary = json::parse(text_of(std::filesystem::path(folder.results()) / "summary.json"));
     EXPECT_EQ(summary["converged"], false);
@@ -130,7 +130,7 @@ TEST(Interruption, WhileReadingSensorsLeavesWholeResultsWithoutThem) {
     EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
     EXPECT_LT(std::chrono::steady_clock::now() - sent, std::chrono::seconds(2));
     EXPECT_EQ(ScratchFolder::names_in(folder.results()),
-              (std::vector<std::string>{"fields.vtu", "history.csv", "probes.csv", "regions.csv",
+              (std::vector<std::string>{"fields.vtu", "history.csv", "log.txt", "probes.csv", "regions.csv",
                                         "solution.vtu", "summary.json", "walls.csv", "walls.vtp"}));
     const json summary = json::parse(text_of(std::filesystem::path(folder.results()) / "summary.json"));
     EXPECT_EQ(summary["converged"], true);

@@ -42,7 +42,7 @@ TEST(RunPhotons, WritesWhatOtherMethodsWriteWithErrors) {
   const Outcome outcome = etendue_says(by_photons(folder, folder.results()));
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
   EXPECT_EQ(ScratchFolder::names_in(folder.results()),
-            (std::vector<std::string>{"fields.vtu", "history.csv", "probes.csv", "regions.csv",
+            (std::vector<std::string>{"fields.vtu", "history.csv", "log.txt", "probes.csv", "regions.csv",
                                       "solution.vtu", "summary.json", "walls.csv", "walls.vtp"}));
   EXPECT_TRUE(has(outcome.out, "figure of merit")) << outcome.out;
   EXPECT_TRUE(has(text_of(folder.path() / "results/walls.csv"), "incoming_error"));

@@ -32,9 +32,9 @@ TEST(RunRadiosity, WritesWhatOtherMethodsWriteWithItsChecks) {
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
   EXPECT_EQ(
       ScratchFolder::names_in(folder.results()),
-      (std::vector<std::string>{"fields.vtu", "form_factors.csv", "history.csv", "passes.csv", "probes.csv",
-                                "regions.csv", "solution.vtu", "summary.json", "walls.csv", "walls.vtp",
-                                "walls.vtp.series", "walls_pass1.vtp", "walls_pass2.vtp"}));
+      (std::vector<std::string>{"fields.vtu", "form_factors.csv", "history.csv", "log.txt", "passes.csv",
+                                "probes.csv", "regions.csv", "solution.vtu", "summary.json", "walls.csv",
+                                "walls.vtp", "walls.vtp.series", "walls_pass1.vtp", "walls_pass2.vtp"}));
   EXPECT_TRUE(has(outcome.out, "A_j F_jk = A_k F_kj")) << outcome.out;
   EXPECT_TRUE(has(outcome.out, "patches: ")) << outcome.out;
   const json summary = summary_in(folder.results());

@@ -50,6 +50,18 @@ TEST(Summary, HoldsWhatTheContractNames) {
   EXPECT_EQ(summary["case"], "title = \"Sample\"\n");
 }
 
+TEST(Summary, SaysWhichProgramMadeItWhenAndWhere) {
+  const test::SampleRun run({"grey"});
+  RunResult result = run.result();
+  result.record = {"etendue run lamp.toml", std::chrono::sys_seconds(std::chrono::seconds(946684800))};
+  const json summary = json::parse(summary_json(result, {}, 0));
+  EXPECT_EQ(summary["date"], "2000-01-01T00:00:00Z");
+  EXPECT_EQ(summary["host"], host_name());
+  EXPECT_EQ(summary["command_line"], "etendue run lamp.toml");
+  const std::string commit = summary["commit"];
+  EXPECT_TRUE(commit == "unknown" || commit.find_first_not_of("0123456789abcdef") >= 40) << commit;
+}
+
 TEST(Summary, HasArraysForOneBandToo) {
   const test::SampleRun run({"grey"});
   const json summary = json::parse(summary_json(run.result(), {}, 0));
