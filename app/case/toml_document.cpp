@@ -10,6 +10,9 @@
 #include <iterator>
 #include <sstream>
 
+#include "app/case/toml_fault.h"
+#include "app/case/toml_redefinition.h"
+
 namespace etendue {
 namespace {
 
@@ -95,11 +98,15 @@ class Conversion {
   std::optional<int> line_;
 };
 
-std::string lower_first(std::string_view text) {
-  std::string result(text);
-  if (!result.empty() && result.size() > 1 && result[1] >= 'a')
-    result[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(result[0])));
-  return result;
+std::string message_of(std::string_view text, const std::string& file, const toml::parse_error& error) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark has no column
+  const toml::source_position& position = error.source().begin;
+  TomlPlace place = toml_place(text, static_cast<int>(position.line), static_cast<int>(position.column));
+  const bool is_twice = error.description().find("redefine") != std::string_view::npos;
+  if (is_twice) place.at = place.line.find_first_not_of(" \t");
+  const std::string twice = is_twice ? redefinition_problem(place) : "";
+  return toml_message(twice.empty() ? toml_problem(place, error.description()) : TomlProblem{place, twice},
+                      file);
 }
 
 void reject_binary(std::string_view text, const std::string& file) {
@@ -121,7 +128,7 @@ TomlNode parse_toml(std::string_view text, const std::string& file) {
     result.origin.line = 0;
     return result;
   } catch (const toml::parse_error& error) {
-    throw InputError(Fault{file, line_of(error.source()), "not TOML: " + lower_first(error.description())});
+    throw InputError(message_of(text, file, error));
   }
 }
 
