@@ -9,7 +9,6 @@
 #include "solver/lights/beam_pieces.h"
 #include "solver/ordinates/sweep_order.h"
 #include "solver/problem/lamp_shape.h"
-#include "solver/problem/tangent_cone.h"
 
 namespace etendue {
 namespace {
@@ -21,11 +20,17 @@ constexpr int most_halvings = 8;
 /// that shines.
 constexpr double before_light = 1e-6;
 
+/// The integral of a shape over the set.
+double integral_of(const DirectionSet& directions, std::span<const double> shape) {
+  double sum = 0;
+  for (std::size_t m = 0; m < shape.size(); ++m) sum += directions.weights()[m] * shape[m];
+  return sum;
+}
+
 /// The integral of a shape over the set made 1; where no ordinate sees it, all goes along the one that is
 /// nearest to its axis.
 void normalise(const DirectionSet& directions, const Vec3& axis, std::vector<double>& shape) {
-  double sum = 0;
-  for (std::size_t m = 0; m < shape.size(); ++m) sum += directions.weights()[m] * shape[m];
+  double sum = integral_of(directions, shape);
   if (!(sum > 0)) {
     std::size_t nearest = 0;
     for (std::size_t m = 1; m < shape.size(); ++m)
@@ -79,8 +84,12 @@ void OrdinateLights::add(const PointLight& light) {
   std::vector<double>& shape = shapes_.emplace_back();
   for (const Vec3& direction : directions_.directions())
     shape.push_back(cone.contains(direction) ? lamp_shape(light, direction) : 0);
+  const double by_volume = 1 / problem_.mesh().volume(cell);
+  const double seen = integral_of(directions_, shape);
+  points_in_[cell.value()].push_back(
+      {&light, cone, seen > 0 ? seen : integral_of_lamp_shape(light), by_volume});
   normalise(directions_, light.axis, shape);
-  in_cells_[cell.value()].push_back({light.power, shapes_.size() - 1, 1 / problem_.mesh().volume(cell)});
+  in_cells_[cell.value()].push_back({light.power, shapes_.size() - 1, by_volume});
   for (std::size_t b = 0; b < power_inside_.size(); ++b) power_inside_[b] += light.power[b];
 }
 
@@ -154,6 +163,17 @@ void OrdinateLights::add_source(OrdinateIndex m, CellIndex cell, std::span<doubl
   for (const CellPart& part : parts->second)
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] += part.power[i % bands] * part.by_volume * shapes_[part.shape][m.at()];
+}
+
+void OrdinateLights::add_points(const Vec3& travel, CellIndex cell, std::span<double> values) const {
+  const auto points = points_in_.find(cell.value());
+  if (points == points_in_.end()) return;
+  const std::size_t bands = power_inside_.size();
+  for (const PointShape& point : points->second) {
+    if (!point.cone.contains(travel)) continue;
+    const double density = lamp_shape(*point.light, travel) / point.integral * point.by_volume;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += point.light->power[i % bands] * density;
+  }
 }
 
 void OrdinateLights::add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const {

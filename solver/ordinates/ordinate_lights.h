@@ -8,6 +8,7 @@
 #include "solver/angle/direction_set.h"
 #include "solver/ordinates/angular_input.h"
 #include "solver/problem/problem.h"
+#include "solver/problem/tangent_cone.h"
 
 namespace etendue {
 
@@ -27,6 +28,9 @@ class OrdinateLights : public AngularInput {
     if (other_ != nullptr) other_->add_projected_source(m, cell, values);
   }
   void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const override;
+  /// Adds the source of the points in a cell at any direction of travel, [vertex][band] [power/(length^3
+  /// sr)].
+  void add_points(const Vec3& travel, CellIndex cell, std::span<double> values) const;
   const SavedState* found_elsewhere() const override {
     return other_ != nullptr ? other_->found_elsewhere() : nullptr;
   }
@@ -43,6 +47,13 @@ class OrdinateLights : public AngularInput {
     std::size_t shape;          ///< of shapes_
     double by_volume;           ///< [1/length^3]
   };
+  /// A point light, and what its shape is divided by.
+  struct PointShape {
+    const PointLight* light;
+    TangentCone cone;
+    double integral;   ///< over the set, or over the sphere where no ordinate sees the light [sr]
+    double by_volume;  ///< of the cell [1/length^3]
+  };
   struct FacePart {
     std::int32_t ordinate;
     std::vector<double> radiance;  ///< [band]
@@ -57,6 +68,7 @@ class OrdinateLights : public AngularInput {
   const AngularInput* other_;
   std::vector<std::vector<double>> shapes_;  ///< [light][ordinate] [1/sr], of integral 1 over the set
   std::unordered_map<std::int32_t, std::vector<CellPart>> in_cells_;
+  std::unordered_map<std::int32_t, std::vector<PointShape>> points_in_;
   std::unordered_map<std::int32_t, std::vector<FacePart>> at_faces_;
   std::vector<double> power_inside_;
   std::vector<std::vector<double>> power_through_walls_;

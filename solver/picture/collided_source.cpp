@@ -28,7 +28,8 @@ CollidedSource::CollidedSource(const LightSetup& lights, const DirectionSet& dir
       plan_(plan_scattering(problem_, directions)),
       harmonics_(directions, highest_degree(plan_)),
       phases_(problem_),
-      matter_(problem_, directions) {
+      matter_(problem_, directions),
+      swept_lights_(problem_, directions, nullptr) {
   const auto cells = static_cast<std::size_t>(problem_.mesh().cell_count());
   find_rows(lights, options);
   const auto rows = static_cast<std::size_t>(*std::max_element(row_.begin(), row_.end()));
@@ -60,7 +61,7 @@ CollidedSource::CollidedSource(const LightSetup& lights, const DirectionSet& dir
 }
 
 // The cells whose moments a sweep keeps: where scattering is anisotropic, where it wrote each direction for
-// light that scatters first, and where a meter stood.
+// light that scatters first or that lights left to the directions send, and where a meter stood.
 void CollidedSource::find_rows(const LightSetup& lights, const SolveOptions& options) {
   const TetrahedralMesh& mesh = problem_.mesh();
   row_.assign(static_cast<std::size_t>(mesh.cell_count()), 0);
@@ -70,6 +71,7 @@ void CollidedSource::find_rows(const LightSetup& lights, const SolveOptions& opt
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
     const int region = mesh.region(cell);
+    if (swept_lights_.depends_on_direction(cell)) row_[cell.at()] = 1;
     for (std::size_t b = 0; b < bands_; ++b) {
       const ScatteringTreatment& how = plan_[static_cast<std::size_t>(region) * bands_ + b];
       const bool scatters = problem_.scattering(cell, static_cast<int>(b)) > 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/lights/light_setup.h"
+#include "solver/ordinates/ordinate_lights.h"
 #include "solver/ordinates/saved_state.h"
 #include "solver/ordinates/scattering_plan.h"
 #include "solver/ordinates/solve.h"
@@ -43,6 +44,8 @@ class CollidedSource {
   };
   View view(const Vec3& travel) const;
 
+  /// Lights that are left to the directions; their own light is not in values().
+  const OrdinateLights& swept_lights() const { return swept_lights_; }
   /// [cell] the place of its moments in the state, from 1; 0 where only the fluence is known.
   std::span<const std::int32_t> rows() const { return row_; }
   /// Whether all directions are alike in a cell.
@@ -78,6 +81,7 @@ class CollidedSource {
   ContinuousHarmonics harmonics_;
   PhaseList phases_;
   DirectionalMatter matter_;
+  OrdinateLights swept_lights_;
   std::vector<std::int32_t> row_;        ///< see rows()
   std::vector<std::int32_t> dense_row_;  ///< [cell], -1 without
   std::vector<double> factors_;          ///< [region][k][band] chi_k/(4 pi)

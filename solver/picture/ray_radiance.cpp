@@ -83,7 +83,7 @@ RayRadiance::Workspace::Workspace(const RayRadiance& radiance)
 
 void RayRadiance::find_dark_cells() {
   for (std::int32_t c = 0; c < problem_.mesh().cell_count(); ++c) {
-    bool dark = true;
+    bool dark = !collided_.swept_lights().depends_on_direction(CellIndex(c));
     for (int b = 0; b < problem_.band_count(); ++b)
       dark = dark && problem_.absorption(CellIndex(c), b) == 0 && problem_.scattering(CellIndex(c), b) == 0 &&
              problem_.emission(CellIndex(c), b) == 0;
@@ -181,6 +181,7 @@ void RayRadiance::add_cells(const Stretch& stretch, Workspace& work, std::span<d
 void RayRadiance::add_part(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
                            std::span<double> radiance) const {
   collided_.values(part.cell, *work.view, work.values);
+  collided_.swept_lights().add_points(stretch.travel(), part.cell, std::span(work.values).first(4 * bands_));
   if (stretch.view.shafts == 0) once_.add_at_vertices(part.cell, stretch.travel(), work.memory, work.values);
   const auto here = barycentric(problem_.mesh(), part.cell, stretch.at(part.from));
   const auto there = barycentric(problem_.mesh(), part.cell, stretch.at(part.from + part.length));

@@ -173,11 +173,13 @@ class Emission {
       : lights_(lights), mesh_(lights.problem().mesh()), locator_(mesh_), region_(region), cone_(cone) {}
 
   void add_to(RegionAccount& account) const {
-    const auto all = lights_.problem().lights();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (const auto* surface = std::get_if<SurfaceLight>(&all[i].kind)) add_surface(*surface, account);
-      if (const auto* point = std::get_if<PointLight>(&all[i].kind))
-        if (is_here(point->position)) add_point(*lights_.sources()[i], account);
+    std::size_t source = 0;
+    for (const Light& light : lights_.problem().lights()) {
+      if (light.uncollided == Uncollided::no) continue;  // is no source, and in the account of directions
+      if (const auto* surface = std::get_if<SurfaceLight>(&light.kind)) add_surface(*surface, account);
+      if (const auto* point = std::get_if<PointLight>(&light.kind))
+        if (is_here(point->position)) add_point(*lights_.sources()[source], account);
+      ++source;
     }
     if (!lights_.has_region(region_)) return;
     const double solid_angle = cone_ ? cone_->solid_angle() : 4 * pi;

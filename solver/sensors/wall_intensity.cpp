@@ -44,11 +44,15 @@ struct PointLightPlace {
 std::vector<PointLightPlace> point_lights(const LightSetup& lights) {
   std::vector<PointLightPlace> places;
   const CellLocator locator(lights.problem().mesh());
-  // The sources of a set-up begin with the problem's lights.
-  for (std::size_t i = 0; i < lights.problem().lights().size(); ++i)
-    if (const auto* point = std::get_if<PointLight>(&lights.problem().lights()[i].kind))
+  // The sources of a set-up begin with the problem's lights, without those that are left to the directions.
+  std::size_t source = 0;
+  for (const Light& light : lights.problem().lights()) {
+    if (light.uncollided == Uncollided::no) continue;
+    if (const auto* point = std::get_if<PointLight>(&light.kind))
       places.push_back(
-          {lights.sources()[i].get(), {locator.find(point->position).front().cell, point->position}});
+          {lights.sources()[source].get(), {locator.find(point->position).front().cell, point->position}});
+    ++source;
+  }
   return places;
 }
 
