@@ -8,6 +8,7 @@
 #include "app/command/field_text.h"
 #include "app/command/interruption.h"
 #include "app/command/lamp_text.h"
+#include "app/command/memory_forecast.h"
 #include "app/command/phase_text.h"
 #include "app/command/text_table.h"
 #include "app/command/verbose_log.h"
@@ -80,8 +81,12 @@ ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream
   const TetrahedralMesh mesh = build_mesh(request.mesh ? input : with_coarsest_cells(input), log);
   const Problem problem = build_problem(input, mesh);
   check_run(input, problem);
+  const bool is_exact = request.mesh || input.mesh.file;
+  const std::string memory =
+      is_exact ? memory_text(input, problem) : expected_memory_text(input, problem, log);
   out << request.file.string() << " is a valid case\n" << summary_of(input) << lamp_text(problem, input);
   for (const std::string& field : field_texts(input, mesh)) out << field << '\n';
+  out << memory;
   if (request.mesh) out << '\n' << to_string(mesh_report(mesh), mesh, input.units.length);
   return ExitCode::done;
 }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/command/check_run.h"
 
-#include "app/case/build.h"
-#include "app/command/begun_run.h"
 #include "app/command/exact_setup.h"
-#include "app/command/method_checks.h"
 #include "app/command/photon_pictures.h"
 #include "app/command/pictures.h"
 #include "app/command/probes.h"
+#include "app/command/run_options.h"
 #include "app/command/run_photons.h"
 #include "app/command/run_radiosity.h"
 #include "app/command/sensors.h"
@@ -22,20 +20,18 @@ constexpr double quick_sweep = 2e7;
 void check_directions_run(const Case& input, const Problem& problem, const CellLocator& locator) {
   check_views(input.cameras, input.sensors, problem);
   const LightSetup lights(problem);
-  require_lights_of_first_collided(input, lights);
-  const std::vector<DirectionSet> sets = build_rotated_directions(input, problem);
-  const std::vector<DirectionSet> first_collided = build_first_collided_directions(input, problem);
+  const RunDirections directions = run_directions(input, problem, lights);
+  const DirectionSet& set = directions.sets.front();
+  const DirectionSet* once = directions.first_collided.empty() ? nullptr : &directions.first_collided.front();
   check_sensors(input.sensors, locator, problem);
-  SolveOptions options = input.solve;
-  options.threads = thread_count(input);
-  options.meters = place_probes(input.probes, problem.mesh(), locator);
+  SolveOptions options = run_options(input, set, place_probes(input.probes, problem.mesh(), locator));
   std::optional<ExactSetup> exact;
-  if (input.exact) options.angular_input = &exact.emplace(input, problem, sets.front()).input;
+  if (input.exact) options.angular_input = &exact.emplace(input, problem, set).input;
   const double work = static_cast<double>(problem.mesh().cell_count()) * problem.band_count() *
-                      (first_collided.empty() ? sets.front().count() : first_collided.front().count());
+                      (once == nullptr ? set : *once).count();
   if (work > quick_sweep) return;
   options.max_sweeps = 1;
-  solve_split(lights, sets.front(), options, {}, first_collided.empty() ? nullptr : &first_collided.front());
+  solve_split(lights, set, options, {}, once);
 }
 
 }  // namespace

@@ -11,7 +11,31 @@
 namespace etendue {
 namespace {
 
-constexpr double mebibyte = 1024.0 * 1024.0, gibibyte = 1024 * mebibyte;
+constexpr double mebibyte = 1024.0 * 1024.0;
+
+/// How the cells are counted and the memory is bounded.
+struct Precision {
+  std::string cells;
+  std::string bound;
+  std::string rest;  ///< what is said behind the memory
+};
+
+std::string checked(double solving, const Precision& precision, double cells, int bands,
+                    const std::string& matrices) {
+  // The files hold four values of the fluence and of three components of the net flux in each cell and band.
+  const double writing = 4.0 * (1 + 3) * sizeof(double) * bands * cells;
+  const double needed = solving + writing;
+  if (needed <= installed_memory())
+    return fmt::format("memory: {} {:.3g} GiB{}{}\n", precision.bound, needed / gibibyte, matrices,
+                       precision.rest);
+  throw InputError(fmt::format(
+      "mesh: {} cells and {} bands with these directions and phase functions may need {:.3g} GiB{} "
+      "and this machine has "
+      "{:.3g} GiB; use larger cells, fewer bands, directions or threads, or solve.method = "
+      "\"source-iteration\"{}",
+      precision.cells, bands, needed / gibibyte, matrices, installed_memory() / gibibyte,
+      matrices.empty() ? "" : ", or scattering_method = \"moments\" where that will do"));
+}
 
 }  // namespace
 
@@ -37,18 +61,14 @@ std::string matrix_memory_text(const Problem& problem, const DirectionSet& direc
 
 std::string check_memory(std::size_t solving, const TetrahedralMesh& mesh, int bands,
                          const std::string& matrices) {
-  // The files hold four values of the fluence and of three components of the net flux in each cell and band.
-  const double writing = 4.0 * (1 + 3) * sizeof(double) * bands * mesh.cell_count();
-  const double needed = static_cast<double>(solving) + writing;
-  if (needed <= installed_memory())
-    return fmt::format("memory: at most {:.3g} GiB{}\n", needed / gibibyte, matrices);
-  throw InputError(fmt::format(
-      "mesh: {} cells and {} bands with these directions and phase functions may need {:.3g} GiB{} "
-      "and this machine has "
-      "{:.3g} GiB; use larger cells, fewer bands, directions or threads, or solve.method = "
-      "\"source-iteration\"{}",
-      mesh.cell_count(), bands, needed / gibibyte, matrices, installed_memory() / gibibyte,
-      matrices.empty() ? "" : ", or scattering_method = \"moments\" where that will do"));
+  return checked(static_cast<double>(solving), {fmt::to_string(mesh.cell_count()), "at most", ""},
+                 mesh.cell_count(), bands, matrices);
+}
+
+std::string check_expected_memory(double solving, double cells, int bands, const std::string& matrices) {
+  const std::string about = fmt::format("about {:.2g}", cells);
+  return checked(solving, {about, "about", fmt::format(" for {} cells (check --mesh counts them)", about)},
+                 cells, bands, matrices);
 }
 
 std::string out_of_memory_message() {

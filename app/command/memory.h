@@ -10,6 +10,9 @@
 
 namespace etendue {
 
+/// Bytes of a GiB.
+inline constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
+
 /// Of this machine [bytes].
 double installed_memory();
 
@@ -22,6 +25,9 @@ std::string matrix_memory_text(const Problem& problem, const DirectionSet& direc
 /// `solving` is estimate_memory's answer [bytes], `matrices` matrix_memory_text's.
 std::string check_memory(std::size_t solving, const TetrahedralMesh& mesh, int bands,
                          const std::string& matrices = "");
+
+/// The same of a mesh that is not made yet: `solving` [bytes] and `cells` are expected.
+std::string check_expected_memory(double solving, double cells, int bands, const std::string& matrices = "");
 
 /// What to say after std::bad_alloc.
 std::string out_of_memory_message();

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
-#include <numeric>
 #include <optional>
 
 #include "app/case/build.h"
@@ -14,13 +13,13 @@
 #include "app/command/field_text.h"
 #include "app/command/lamp_text.h"
 #include "app/command/memory.h"
-#include "app/command/method_checks.h"
 #include "app/command/phase_text.h"
 #include "app/command/pictures.h"
 #include "app/command/probes.h"
 #include "app/command/progress.h"
 #include "app/command/resolution_text.h"
 #include "app/command/run_log.h"
+#include "app/command/run_options.h"
 #include "app/command/run_report.h"
 #include "app/command/sensors.h"
 #include "app/command/stage_progress.h"
@@ -36,20 +35,6 @@
 
 namespace etendue {
 namespace {
-
-/// The solver's options as the case has them, with all that this run adds.
-SolveOptions solve_options(const Case& input, const DirectionSet& directions,
-                           std::vector<IrradianceMeter> meters) {
-  SolveOptions options = input.solve;
-  options.threads = thread_count(input);
-  options.keep_ordinates = input.output.radiance_ordinates;
-  if (need_all_ordinates(input.sensors, directions.space())) {
-    options.keep_ordinates.resize(directions.directions().size());
-    std::iota(options.keep_ordinates.begin(), options.keep_ordinates.end(), 0);
-  }
-  options.meters = std::move(meters);
-  return options;
-}
 
 /// Errors, and the powers that the exact radiance brings.
 void add_exact(const ExactSetup& exact, const DirectionSet& directions, RunResult& result) {
@@ -84,17 +69,6 @@ class Checkpoints {
   const Problem& problem_;
   std::ostream& err_;
 };
-
-/// The sets of a run, one for each rotation; of light that has collided once as many or none.
-struct RunDirections {
-  std::vector<DirectionSet> sets;
-  std::vector<DirectionSet> first_collided;
-};
-
-RunDirections run_directions(const Case& input, const Problem& problem, const LightSetup& lights) {
-  require_lights_of_first_collided(input, lights);
-  return {build_rotated_directions(input, problem), build_first_collided_directions(input, problem)};
-}
 
 /// Of light that has collided once, where that is swept on a set of its own.
 const DirectionSet& finest(const RunDirections& directions) {
@@ -179,7 +153,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& out, std::ostream& 
   check_sensors(input.sensors, locator, problem);
   std::optional<ExactSetup> exact;
   if (input.exact) exact.emplace(input, problem, directions);
-  SolveOptions options = solve_options(input, directions, place_probes(input.probes, mesh, locator));
+  SolveOptions options = run_options(input, directions, place_probes(input.probes, mesh, locator));
   if (exact) options.angular_input = &exact->input;
   OrdinateBook ordinates(input.sensors, lights, locator);
   SetReader keep_book;
@@ -195,9 +169,8 @@ ExitCode run_logged(const RunRequest& request, std::ostream& out, std::ostream& 
     options.initial = &initial;
     out << "starts from " << input.initial->path.string() << std::endl;
   }
-  const std::string memory = check_memory(
-      estimate_rotated_memory(lights, all_directions.sets, options, all_directions.first_collided), mesh,
-      problem.band_count(), matrix_memory_text(problem, directions));
+  const RunMemory expected = memory_of(lights, all_directions, options);
+  const std::string memory = check_memory(expected.solving, mesh, problem.band_count(), expected.matrices);
   out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions), problem.band_count(),
                      options.threads)
       << refraction_caution(all_directions, problem)

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/command/memory.h"
 #include "app/command/study_level.h"
 
 namespace etendue {
 namespace {
 
-constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
 /// Levels up to which each has a line.
 constexpr std::size_t most_lines = 4;
 

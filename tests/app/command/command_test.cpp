@@ -129,6 +129,37 @@ TEST(Command, CheckWithMeshReportsVolumesAndAreas) {
   EXPECT_TRUE(has(outcome.out, "floor")) << outcome.out;
 }
 
+/// GiB of the line "memory: at most 0.12 GiB", or "about" in place of "at most"; -1 without one.
+double memory_told(const Outcome& outcome, const std::string& bound) {
+  const std::string begin = "memory: " + bound + " ";
+  const auto found = outcome.out.find(begin);
+  return found == std::string::npos ? -1 : std::stod(outcome.out.substr(found + begin.size()));
+}
+
+TEST(Command, CheckTellsTheMemoryThatARunTakes) {
+  const CaseFolder folder;
+  const auto words = [&](const std::string& command, const std::string& volume) {
+    return std::vector<std::string>{command, folder.file(), "--set", "mesh.max_volume=" + volume};
+  };
+  for (const std::string volume : {"1e-3", "1e-4"}) {
+    const double run = memory_told(etendue_says(words("run", volume)), "at most");
+    std::vector<std::string> with_mesh = words("check", volume);
+    with_mesh.emplace_back("--mesh");
+    EXPECT_EQ(memory_told(etendue_says(with_mesh), "at most"), run) << volume;
+    const double expected = memory_told(etendue_says(words("check", volume)), "about");
+    EXPECT_GT(expected, run / 1.5) << volume;
+    EXPECT_LT(expected, run * 1.5) << volume;
+  }
+}
+
+TEST(Command, CheckRefusesWhatTheMachineCannotHoldAsRunDoes) {
+  const CaseFolder folder;
+  const Outcome refused = etendue_says({"check", folder.file(), "--set", "mesh.max_volume=1e-13"});
+  EXPECT_EQ(refused.code, ExitCode::input_error);
+  EXPECT_TRUE(has(refused.err, "mesh: about 2e+13 cells and 3 bands with these directions")) << refused.err;
+  EXPECT_TRUE(has(refused.err, "and this machine has")) << refused.err;
+}
+
 TEST(Command, CheckWithMeshFindsProbesOutside) {
   const CaseFolder outside(test::small_case() + "[[probe]]\nname = \"out\"\npoints = [[2, 0, 0]]\n");
   const Outcome refused = etendue_says({"check", outside.file(), "--mesh"});

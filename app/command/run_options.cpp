@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/command/run_options.h"
+
+#include <numeric>
+#include <utility>
+
+#include "app/case/build.h"
+#include "app/command/begun_run.h"
+#include "app/command/memory.h"
+#include "app/command/method_checks.h"
+#include "app/command/sensors.h"
+#include "solver/split/solve_rotated.h"
+
+namespace etendue {
+
+RunDirections run_directions(const Case& input, const Problem& problem, const LightSetup& lights) {
+  require_lights_of_first_collided(input, lights);
+  return {build_rotated_directions(input, problem), build_first_collided_directions(input, problem)};
+}
+
+SolveOptions run_options(const Case& input, const DirectionSet& directions,
+                         std::vector<IrradianceMeter> meters) {
+  SolveOptions options = input.solve;
+  options.threads = thread_count(input);
+  options.keep_ordinates = input.output.radiance_ordinates;
+  if (need_all_ordinates(input.sensors, directions.space())) {
+    options.keep_ordinates.resize(directions.directions().size());
+    std::iota(options.keep_ordinates.begin(), options.keep_ordinates.end(), 0);
+  }
+  options.meters = std::move(meters);
+  return options;
+}
+
+RunMemory memory_of(const LightSetup& lights, const RunDirections& directions, const SolveOptions& options) {
+  return {estimate_rotated_memory(lights, directions.sets, options, directions.first_collided),
+          matrix_memory_text(lights.problem(), directions.sets.front())};
+}
+
+}  // namespace etendue
