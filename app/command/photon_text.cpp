@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/command/text_table.h"
+#include "app/write/unit_labels.h"
 
 namespace etendue {
 namespace {
@@ -52,8 +53,12 @@ std::string errors_text(const RunResult& result) {
   TextTable table({"", "band", "quantity", "standard error", "%"},
                   {Align::left, Align::left, Align::left, Align::right, Align::right});
   std::size_t rows = 0;
-  const auto add = [&](const std::string& name, std::size_t b, const char* what, double error, double value) {
-    table.add_row({name, bands[b], what, number(error), percent(error, value)});
+  const UnitLabels units(result.input.units);
+  const auto add = [&](const std::string& name, std::size_t b, const std::string& what, double error,
+                       double value) {
+    const std::string& unit = what == "fluence" ? units.flux : units.power;
+    table.add_row({name, bands[b], fmt::format("{} [{}]", what, unit), fmt::format("{:.2g}", error),
+                   percent(error, value)});
     ++rows;
   };
   for (std::size_t b = 0; b < bands.size(); ++b) {

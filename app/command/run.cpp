@@ -120,14 +120,14 @@ Solution solve_visibly(UncollidedLight& uncollided, const RunDirections& directi
   return solution;
 }
 
-/// Runs the case of a request whose style of progress is resolved, and tells the log where it belongs.
+/// Runs the case of a request whose style of progress is resolved. Tells the log where it belongs when all
+/// that the case names is read: a run that is refused before leaves no files.
 ExitCode run_logged(const RunRequest& request, std::ostream& out, std::ostream& err,
                     const ResultReader& reader, Interruption& interruption, RunLog& log) {
   Stopwatch watch;
   RunSeconds seconds;
   const Case input = read_case(request.file, request.overrides);
   check_output_directory(input.output.directory);
-  log.belongs_in(input.output.directory);
   if (input.initial) check_initial(*input.initial, input);
   seconds.read = watch.lap();
   out << "etendue " << program_version() << ": "
@@ -141,6 +141,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& out, std::ostream& 
   out << std::flush;
   seconds.setup = watch.lap();
   out << lamp_text(problem, input) << std::flush;
+  if (input.photons || input.radiosity) log.belongs_in(input.output.directory);
   if (input.photons)
     return run_by_photons({request, input, problem, seconds, watch, interruption}, out, err, reader);
   if (input.radiosity)
@@ -177,6 +178,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& out, std::ostream& 
       << resolution_text(resolution_of(problem, finest(all_directions), locator)) << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
 
+  log.belongs_in(input.output.directory);
   seconds.setup += watch.lap();
   // A signal before this ends the program at once: there is nothing to keep, and rays may take long.
   const ProgressStyle style = resolved_style(request.progress, out);

@@ -15,60 +15,12 @@
 namespace etendue {
 namespace {
 
-constexpr std::size_t longest_table = 40;
-constexpr std::size_t longest_probe_table = 12;
-// Relative; a smaller deviation of the emitted power is rounding.
-constexpr double noticeable_deviation = 1e-9;
-
 std::string section(const std::string& title, const TextTable& table) {
   return "\n" + title + "\n" + table.text();
 }
 
 const std::string& band_name(const RunResult& result, std::size_t band) {
   return result.problem.bands().names[band];
-}
-
-/// Where the discrete half range differs from pi, so does the power of an emitting wall.
-std::string emitted_power_text(const RunResult& result, const std::string& unit) {
-  std::string text;
-  for (std::size_t w = 0; w < result.walls.size(); ++w)
-    for (std::size_t b = 0; b < result.walls[w].size(); ++b) {
-      const WallPower& power = result.walls[w][b];
-      const double deviation = power.emitted - power.emitted_exact;
-      if (std::abs(deviation) <= noticeable_deviation * std::abs(power.emitted_exact)) continue;
-      text +=
-          fmt::format("  {} emits {:.6g} {} in band {} on these directions; {} L A = {:.6g} ({:+.2g} %)\n",
-                      result.problem.walls()[w].name, power.emitted, unit, band_name(result, b),
-                      result.problem.space() == AngularSpace::sphere ? "pi" : "2", power.emitted_exact,
-                      100 * deviation / power.emitted_exact);
-    }
-  return text;
-}
-
-std::string walls_text(const RunResult& result, const UnitLabels& units) {
-  TextTable table(
-      {"wall", "band", "area", "irradiance", "incoming", "outgoing", "net"},
-      {Align::left, Align::left, Align::right, Align::right, Align::right, Align::right, Align::right});
-  for (std::size_t w = 0; w < result.walls.size(); ++w)
-    for (std::size_t b = 0; b < result.walls[w].size(); ++b) {
-      const WallPower& power = result.walls[w][b];
-      table.add_row({result.problem.walls()[w].name, band_name(result, b), number(power.area),
-                     number(power.irradiance_mean), number(power.incoming), number(power.outgoing),
-                     number(power.incoming - power.outgoing)});
-    }
-  return section(fmt::format("walls [{}, {}, {}]", units.area, units.flux, units.power), table);
-}
-
-std::string regions_text(const RunResult& result, const UnitLabels& units) {
-  TextTable table({"region", "band", "volume", "fluence", "absorbed", "emitted"},
-                  {Align::left, Align::left, Align::right, Align::right, Align::right, Align::right});
-  for (std::size_t r = 0; r < result.regions.size(); ++r)
-    for (std::size_t b = 0; b < result.regions[r].size(); ++b) {
-      const RegionPower& power = result.regions[r][b];
-      table.add_row({result.problem.media()[r].name, band_name(result, b), number(power.volume),
-                     number(power.fluence_mean), number(power.absorbed), number(power.emitted)});
-    }
-  return section(fmt::format("regions [{}, {}, {}]", units.volume, units.flux, units.power), table);
 }
 
 /// What scattering became: effective mean cosine, energy, signs, and why it is discretised so.
@@ -196,9 +148,10 @@ std::string balance_text(const RunResult& result) {
                   {Align::left, Align::right, Align::right, Align::right, Align::right, Align::right});
   for (std::size_t b = 0; b < result.balances.size(); ++b) {
     const Balance& balance = result.balances[b];
-    table.add_row({band_name(result, b), number(balance.emitted), number(balance.inflow),
-                   number(balance.absorbed), number(balance.outflow),
-                   fmt::format("{:.1e}", balance.residual)});
+    const Balance error = result.errors ? result.errors->balances[b] : Balance{};
+    table.add_row({band_name(result, b), number(balance.emitted, error.emitted),
+                   number(balance.inflow, error.inflow), number(balance.absorbed, error.absorbed),
+                   number(balance.outflow, error.outflow), fmt::format("{:.1e}", balance.residual)});
   }
   return section("balance [" + result.input.units.power + "]: emitted + inflow = absorbed + outflow", table) +
          balance_warning(result) + balance_caution(result);
@@ -217,36 +170,6 @@ std::string uncollided_text(const RunResult& result) {
   return section(
       "uncollided light [" + result.input.units.power + "]: sent = absorbed + collided + reflected + kept",
       table);
-}
-
-std::string powers_text(const RunResult& result) {
-  const UnitLabels units(result.input.units);
-  const std::size_t bands = result.problem.bands().names.size();
-  std::string text = emitted_power_text(result, units.power);
-  text += result.walls.size() * bands <= longest_table ? walls_text(result, units)
-                                                       : "\nwalls: many, see walls.csv\n";
-  text += result.regions.size() * bands <= longest_table ? regions_text(result, units)
-                                                         : "\nregions: many, see regions.csv\n";
-  return text;
-}
-
-std::string probes_text(const RunResult& result) {
-  const std::size_t bands = result.problem.bands().names.size();
-  if (result.probes.empty()) return "";
-  if (result.probes.size() * bands > longest_probe_table)
-    return fmt::format("\nprobes: {} points, see probes.csv\n", result.probes.size());
-  TextTable table({"probe", "x", "y", "z", "band", "fluence", "net flux", "irradiance"},
-                  {Align::left, Align::right, Align::right, Align::right, Align::left, Align::right,
-                   Align::right, Align::right});
-  for (const ProbeRow& row : result.probes)
-    for (std::size_t b = 0; b < bands; ++b) {
-      const auto& flux = row.values[b].net_flux;
-      table.add_row({row.name, number(row.point.x()), number(row.point.y()), number(row.point.z()),
-                     band_name(result, b), number(row.values[b].fluence),
-                     number(std::hypot(flux[0], flux[1], flux[2])),
-                     row.irradiance ? number((*row.irradiance)[b]) : ""});
-    }
-  return section("probes [" + UnitLabels(result.input.units).flux + "]", table);
 }
 
 std::string exact_text(const RunResult& result) {

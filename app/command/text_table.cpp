@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace etendue {
 namespace {
+
+/// Significant digits of a number for people.
+constexpr int most_digits = 6;
 
 /// Characters on the screen: bytes of UTF-8 that do not continue one.
 std::size_t width_of(const std::string& text) {
@@ -46,6 +50,16 @@ std::string TextTable::text() const {
   return text;
 }
 
-std::string number(double value) { return fmt::format("{:.6g}", value); }
+std::string number(double value) { return fmt::format("{:.{}g}", value, most_digits); }
+
+std::string number(double value, double error) {
+  if (!(error > 0) || !std::isfinite(error) || value == 0) return number(value);
+  const double places = std::floor(std::log10(std::abs(value))) - std::floor(std::log10(error)) + 2;
+  // A value that is smaller than its error keeps one digit.
+  const int digits = static_cast<int>(std::clamp(places, 1., static_cast<double>(most_digits)));
+  std::string text = fmt::format("{:#.{}g}", value, digits);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
 
 }  // namespace etendue

@@ -27,4 +27,7 @@ class TextTable {
 /// Six significant digits.
 std::string number(double value);
 
+/// Digits down to the second of the standard error, at most six; of a value without an error (0) six.
+std::string number(double value, double error);
+
 }  // namespace etendue

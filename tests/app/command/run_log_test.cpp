@@ -73,6 +73,13 @@ TEST(RunLog, OfAFailedRunEndsWithTheFaultAndLeavesTheLogOfTheResults) {
   EXPECT_FALSE(std::filesystem::exists(results / "log-failed.txt")) << "the next good run removes it";
 }
 
+TEST(RunLog, OfARunThatIsRefusedIsNotWritten) {
+  const CaseFolder folder;
+  const Outcome outcome = etendue_says({"run", folder.file(), "--set", "mesh={file='missing.msh'}"});
+  ASSERT_EQ(outcome.code, ExitCode::file_error) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.results()));
+}
+
 TEST(LoggedStream, KeepsLinesWithoutDrawings) {
   std::ostringstream shown;
   RunLog log({});

@@ -42,6 +42,16 @@ TEST(RunReport, SaysWhereEmittedPowerDiffersFromPi) {
       << powers_text(result);
 }
 
+TEST(RunReport, NamesTheUnitOfEachColumn) {
+  const SampleRun run({"grey"});
+  const RunResult result = run.result();
+  EXPECT_TRUE(has(powers_text(result), "area [m^2]")) << powers_text(result);
+  EXPECT_TRUE(has(powers_text(result), "irradiance [W/m^2]"));
+  EXPECT_TRUE(has(powers_text(result), "incoming [W]"));
+  EXPECT_TRUE(has(powers_text(result), "volume [m^3]"));
+  EXPECT_TRUE(has(probes_text(result), "net flux [W/m^2]")) << probes_text(result);
+}
+
 TEST(RunReport, PointsToTheFileWhereProbesAreMany) {
   SampleRun run({"grey"});
   EXPECT_TRUE(has(probes_text(run.result()), "axis")) << probes_text(run.result());

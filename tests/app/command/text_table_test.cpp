@@ -30,5 +30,16 @@ TEST(TextTable, LeavesNoBlanksAtTheEndOfALine) {
 
 TEST(TextTable, NumbersHaveSixDigits) { EXPECT_EQ(number(3.14159265), "3.14159"); }
 
+TEST(TextTable, NumbersWithAnErrorHaveTheDigitsThatItLeaves) {
+  EXPECT_EQ(number(3.14159265, 0.0123), "3.142");
+  EXPECT_EQ(number(0.0364, 0.0003), "0.03640") << "zeros that are known stand";
+  EXPECT_EQ(number(123.456, 7), "123.5");
+  EXPECT_EQ(number(1.5, 4), "1.5");
+  EXPECT_EQ(number(0.2, 40), "0.2") << "one digit where nothing is known";
+  EXPECT_EQ(number(3.14159265, 1e-12), "3.14159") << "six at most";
+  EXPECT_EQ(number(3.14159265, 0), "3.14159");
+  EXPECT_EQ(number(0, 0.1), "0");
+}
+
 }  // namespace
 }  // namespace etendue
