@@ -9,7 +9,7 @@
 
 namespace etendue {
 
-/// Place in a TOML text where it breaks the grammar, and what stands around it.
+/// Place in a TOML text where it breaks the grammar, with its line and the open brackets.
 struct TomlPlace {
   std::string_view text;               ///< all of it
   int line_number = 1;                 ///< from 1

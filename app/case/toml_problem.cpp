@@ -133,7 +133,7 @@ std::string surplus_problem(const TomlPlace& place, std::string_view description
   return "a key has one value; several are a list: [1, 2], text is in quotes";
 }
 
-/// What stands before the = of a line is no key, or there is no =.
+/// The text before the = of a line is no key, or there is no =.
 std::string key_problem(const TomlPlace& place) {
   const std::string_view here = place.character();
   const std::string key(trimmed(place.line.substr(0, place.at)));

@@ -44,7 +44,7 @@ std::vector<std::string> key_parts(std::string_view key) {
   return parts;
 }
 
-/// What is met on the way of a dotted key.
+/// A node that a dotted key leads to.
 struct Met {
   const toml::node* node = nullptr;  ///< the first that is no table, or the last; null where there is none
   std::string name;                  ///< the part of the key that leads there

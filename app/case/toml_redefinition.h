@@ -8,8 +8,8 @@
 
 namespace etendue {
 
-/// A key or a table that stands in the file twice: where it stood first, and what helps. The text before the
-/// line of `place` must be TOML. Empty where it is not found there.
+/// Problem of a key or a table that the file has twice: the line of the first one, and a remedy. The text
+/// before the line of `place` must be TOML. Empty where it is not found there.
 std::string redefinition_problem(const TomlPlace& place);
 
 }  // namespace etendue

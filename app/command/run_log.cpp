@@ -61,7 +61,7 @@ LoggedStream::Buffer::int_type LoggedStream::Buffer::overflow(int_type character
 
 std::streamsize LoggedStream::Buffer::xsputn(const char* text, std::streamsize length) {
   for (const char character : std::string_view(text, static_cast<std::size_t>(length))) keep(character);
-  shown_.write(text, length);  // which notes a fault of its own; the log goes on
+  shown_.write(text, length);  // which notes a fault of its own; the log continues
   return length;
 }
 

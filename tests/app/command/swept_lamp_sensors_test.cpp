@@ -17,7 +17,8 @@ using test::etendue_says;
 using test::Outcome;
 using test::text_of;
 
-/// A point of 1 W in a black cube of side 1, left to the directions, and a sensor of what leaves by the top.
+/// A point of 1 W in a black cube of side 1, left to the directions, and a sensor of the intensity through
+/// the top.
 std::string lamp_in_cube(const std::string& medium, const std::string& more = "") {
   return "[mesh]\nedge_length = 0.1\n[[mesh.box]]\nregion = \"air\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n"
          "[directions]\norder = 1\n[walls.\"*\"]\n[output]\ndirectory = \"results\"\n[media.air]\n" +
@@ -28,8 +29,8 @@ std::string lamp_in_cube(const std::string& medium, const std::string& more = ""
          more;
 }
 
-/// What leaves by the top at 0 to 40 degrees from the vertical, in parts of P/(4 pi) exp(-kappa d) with d the
-/// way from the lamp: the mean over directions that all meet the top, of lights along rays and of all.
+/// Intensity through the top at 0 to 40 degrees from the vertical, in parts of P/(4 pi) exp(-kappa d) with d
+/// the way from the lamp: the mean over directions that all meet the top, of lights along rays and of all.
 struct PartLeaving {
   double uncollided = 0, collided = 0;
 };
