@@ -88,6 +88,7 @@ struct RunResult {
   std::optional<ExactComparison> exact = {};  ///< of a case that says what the answer is
   RunSeconds seconds;
   int threads = 1;
+  bool is_coarse = false;                  ///< known before the sweeps: cells or directions too coarse
   std::vector<std::string> left_out = {};  ///< what an interruption left out: "3 of 5 sensors"
 
   /// Whether a signal ended the iteration, or the reading of probes and sensors.
