@@ -147,6 +147,24 @@ TEST(Interruption, BeforeTheFirstSweepIsDoneLeavesNothing) {
   EXPECT_EQ(ScratchFolder::names_in(folder.path()), (std::vector<std::string>{"case.toml", "said"}));
 }
 
+TEST(Interruption, WhileEstimatingErrorsLeavesTheResultsOfTheRun) {
+  const CaseFolder folder;
+  Process run({"run", folder.file(), "--progress", "plain", "--estimate", "--set", "directions.order=64"},
+              said_in(folder));
+  ASSERT_TRUE(run.says("open with: paraview")) << text_of(said_in(folder));
+  run.send(SIGINT);
+  const int code = run.wait();
+  // On a fast machine it may have ended before.
+  EXPECT_TRUE(code == 130 || code == 0) << text_of(said_in(folder));
+  const json summary = json::parse(text_of(std::filesystem::path(folder.results()) / "summary.json"));
+  EXPECT_EQ(summary["converged"], true);
+  EXPECT_EQ(summary["interrupted"], false);
+  if (code == 130) {
+    EXPECT_NE(text_of(said_in(folder)).find("but for the estimate of their errors"), std::string::npos)
+        << text_of(said_in(folder));
+  }
+}
+
 TEST(Interruption, WhileMeshingLeavesNothing) {
   const CaseFolder folder;
   std::vector<std::string> arguments = endless_run(folder);

@@ -131,7 +131,7 @@ TEST(StageSeconds, AddUpToTheTotalWithinTwoPercent) {
   const CaseFolder folder(test::small_case() + with_everything);
   for (const std::vector<std::string>& more :
        {std::vector<std::string>{"--set", "mesh.max_volume=1e-3", "--set", "directions.order=8"},
-        std::vector<std::string>{},
+        std::vector<std::string>{"--estimate"},
         std::vector<std::string>{"--set", "solve.method='photons'", "--set", "solve.photons=20000"}}) {
     std::vector<std::string> arguments = {"run", folder.file()};
     arguments.insert(arguments.end(), more.begin(), more.end());
