@@ -7,18 +7,34 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/case/build.h"
 #include "app/write/balance_check.h"
 
 namespace etendue {
-namespace {
 
-std::string how_to_go_on(const RunResult& result) {
-  const std::filesystem::path file =
-      std::filesystem::absolute(result.input.output.directory) / "solution.vtu";
+std::string how_to_go_on(const Case& input) {
+  const std::filesystem::path file = std::filesystem::absolute(input.output.directory) / "solution.vtu";
   return fmt::format("to go on from there: --set 'solve.initial=\"{}\"'\n", file.string());
 }
 
-}  // namespace
+TetrahedralMesh mesh_visibly(const Case& input, const Log& log, const StageDisplay& stages) {
+  const ShownStage stage(stages, input.mesh.file ? "reading the mesh" : "meshing");
+  return build_mesh(input, log);
+}
+
+WrittenResults write_visibly(const RunResult& result, const StageDisplay& stages) {
+  const ShownStage stage(stages, "writing");
+  return write_results(result);
+}
+
+Case case_of(const RunRequest& request) {
+  Case input = read_case(request.file, request.overrides);
+  if (request.traces == RunTraces::all) return input;
+  input.cameras.clear();
+  input.initial.reset();
+  input.output.checkpoint_every = 0;
+  return input;
+}
 
 int thread_count(const Case& input) {
   return input.solve.threads > 0 ? input.solve.threads
@@ -59,7 +75,7 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) 
         result.left_out.empty() ? "" : fmt::format(" but for {}", fmt::join(result.left_out, ", "));
     err << "interrupted: the results are whole" << missing << " and are those of "
         << (result.solution.converged() ? "the converged solution\n"
-                                        : "the last sweep; " + how_to_go_on(result));
+                                        : "the last sweep; " + how_to_go_on(result.input));
     return ExitCode::interrupted;
   }
   err << balance_warning(result);
@@ -69,12 +85,17 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) 
         "the error is above solve.until = {} after solve.photons = {} histories in each band; the results "
         "are "
         "marked; {}",
-        result.input.photons->until, result.input.photons->photons, how_to_go_on(result));
+        result.input.photons->until, result.input.photons->photons, how_to_go_on(result.input));
   else
     err << fmt::format(
         "not converged to solve.tolerance = {} within solve.max_sweeps = {}; the results are marked; {}",
-        result.input.solve.tolerance, result.input.solve.max_sweeps, how_to_go_on(result));
+        result.input.solve.tolerance, result.input.solve.max_sweeps, how_to_go_on(result.input));
   return ExitCode::not_converged;
+}
+
+ExitCode conclude_without_traces(const RunResult& result, const ResultReader& reader) {
+  if (reader) reader(result);
+  return result.solution.converged() ? ExitCode::done : ExitCode::not_converged;
 }
 
 }  // namespace etendue

@@ -8,7 +8,9 @@
 
 #include "app/command/commands.h"
 #include "app/command/interruption.h"
+#include "app/command/stage_progress.h"
 #include "app/write/results.h"
+#include "mesh/base/log.h"
 
 namespace etendue {
 
@@ -38,7 +40,18 @@ struct BegunRun {
   RunSeconds seconds;
   Stopwatch& watch;
   Interruption& interruption;
+  std::ostream& shown;  ///< progress goes here, even where nothing is described
 };
+
+/// The case of a request, with what that leaves out.
+Case case_of(const RunRequest& request);
+
+/// The mesh of a case and the files of a result, shown where they take long.
+TetrahedralMesh mesh_visibly(const Case& input, const Log& log, const StageDisplay& stages);
+WrittenResults write_visibly(const RunResult& result, const StageDisplay& stages);
+
+/// Says how a run that was interrupted continues from the solution.vtu that it left; ends with a line break.
+std::string how_to_go_on(const Case& input);
 
 /// The threads of a run, those that are wanted or all cores.
 int thread_count(const Case& input);
@@ -53,6 +66,8 @@ void note_left_out(RunResult& result);
 /// The exit code of a run that has written its results, with the line on standard error that goes with one
 /// other than 0.
 ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err);
+/// The end of a run that leaves nothing: its reader has the result.
+ExitCode conclude_without_traces(const RunResult& result, const ResultReader& reader);
 
 // The runs that do without directions. Results are written and described; `reader` is given them.
 ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& err,

@@ -18,7 +18,7 @@ struct Dispatch {
   std::ostream& out;
   std::ostream& err;
 
-  ExitCode operator()(const RunRequest& request) const { return run_case(request, out, err); }
+  ExitCode operator()(const RunRequest& request) const { return run_and_estimate(request, out, err); }
   ExitCode operator()(const RenderRequest& request) const { return render_results(request, out, err); }
   ExitCode operator()(const BakeRequest& request) const { return bake_results(request, out, err); }
   ExitCode operator()(const StudyRequest& request) const { return study_case(request, out, err); }

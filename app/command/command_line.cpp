@@ -117,6 +117,14 @@ class Parser {
   void add_run() {
     run_command_ = app_.add_subcommand("run", "Solve a case and write its results");
     add_run_options(*run_command_);
+    CLI::Option* estimate = run_command_->add_flag_callback(
+        "--estimate", [this] { run_.estimate = EstimateWish::always; },
+        "Repeat the run on coarser cells and with other directions, and state the errors of its numbers; "
+        "default: where that is cheap");
+    run_command_
+        ->add_flag_callback(
+            "--no-estimate", [this] { run_.estimate = EstimateWish::never; }, "Do not repeat it")
+        ->excludes(estimate);
   }
 
   void add_render() {

@@ -22,9 +22,18 @@ struct CaseRequest {
   bool verbose = false;
 };
 
+/// Whether a run ends with an estimate of the errors of its numbers; automatic: where that is cheap.
+enum class EstimateWish { automatic, always, never };
+
+/// What a run leaves: all that its case asks for, or nothing but what its reader takes. A run that leaves
+/// nothing takes no pictures, starts from darkness and describes only its progress.
+enum class RunTraces { all, none };
+
 struct RunRequest : CaseRequest {
   ProgressStyle progress = ProgressStyle::automatic;
   RunRecord record = {};
+  EstimateWish estimate = EstimateWish::automatic;
+  RunTraces traces = RunTraces::all;
 };
 
 /// Pictures from a saved result. `file` is empty where the case of the result is meant.

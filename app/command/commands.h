@@ -18,6 +18,9 @@ using ResultReader = std::function<void(const RunResult&)>;
 
 ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err,
                   const ResultReader& reader = {});
+/// run_case(), and where that is wanted or cheap the run again on coarser cells and with other directions,
+/// for an estimate of the errors of its numbers.
+ExitCode run_and_estimate(const RunRequest& request, std::ostream& out, std::ostream& err);
 ExitCode render_results(const RenderRequest& request, std::ostream& out, std::ostream& err);
 ExitCode bake_results(const BakeRequest& request, std::ostream& out, std::ostream& err);
 ExitCode study_case(const StudyRequest& request, std::ostream& out, std::ostream& err);

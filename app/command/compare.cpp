@@ -2,9 +2,11 @@
 #include <cmath>
 
 #include "app/case/build.h"
+#include "app/command/begun_run.h"
 #include "app/command/commands.h"
 #include "app/command/compare_page.h"
 #include "app/command/compare_table.h"
+#include "app/command/progress.h"
 #include "app/command/verbose_log.h"
 #include "app/write/output_folder.h"
 #include "app/write/unit_labels.h"
@@ -57,7 +59,8 @@ ExitCode compare_case(const CompareRequest& request, std::ostream& out, std::ost
   const Case input = read_case(request.run.file, request.run.overrides);
   const std::filesystem::path directory = std::filesystem::absolute(input.output.directory);
   check_output_directory(directory);
-  const TetrahedralMesh mesh = build_mesh(input, verbose_log(request.run, err));
+  const TetrahedralMesh mesh = mesh_visibly(input, verbose_log(request.run, err),
+                                            {resolved_style(request.run.progress, out), out, {}});
   const Problem problem = build_problem(input, mesh);
   const ComparedCase compared{request.run, directory, mesh};
   Comparison comparison;

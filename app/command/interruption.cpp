@@ -3,7 +3,11 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <ctime>
 #include <limits>
 
 #include "app/command/exit_code.h"
@@ -11,9 +15,14 @@
 namespace etendue {
 namespace {
 
-// Written by a signal handler, which reaches nothing but globals of this type.
+// A signal handler reaches nothing but globals of such types.
 volatile std::sig_atomic_t signals_noted = 0;
 volatile std::sig_atomic_t signals_allowed = 0;  ///< so many are noted before one ends the program
+std::atomic<std::int64_t> first_noted = 0;       ///< when a signal was noted first
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler must not wait");
+constexpr std::int64_t nanoseconds_of_grace = 500'000'000;
+constexpr char nothing_written[] = "\ninterrupted: nothing was written\n";
+const char* volatile last_words = nothing_written;
 
 struct sigaction interrupt_before;
 struct sigaction terminate_before;
@@ -21,18 +30,31 @@ struct sigaction pipe_before;
 
 constexpr std::sig_atomic_t any_number = std::numeric_limits<std::sig_atomic_t>::max();
 
+// May be called by a signal handler (signal-safety(7)).
+std::int64_t nanoseconds_now() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{1'000'000'000} * now.tv_sec + now.tv_nsec;
+}
+
 void on_signal(int) {
   if (signals_noted >= signals_allowed) {
-    constexpr char message[] = "\ninterrupted: nothing was written\n";
-    [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, message, sizeof message - 1);
+    [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, last_words, std::strlen(last_words));
     _exit(static_cast<int>(ExitCode::interrupted));
   }
+  if (signals_noted == 0) first_noted = nanoseconds_now();
   signals_noted = signals_noted + 1;
 }
 
 }  // namespace
 
+Interruption::Interruption(const char* words) : Interruption() {
+  last_words = words;
+  may_note_ = false;
+}
+
 Interruption::Interruption() {
+  last_words = nothing_written;
   signals_noted = 0;
   signals_allowed = 0;
   struct sigaction action {};
@@ -50,10 +72,18 @@ Interruption::~Interruption() {
   sigaction(SIGPIPE, &pipe_before, nullptr);
 }
 
-void Interruption::note_the_first() { signals_allowed = 1; }
+void Interruption::note_the_first() {
+  if (may_note_) signals_allowed = 1;
+}
 
-void Interruption::note_all() { signals_allowed = any_number; }
+void Interruption::note_all() {
+  if (may_note_) signals_allowed = any_number;
+}
 
 bool Interruption::noted() const { return signals_noted > 0; }
+
+bool Interruption::is_overdue() const {
+  return signals_noted > 0 && nanoseconds_now() - first_noted > nanoseconds_of_grace;
+}
 
 }  // namespace etendue

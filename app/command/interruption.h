@@ -9,6 +9,8 @@ namespace etendue {
 class Interruption {
  public:
   Interruption();
+  /// Of a run that leaves nothing itself: any signal ends the program at once with these last words.
+  explicit Interruption(const char* last_words);
   ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
@@ -19,6 +21,12 @@ class Interruption {
   void note_all();
   /// Whether a signal was noted.
   bool noted() const;
+  /// Returns whether the first was noted before the last half second: what is short has ended since, so that
+  /// the run leaves all results; what is long must end.
+  bool is_overdue() const;
+
+ private:
+  bool may_note_ = true;
 };
 
 }  // namespace etendue

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/build.h"
+#include "app/command/begun_run.h"
 #include "app/command/commands.h"
 #include "app/command/interruption.h"
+#include "app/command/progress.h"
 #include "app/command/verbose_log.h"
 #include "app/write/output_folder.h"
 #include "app/write/vtk_files.h"
@@ -25,7 +27,8 @@ ExitCode mesh_case(const MeshRequest& request, std::ostream& out, std::ostream& 
   const std::filesystem::path folder = std::filesystem::absolute(request.output).parent_path();
   const Case input = read_case(request.file, request.overrides);
   check_output_directory(folder);
-  const TetrahedralMesh mesh = build_mesh(input, verbose_log(request, err));
+  const TetrahedralMesh mesh = mesh_visibly(input, verbose_log(request, err),
+                                            {resolved_style(ProgressStyle::automatic, out), out, {}});
   interruption.note_all();
   make_output_directory(folder);
   write_mesh(request.output, mesh, mesh_file_options(input));

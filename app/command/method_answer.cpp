@@ -91,14 +91,6 @@ void widen_by(const MethodAnswer& other, MethodAnswer& answer) {
   answer.whole = answer.whole && other.whole;
 }
 
-/// A lower order that the set has, from half of it on; without any, twice the order.
-std::string other_directions(const Case& input) {
-  for (int order = (input.direction_order + 1) / 2; order < input.direction_order; ++order)
-    if (check_direction_order(input.direction_set, order).empty())
-      return fmt::format("directions.order={}", order);
-  return refined_directions(input, 1);
-}
-
 /// Runs the case with other directions; the cells are the same.
 void add_error_of_directions(const ComparedCase& base, MethodAnswer& answer, std::ostream& out,
                              std::ostream& err) {
@@ -140,15 +132,24 @@ void add_error_of_mesh(const ComparedCase& base, MethodAnswer& answer, std::ostr
   }
 }
 
-/// Twice the size of patches that a run had.
-double coarser_patches(const RunResult& run) {
-  if (run.input.radiosity->patch_size > 0) return 2 * run.input.radiosity->patch_size;
-  double area = 0;
-  for (const auto& wall : run.walls) area += wall.front().area;
-  return 2 * std::sqrt(area / static_cast<double>(run.radiosity->patches));
+}  // namespace
+
+std::string other_directions(const Case& input) {
+  for (int order = (input.direction_order + 1) / 2; order < input.direction_order; ++order)
+    if (check_direction_order(input.direction_set, order).empty())
+      return fmt::format("directions.order={}", order);
+  return refined_directions(input, 1);
 }
 
-}  // namespace
+std::string coarser_patches(const RunResult& run) {
+  double size = run.input.radiosity->patch_size;
+  if (size <= 0) {
+    double area = 0;
+    for (const auto& wall : run.walls) area += wall.front().area;
+    size = std::sqrt(area / static_cast<double>(run.radiosity->patches));
+  }
+  return fmt::format("radiosity.patch_size={}", 2 * size);
+}
 
 MethodAnswer answer_of(const RunResult& run) {
   MethodAnswer answer;
@@ -195,7 +196,7 @@ MethodAnswer answer_by_photons(const ComparedCase& compared, std::ostream& out, 
 MethodAnswer answer_by_radiosity(const ComparedCase& compared, std::ostream& out, std::ostream& err) {
   const std::string method = "solve.method=\"radiosity\"";
   MethodAnswer answer;
-  double coarser = 0;
+  std::string coarser;
   run_case(request_for(compared.run, compared.directory / "radiosity", {method}), out, err,
            [&](const RunResult& result) {
              answer = answer_of(result);
@@ -203,9 +204,8 @@ MethodAnswer answer_by_radiosity(const ComparedCase& compared, std::ostream& out
            });
   if (!answer.whole) return answer;
   out << "\nwhat larger patches change\n";
-  run_case(request_for(compared.run, compared.directory / "radiosity-patches",
-                       {method, fmt::format("radiosity.patch_size={}", coarser)}),
-           out, err, [&](const RunResult& result) { widen_by(answer_of(result), answer); });
+  run_case(request_for(compared.run, compared.directory / "radiosity-patches", {method, coarser}), out, err,
+           [&](const RunResult& result) { widen_by(answer_of(result), answer); });
   return answer;
 }
 

@@ -33,6 +33,12 @@ struct MethodAnswer {
 /// The answer of a run; errors are those of photons, else 0.
 MethodAnswer answer_of(const RunResult& run);
 
+/// Returns the override that repeats a case with other directions, of which the changes tell the error of its
+/// own: a lower order that the set has, from half of it on; without any, twice the order.
+std::string other_directions(const Case& input);
+/// Returns the override that repeats a solution by radiosity on patches of four times the area.
+std::string coarser_patches(const RunResult& run);
+
 /// A case that is solved by several methods.
 struct ComparedCase {
   const RunRequest& run;

@@ -18,23 +18,35 @@ constexpr double coarse_directions = 4, fine_directions = 2.2;
 /// Numbers of directions that are worth a try.
 constexpr double most_directions = 1e5;
 
+bool has_thick_cells(const Resolution& resolution) {
+  return resolution.transport_thickness_at_lights > thick_cell;
+}
+
+bool has_coarse_directions(const Resolution& resolution) {
+  return resolution.narrowest &&
+         resolution.direction_spacing > coarse_directions * resolution.narrowest->half_width;
+}
+
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
 }  // namespace
+
+bool is_coarse(const Resolution& resolution) {
+  return has_thick_cells(resolution) || has_coarse_directions(resolution);
+}
 
 std::string resolution_text(const Resolution& resolution) {
   std::string text;
   if (resolution.largest_thickness > 0)
     text += fmt::format("cells: {:.2g} mean free paths thick (median), {:.2g} at most\n",
                         resolution.median_thickness, resolution.largest_thickness);
-  if (resolution.transport_thickness_at_lights > thick_cell)
+  if (has_thick_cells(resolution))
     text += fmt::format(
         "caution: cells at lights are {:.2g} transport mean free paths thick (median), and what they absorb "
         "may be "
         "off by several percent; use finer cells there (mesh.max_volume), or solve.method = \"photons\"\n",
         resolution.transport_thickness_at_lights);
-  if (resolution.narrowest &&
-      resolution.direction_spacing > coarse_directions * resolution.narrowest->half_width) {
+  if (has_coarse_directions(resolution)) {
     const double needed =
         4 * std::numbers::pi / std::pow(fine_directions * resolution.narrowest->half_width, 2);
     const std::string finer = needed < most_directions

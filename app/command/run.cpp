@@ -18,18 +18,19 @@
 #include "app/command/probes.h"
 #include "app/command/progress.h"
 #include "app/command/resolution_text.h"
+#include "app/command/run_directions.h"
 #include "app/command/run_log.h"
 #include "app/command/run_options.h"
 #include "app/command/run_report.h"
 #include "app/command/sensors.h"
 #include "app/command/stage_progress.h"
 #include "app/command/verbose_log.h"
+#include "app/command/visible_solution.h"
 #include "app/write/output_folder.h"
 #include "app/write/results.h"
 #include "app/write/sensor_files.h"
 #include "app/write/solution_file.h"
 #include "mesh/base/errors.h"
-#include "solver/angle/refraction_weights.h"
 #include "solver/exact/exact_balance.h"
 #include "solver/split/solve_rotated.h"
 
@@ -42,61 +43,14 @@ void add_exact(const ExactSetup& exact, const DirectionSet& directions, RunResul
   add_exact_powers(exact.input, result.walls, result.regions, result.balances);
 }
 
+/// Of a run that repeats another one, whose results are there.
+constexpr const char* last_words_of_repetition =
+    "\ninterrupted: the results are whole, but for the estimate of their errors\n";
+
 std::string mesh_line(const TetrahedralMesh& mesh) {
   return fmt::format("mesh: {} cells, {} vertices, {} faces on walls (regions: {}, walls: {})\n",
                      mesh.cell_count(), mesh.vertex_count(), mesh.boundary_face_count(),
                      mesh.region_names().size(), mesh.wall_names().size());
-}
-
-/// Writes the state of a run that goes on, every so many sweeps. A disk that is full ends no run.
-class Checkpoints {
- public:
-  Checkpoints(const Case& input, const Problem& problem, std::ostream& err)
-      : input_(input), problem_(problem), err_(err) {}
-
-  void consider(const SweepProgress& progress) {
-    const int every = input_.output.checkpoint_every;
-    if (every == 0 || progress.sweep % every != 0) return;
-    try {
-      write_checkpoint(input_, problem_, progress.state());
-    } catch (const FileError& error) {
-      err_ << "no checkpoint after sweep " << progress.sweep << ": " << error.what() << std::endl;
-    }
-  }
-
- private:
-  const Case& input_;
-  const Problem& problem_;
-  std::ostream& err_;
-};
-
-/// Of light that has collided once, where that is swept on a set of its own.
-const DirectionSet& finest(const RunDirections& directions) {
-  return directions.first_collided.empty() ? directions.sets.front() : directions.first_collided.front();
-}
-
-std::string directions_line(const RunDirections& directions) {
-  const DirectionSet& set = directions.sets.front();
-  const std::size_t rotations = directions.sets.size();
-  std::string line = fmt::format("directions: {} ({} {}){}", set.count(), set.name(), set.order(),
-                                 rotations > 1 ? fmt::format(", {} rotations", rotations) : "");
-  if (directions.first_collided.empty()) return line;
-  const DirectionSet& once = directions.first_collided.front();
-  return line + fmt::format(", once {} ({} {}) for light that has collided once", once.count(), once.name(),
-                            once.order());
-}
-
-/// Says which refracting walls have too few directions within their critical angle for weights of their own.
-std::string refraction_caution(const RunDirections& directions, const Problem& problem) {
-  std::string text;
-  for (const SmoothPlane& plane : smooth_planes(problem.mesh(), problem.walls()))
-    if (!parts_at_critical_angle(directions.sets.front(), plane))
-      text += fmt::format(
-          "caution: too few directions within the critical angle of walls of refractive_index = {:.4g} with "
-          "normal ({:.4g}, {:.4g}, {:.4g}): thin layers may absorb tens of percent too much; use a finer "
-          "set\n",
-          plane.refractive_index, plane.normal.x(), plane.normal.y(), plane.normal.z());
-  return text;
 }
 
 /// Whether something looks along rays.
@@ -106,47 +60,42 @@ bool need_rays(const Case& input, AngularSpace space) {
   });
 }
 
-Solution solve_visibly(UncollidedLight& uncollided, const RunDirections& directions,
-                       const SolveOptions& options, ProgressDisplay& display, Checkpoints checkpoints,
-                       const Interruption& interruption, const SetReader& reader) {
-  const auto observe = [&](const SweepProgress& progress) {
-    display.show(progress);
-    checkpoints.consider(progress);
-    return interruption.noted() ? SolveControl::stop : SolveControl::proceed;
-  };
-  Solution solution =
-      solve_rotated(uncollided, directions.sets, options, observe, directions.first_collided, reader);
-  display.finish();
-  return solution;
-}
-
 /// Runs the case of a request whose style of progress is resolved. Tells the log where it belongs when all
 /// that the case names is read: a run that is refused before leaves no files.
-ExitCode run_logged(const RunRequest& request, std::ostream& out, std::ostream& err,
+ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream& err,
                     const ResultReader& reader, Interruption& interruption, RunLog& log) {
+  std::ostream nowhere(nullptr);
+  std::ostream& out = request.traces == RunTraces::all ? shown : nowhere;
   Stopwatch watch;
   RunSeconds seconds;
-  const Case input = read_case(request.file, request.overrides);
-  check_output_directory(input.output.directory);
+  const Case input = case_of(request);
+  if (request.traces == RunTraces::all) check_output_directory(input.output.directory);
   if (input.initial) check_initial(*input.initial, input);
   seconds.read = watch.lap();
   out << "etendue " << program_version() << ": "
       << (input.title.empty() ? request.file.string() : input.title) << std::endl;
 
-  const TetrahedralMesh mesh = build_mesh(input, verbose_log(request, err));
+  const ProgressStyle style = request.progress;
+  const std::function<bool()> interrupted = [&] { return interruption.noted(); };
+  const StageDisplay stages{style, shown, interrupted};
+  const TetrahedralMesh mesh = mesh_visibly(input, verbose_log(request, err), stages);
   seconds.mesh = watch.lap();
   out << mesh_line(mesh) << std::flush;
+  std::optional<ShownStage> setting_up(std::in_place, stages, "setting up");
   const Problem problem = build_problem(input, mesh);
-  for (const std::string& field : field_texts(input, mesh)) out << field << '\n';
+  const std::vector<std::string> fields = field_texts(input, mesh);
+  setting_up.reset();
+  for (const std::string& field : fields) out << field << '\n';
   out << std::flush;
   seconds.setup = watch.lap();
   out << lamp_text(problem, input) << std::flush;
   if (input.photons || input.radiosity) log.belongs_in(input.output.directory);
   if (input.photons)
-    return run_by_photons({request, input, problem, seconds, watch, interruption}, out, err, reader);
+    return run_by_photons({request, input, problem, seconds, watch, interruption, shown}, out, err, reader);
   if (input.radiosity)
-    return run_by_radiosity({request, input, problem, seconds, watch, interruption}, out, err, reader);
+    return run_by_radiosity({request, input, problem, seconds, watch, interruption, shown}, out, err, reader);
   check_views(input.cameras, input.sensors, problem);
+  setting_up.emplace(stages, "setting up");
   const LightSetup lights(problem);
   const RunDirections all_directions = run_directions(input, problem, lights);
   const DirectionSet& directions = all_directions.sets.front();
@@ -164,6 +113,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& out, std::ostream& 
       ordinates.add(options, swept);
       seconds.sensors += reading.lap();
     };
+  setting_up.reset();
   SavedState initial;
   if (input.initial) {
     initial = read_initial(*input.initial, input, mesh);
@@ -172,33 +122,32 @@ ExitCode run_logged(const RunRequest& request, std::ostream& out, std::ostream& 
   }
   const RunMemory expected = memory_of(lights, all_directions, options);
   const std::string memory = check_memory(expected.solving, mesh, problem.band_count(), expected.matrices);
+  const Resolution resolution = resolution_of(problem, finest(all_directions), locator);
   out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions), problem.band_count(),
                      options.threads)
-      << refraction_caution(all_directions, problem)
-      << resolution_text(resolution_of(problem, finest(all_directions), locator)) << memory << std::flush;
+      << refraction_caution(all_directions, problem) << resolution_text(resolution) << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
 
   log.belongs_in(input.output.directory);
   seconds.setup += watch.lap();
-  // A signal before this ends the program at once: there is nothing to keep, and rays may take long.
-  const ProgressStyle style = resolved_style(request.progress, out);
-  const std::function<bool()> interrupted = [&] { return interruption.noted(); };
-  const StageDisplay stages{style, out, interrupted};
+  // A signal before the first sweep is done ends the program at once: there is nothing to keep.
   std::optional<UncollidedLight> uncollided;
   {
     ShownStage stage(stages, "light before its first collision");
     uncollided.emplace(lights, options, stage.observer());
   }
-  interruption.note_the_first();
-  ProgressDisplay display(style, out);
-  const Solution solution = solve_visibly(*uncollided, all_directions, options, display,
-                                          Checkpoints(input, problem, err), interruption, keep_book);
+  const std::optional<Solution> solved = solve_visibly(
+      *uncollided, {input, problem, all_directions, options, stages, err, interruption}, keep_book);
+  if (!solved) return ExitCode::interrupted;
+  const Solution& solution = *solved;
   interruption.note_all();
   watch.lap();
   std::optional<RayRadiance> scene;
-  if (need_rays(input, problem.space()))
+  if (need_rays(input, problem.space())) {
+    const ShownStage stage(stages, "what rays look at");
     scene.emplace(lights, directions, options, solution.state, options.threads, WallValues::joined,
                   uncollided->first_collisions());
+  }
   uncollided.reset();
   seconds.rays = watch.lap();
   RunResult result{.input = input,
@@ -210,7 +159,8 @@ ExitCode run_logged(const RunRequest& request, std::ostream& out, std::ostream& 
                    .regions = region_powers(problem, solution),
                    .seconds = seconds,
                    .threads = options.threads,
-                   .record = request.record};
+                   .record = request.record,
+                   .is_coarse = is_coarse(resolution)};
   if (exact) add_exact(*exact, directions, result);
   result.seconds.measures = watch.lap();
   result.probes = read_probes(input.probes, lights, solution, locator, options.threads,
@@ -221,7 +171,8 @@ ExitCode run_logged(const RunRequest& request, std::ostream& out, std::ostream& 
   result.seconds.sensors += watch.lap();
   note_left_out(result);
   result.seconds.total = watch.total();
-  const WrittenResults written = write_results(result);
+  if (request.traces == RunTraces::none) return conclude_without_traces(result, reader);
+  const WrittenResults written = write_visibly(result, stages);
   out << convergence_text(result) << uncollided_text(result) << balance_text(result) << powers_text(result)
       << probes_text(result) << sensors_text(result) << exact_text(result) << cautions_text(result)
       << closing_text(result, written) << std::flush;
@@ -248,7 +199,10 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   recorded.progress = resolved_style(request.progress, out);
   recorded.record.begun = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
   RunLog log(recorded.record);
-  Interruption interruption;
+  std::optional<Interruption> handling;
+  if (request.traces == RunTraces::none)
+    return run_logged(recorded, out, err, reader, handling.emplace(last_words_of_repetition), log);
+  Interruption& interruption = handling.emplace();
   try {
     const ExitCode code = [&] {
       LoggedStream logged_out(out, log), logged_err(err, log);

@@ -47,7 +47,7 @@ ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& er
   seconds.total = run.watch.total();
   result.seconds = seconds;
   note_left_out(result);
-  const WrittenResults written = write_results(result);
+  const WrittenResults written = write_visibly(result, stages);
   out << photons_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
       << errors_text(result) << closing_text(result, written) << std::flush;
   if (!run.input.cameras.empty()) {

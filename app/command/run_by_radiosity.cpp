@@ -35,10 +35,10 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   const Stopwatch watch;
   RunSeconds seconds = run.seconds;
   seconds.setup += run.watch.lap();
-  const ProgressStyle style = resolved_style(run.request.progress, out);
+  const ProgressStyle style = resolved_style(run.request.progress, run.shown);
   const std::function<bool()> interrupted = [&] { return run.interruption.noted(); };
-  const StageDisplay stages{style, out, interrupted};
-  FactorDisplay display(style, out);
+  const StageDisplay stages{style, run.shown, interrupted};
+  FactorDisplay display(style, run.shown);
   RadiosityRoom room(run.problem, asked, [&](const RadiosityStage& stage) {
     display.show(stage, watch.total());
     if (stage.done > 0) return;
@@ -49,14 +49,20 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   });
   display.finish();
   out << fmt::format("form factors in {:.3g} s\n", room.report().factor_seconds) << std::flush;
-  run.interruption.note_the_first();
-  FactorDisplay of_cells(style, out, "light in the cells");
+  FactorDisplay of_cells(style, run.shown, "light in the cells");
   std::optional<double> begun;
-  RadiosityRun found =
-      run_radiosity({run.input, lights, directions, locator, stages}, room, [&](double done) {
-        if (!begun) of_cells.show({}, *(begun = watch.total()));
-        of_cells.show({.done = done}, watch.total());
-      });
+  RadiosityRun found;
+  try {
+    found = run_radiosity({run.input, lights, directions, locator, stages, run.interruption}, room,
+                          [&](double done) {
+                            if (!begun) of_cells.show({}, *(begun = watch.total()));
+                            of_cells.show({.done = done}, watch.total());
+                          });
+  } catch (const RadiosityStopped&) {
+    of_cells.finish();
+    err << "interrupted: nothing was written\n";
+    return ExitCode::interrupted;
+  }
   of_cells.finish();
   run.interruption.note_all();
   SolveOptions options = run.input.solve;
@@ -83,7 +89,8 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   seconds.total = run.watch.total();
   result.seconds = seconds;
   note_left_out(result);
-  const WrittenResults written = write_results(result);
+  if (run.request.traces == RunTraces::none) return conclude_without_traces(result, reader);
+  const WrittenResults written = write_visibly(result, stages);
   out << radiosity_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
       << sensors_text(result) << closing_text(result, written) << std::flush;
   if (!run.input.cameras.empty()) {

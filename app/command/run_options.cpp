@@ -7,16 +7,10 @@
 #include "app/case/build.h"
 #include "app/command/begun_run.h"
 #include "app/command/memory.h"
-#include "app/command/method_checks.h"
 #include "app/command/sensors.h"
 #include "solver/split/solve_rotated.h"
 
 namespace etendue {
-
-RunDirections run_directions(const Case& input, const Problem& problem, const LightSetup& lights) {
-  require_lights_of_first_collided(input, lights);
-  return {build_rotated_directions(input, problem), build_first_collided_directions(input, problem)};
-}
 
 SolveOptions run_options(const Case& input, const DirectionSet& directions,
                          std::vector<IrradianceMeter> meters) {

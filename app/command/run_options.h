@@ -6,18 +6,11 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "app/command/run_directions.h"
 #include "solver/lights/light_setup.h"
 #include "solver/ordinates/solve.h"
 
 namespace etendue {
-
-/// The sets of a run, one for each rotation; of light that has collided once as many or none.
-struct RunDirections {
-  std::vector<DirectionSet> sets;
-  std::vector<DirectionSet> first_collided;
-};
-
-RunDirections run_directions(const Case& input, const Problem& problem, const LightSetup& lights);
 
 /// The solver's options as the case has them, with all that a run adds.
 SolveOptions run_options(const Case& input, const DirectionSet& directions,

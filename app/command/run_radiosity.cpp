@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "app/command/begun_run.h"
@@ -74,6 +76,12 @@ void check_views_of_radiosity(const Case& input) {
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
+/// The share that is done from the first residual to the tolerance, on a logarithmic scale.
+double share_of_passes(double first, double now, double tolerance) {
+  if (now <= tolerance) return 1;
+  return first > now ? std::log(first / now) / std::log(first / tolerance) : 0;
+}
+
 }  // namespace
 
 void check_for_radiosity(const Case& input, const Problem& problem) {
@@ -115,6 +123,9 @@ RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room, con
   const Case& input = scene.input;
   const Problem& problem = scene.lights.problem();
   const bool finer = are_finer_than_faces(room.patches());
+  std::optional<ShownStage> passing(std::in_place, scene.stages, "light from wall to wall");
+  const StageObserver of_passes = passing->observer();
+  double first_residual = 0;
   RadiosityRun run;
   run.solution = room.solve(
       [&](const RadiosityState& state) {
@@ -122,9 +133,18 @@ RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room, con
           room.fields_on_walls(state, run.passes.emplace_back());
           if (finer) run.pass_patches.push_back(light_on_patches(problem, room.patches(), state));
         }
-        return !scene.stages.interrupted();
+        scene.interruption.note_the_first();
+        const double left = *std::ranges::max_element(state.residual);
+        if (first_residual <= 0) first_residual = left;
+        of_passes(share_of_passes(first_residual, left, input.solve.tolerance));
+        return !scene.interruption.noted();
       },
-      of_cells);
+      [&](double done) {
+        passing.reset();
+        if (scene.interruption.is_overdue()) throw RadiosityStopped{};
+        of_cells(done);
+      });
+  passing.reset();
   if (finer) run.patches = light_on_patches(problem, room.patches(), room.solved());
   run.solution.state = state_to_look_at(room, scene);
   run.report = room.report();

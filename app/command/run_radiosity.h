@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "app/command/interruption.h"
 #include "app/command/stage_progress.h"
 #include "app/write/results.h"
 #include "mesh/tetrahedra/cell_locator.h"
@@ -42,9 +43,14 @@ struct RadiosityScene {
   const DirectionSet& directions;
   const CellLocator& locator;
   const StageDisplay& stages;
+  Interruption& interruption;
 };
 
-/// Solves a case in a room that is made for it. The state of the solution is that of RadiosityRoom.
+/// Thrown where the light in the cells takes too long after a signal: without it there is nothing to write.
+struct RadiosityStopped {};
+
+/// Solves a case in a room that is made for it. The state of the solution is that of RadiosityRoom. After the
+/// first pass a signal ends the passes. Throws RadiosityStopped.
 RadiosityRun run_radiosity(const RadiosityScene& scene, RadiosityRoom& room,
                            const FactorProgress& of_cells = {});
 

@@ -15,22 +15,34 @@ constexpr double seconds_of_grace = 0.25;
 
 }  // namespace
 
+bool StageProgress::is_due(double seconds) const {
+  if (style_ == ProgressStyle::none) return false;
+  const bool draws = style_ == ProgressStyle::bar;
+  const double interval = draws ? seconds_between_drawings : seconds_between_lines;
+  return seconds >= (shown_at_ ? *shown_at_ + interval : draws ? interval : seconds_to_first_line);
+}
+
+void StageProgress::print(const std::string& text, double seconds) {
+  shown_at_ = seconds;
+  drawn_ = style_ == ProgressStyle::bar;
+  if (drawn_)
+    out_ << "\r" << text << "\x1b[K" << std::flush;
+  else
+    out_ << text << std::endl;
+}
+
 void StageProgress::show(double share, double seconds) {
   if (style_ == ProgressStyle::none) return;
   if (!first_) first_ = {share, seconds};
   const auto [first_share, first_seconds] = *first_;
-  if (share <= first_share) return;
-  const bool draws = style_ == ProgressStyle::bar;
-  const double interval = draws ? seconds_between_drawings : seconds_between_lines;
-  if (seconds < (shown_at_ ? *shown_at_ + interval : draws ? interval : seconds_to_first_line)) return;
-  shown_at_ = seconds;
+  if (share <= first_share || !is_due(seconds)) return;
   const double left = (seconds - first_seconds) * (1 - share) / (share - first_share);
-  const std::string text = fmt::format("  {}: {:.0f} %, about {:.0f} s left", name_, 100 * share, left);
-  if (draws)
-    out_ << "\r" << text << "\x1b[K" << std::flush;
-  else
-    out_ << text << std::endl;
-  drawn_ = draws;
+  print(fmt::format("  {}: {:.0f} %, about {:.0f} s left", name_, 100 * share, left), seconds);
+}
+
+void StageProgress::show_waiting(double seconds) {
+  if (seconds >= seconds_to_first_line && is_due(seconds))
+    print(fmt::format("  {}: {:.0f} s so far", name_, seconds), seconds);
 }
 
 void StageProgress::finish() {
@@ -38,10 +50,35 @@ void StageProgress::finish() {
   drawn_ = false;
 }
 
+ShownStage::ShownStage(const StageDisplay& display, std::string name)
+    : progress_(display.style, std::move(name), display.out), interrupted_(display.interrupted) {
+  if (display.style == ProgressStyle::none) return;
+  waiting_ = std::thread([this] {
+    std::unique_lock<std::mutex> lock(showing_);
+    while (!ending_.wait_for(lock, std::chrono::duration<double>(seconds_between_drawings),
+                             [this] { return ended_ || says_share_; }))
+      progress_.show_waiting(std::chrono::duration<double>(Clock::now() - begun_).count());
+  });
+}
+
+ShownStage::~ShownStage() {
+  {
+    const std::lock_guard<std::mutex> lock(showing_);
+    ended_ = true;
+  }
+  ending_.notify_all();
+  if (waiting_.joinable()) waiting_.join();
+  progress_.finish();
+}
+
 StageObserver ShownStage::observer() {
   return [this](double share) {
     const double seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
-    progress_.show(share, seconds);
+    {
+      const std::lock_guard<std::mutex> lock(showing_);
+      says_share_ = says_share_ || share > 0;
+      progress_.show(share, seconds);
+    }
     return seconds < seconds_of_grace || !interrupted_ || !interrupted_();
   };
 }

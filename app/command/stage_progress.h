@@ -3,10 +3,13 @@
 
 #include <array>
 #include <chrono>
+#include <condition_variable>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "app/command/command_line.h"
@@ -25,10 +28,15 @@ class StageProgress {
   /// The share that is done, after so many seconds. The time that is left is computed from the first call on:
   /// what was prepared before takes none of it.
   void show(double share, double seconds);
+  /// Of a stage that has not said yet how far it is: that it is under way, after so many seconds.
+  void show_waiting(double seconds);
   /// Ends the line that was drawn over.
   void finish();
 
  private:
+  bool is_due(double seconds) const;
+  void print(const std::string& text, double seconds);
+
   ProgressStyle style_;
   std::string name_;
   std::ostream& out_;
@@ -44,13 +52,13 @@ struct StageDisplay {
   std::function<bool()> interrupted;
 };
 
-/// A stage that begins now and is shown until this ends. After a signal a stage of a fraction of a second is
-/// still done, so that little is left out.
+/// A stage that begins now and is shown until this ends, by the time that it takes until it says which share
+/// is done: nothing else may be written to the display's stream meanwhile but by this thread's observer.
+/// After a signal a stage of a fraction of a second is still done, so that little is left out.
 class ShownStage {
  public:
-  ShownStage(const StageDisplay& display, std::string name)
-      : progress_(display.style, std::move(name), display.out), interrupted_(display.interrupted) {}
-  ~ShownStage() { progress_.finish(); }
+  ShownStage(const StageDisplay& display, std::string name);
+  ~ShownStage();
   ShownStage(const ShownStage&) = delete;
   ShownStage& operator=(const ShownStage&) = delete;
 
@@ -62,6 +70,11 @@ class ShownStage {
   StageProgress progress_;
   std::function<bool()> interrupted_;
   Clock::time_point begun_ = Clock::now();
+  std::mutex showing_;
+  bool says_share_ = false;
+  bool ended_ = false;
+  std::condition_variable ending_;
+  std::thread waiting_;  ///< shows a stage that says nothing; none where nothing is shown
 };
 
 }  // namespace etendue

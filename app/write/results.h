@@ -90,6 +90,7 @@ struct RunResult {
   RunSeconds seconds;
   int threads = 1;
   RunRecord record = {};
+  bool is_coarse = false;                  ///< known before the sweeps: cells or directions too coarse
   std::vector<std::string> left_out = {};  ///< what an interruption left out: "3 of 5 sensors"
 
   /// Whether a signal ended the iteration, or the reading of probes and sensors.

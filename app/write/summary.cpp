@@ -147,6 +147,24 @@ std::string text_of(const Json& summary) {
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// Names that a summary lists, and more.
+void add_files(const std::vector<std::string>& more, Json& summary) {
+  Json& names = summary["files"];
+  if (!names.is_array()) names = Json::array();
+  for (const std::string& name : more)
+    if (std::count(names.begin(), names.end(), Json(name)) == 0) names.push_back(name);
+}
+
+/// A stage after the writing; the total stays the last.
+void add_stage(const char* stage, double taken, Json& summary) {
+  if (!summary["seconds"].is_object() || !summary["seconds"].value("total", Json()).is_number()) return;
+  Json& seconds = summary["seconds"];
+  const double total = seconds["total"];
+  seconds.erase("total");
+  seconds[stage] = taken;
+  seconds["total"] = total + taken;
+}
+
 }  // namespace
 
 long peak_memory() {
@@ -233,18 +251,18 @@ std::string summary_with_files(const std::filesystem::path& directory, const std
                                std::optional<double> seconds_of_pictures) {
   Json summary = summary_in(directory);
   if (summary.empty()) return "";
-  std::vector<std::string> names = files_of_earlier_run(directory);
-  for (const std::string& name : more)
-    if (std::count(names.begin(), names.end(), name) == 0) names.push_back(name);
-  summary["files"] = names;
-  if (seconds_of_pictures && summary["seconds"].is_object() &&
-      summary["seconds"].value("total", Json()).is_number()) {
-    Json& seconds = summary["seconds"];
-    const double total = seconds["total"];
-    seconds.erase("total");
-    seconds["pictures"] = *seconds_of_pictures;
-    seconds["total"] = total + *seconds_of_pictures;
-  }
+  add_files(more, summary);
+  if (seconds_of_pictures) add_stage("pictures", *seconds_of_pictures, summary);
+  return text_of(summary);
+}
+
+std::string summary_with_estimate(const std::filesystem::path& directory, const std::string& estimate,
+                                  double seconds) {
+  Json summary = summary_in(directory);
+  if (summary.empty()) return "";
+  add_files({"estimate.csv"}, summary);
+  add_stage("estimate", seconds, summary);
+  summary["estimate"] = Json::parse(estimate);
   return text_of(summary);
 }
 

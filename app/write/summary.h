@@ -23,6 +23,11 @@ std::vector<std::string> files_of_earlier_run(const std::filesystem::path& direc
 std::string summary_with_files(const std::filesystem::path& directory, const std::vector<std::string>& more,
                                std::optional<double> seconds_of_pictures = {});
 
+/// The text of the summary.json in this directory with an estimate of the run's errors, a JSON object, the
+/// seconds that it took and the file estimate.csv; empty where there is none.
+std::string summary_with_estimate(const std::filesystem::path& directory, const std::string& estimate,
+                                  double seconds);
+
 /// The case that a summary.json holds, resolved, and the file that it was read from; empty where there is
 /// none.
 struct SavedCase {

@@ -84,7 +84,7 @@ class Run {
     result_.bands.resize(bands_);
   }
 
-  IterationResult run() {
+  IterationResult run() try {
     while (sweeps_ < options_.max_sweeps && !result_.interrupted) {
       // Of those that the cycle has found done the true residual is still to be seen.
       for (std::size_t b = 0; b < bands_; ++b) done_[b] = result_.bands[b].converged;
@@ -115,6 +115,9 @@ class Run {
     }
     result_.sweeps = sweeps_;
     return std::move(result_);
+  } catch (const SweepStopped&) {
+    add_correction(state_);
+    throw;
   }
 
  private:

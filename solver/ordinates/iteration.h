@@ -42,7 +42,8 @@ class Iteration {
   virtual const char* name() const = 0;
   /// Whether it fills IterationOptions::record.
   virtual bool records() const { return false; }
-  /// Improves `state` until the tolerance is met, the sweeps are used up or the observer stops it.
+  /// Improves `state` until the tolerance is met, the sweeps are used up or the observer stops it. Where a
+  /// sweep throws SweepStopped, so does this, and `state` is the best so far.
   virtual IterationResult run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
                               const SolveObserver& observer) = 0;
 };

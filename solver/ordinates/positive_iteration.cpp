@@ -50,7 +50,7 @@ class Run {
     result_.bands.resize(bands_);
   }
 
-  IterationResult run() {
+  IterationResult run() try {
     clip(state_);
     for (int count = 1; count <= options_.max_sweeps; ++count) {
       TransportState last_image = image_;
@@ -90,6 +90,9 @@ class Run {
     state_ = best_;
     for (std::size_t b = 0; b < bands_; ++b) result_.bands[b].residual = best_errors_[b];
     return std::move(result_);
+  } catch (const SweepStopped&) {
+    if (!best_errors_.empty()) state_ = best_;
+    throw;
   }
 
  private:

@@ -272,10 +272,57 @@ void read_out(TransportSweep& sweep, const TransportState& last_state, SweepReco
   solution.negative = negative_census(solution.fluence, bands);
 }
 
+/// From the state to the solution's, by as many sweeps as that takes; the last of them fills the record.
+/// Throws SweepStopped, and then the state is the best so far.
+void iterate(TransportSweep& sweep, SingleTransportSweep* single, const LowOrder& low_order,
+             Iteration& iteration, const SolveOptions& options, const SolveObserver& observer,
+             TransportState& state, SweepRecord& record, Solution& solution) {
+  bool recorded = false;
+  int used = 1;
+  if (sweep.is_direct()) {
+    solution.convergence.assign(static_cast<std::size_t>(sweep.problem().band_count()), {1, 0, true});
+  } else if (options.max_sweeps == 1) {
+    // The only sweep is the one that measures; nothing is known of its error.
+    solution.convergence.assign(static_cast<std::size_t>(sweep.problem().band_count()), {1, 1, false});
+  } else {
+    used = low_order.diffusion ? low_order.diffusion->sweeps() : 0;
+    // A sweep that measures is one of those that are allowed: the last of the iteration or one more.
+    const bool records = iteration.records() && options.positivity == Positivity::none;
+    if (!records) ++used;
+    const IterationOptions limits{options.tolerance,
+                                  options.max_sweeps - used,
+                                  low_order.acceleration(),
+                                  low_order.judge(),
+                                  single,
+                                  records ? &record : nullptr};
+    IterationResult result = starts_positive(options) ? untouched(sweep.problem().band_count())
+                                                      : iteration.run(sweep, state, limits, observer);
+    solution.convergence = std::move(result.bands);
+    solution.history = std::move(result.history);
+    solution.interrupted = result.interrupted;
+    recorded = result.recorded;
+    if (records && !recorded) ++used;
+    if (single) solution.notes.push_back(single_precision_note(*single));
+    for (BandConvergence& band : solution.convergence) band.sweeps += used;
+    used += result.sweeps;
+    if (low_order.accelerates)
+      for (std::string& note : low_order.diffusion->notes()) solution.notes.push_back(std::move(note));
+    std::move(result.notes.begin(), result.notes.end(), std::back_inserter(solution.notes));
+  }
+  if (options.positivity != Positivity::none && options.order == SpaceOrder::linear)
+    keep_positive(sweep, state, options, low_order.acceleration(), observer, used, solution);
+  if (!recorded) {
+    TransportState last_state(sweep.layout());
+    sweep.apply(state, last_state, &record);
+    check_finite(sweep, used, last_state);
+    state = std::move(last_state);
+  }
+}
+
 }  // namespace
 
 Solution solve(const Problem& problem, const DirectionSet& directions, const SolveOptions& options,
-               const SolveObserver& observer) {
+               const SolveObserver& observer) try {
   if (problem.space() != directions.space())
     throw std::invalid_argument("a plane problem needs directions in the plane, and only that");
   using Clock = std::chrono::steady_clock;
@@ -304,44 +351,14 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   if (options.precision == Precision::mixed && options.method != Method::source_iteration &&
       !sweep.is_direct())
     single.emplace(sweep);
-  const LowOrder low_order = make_low_order(problem, sweep, extinction, options, solution);
+  LowOrder low_order;
   SweepRecord record;
-  bool recorded = false;
-  int used = 1;
-  if (sweep.is_direct()) {
-    solution.convergence.assign(static_cast<std::size_t>(problem.band_count()), {1, 0, true});
-  } else if (options.max_sweeps == 1) {
-    // The only sweep is the one that measures; nothing is known of its error.
-    solution.convergence.assign(static_cast<std::size_t>(problem.band_count()), {1, 1, false});
-  } else {
-    used = low_order.diffusion ? low_order.diffusion->sweeps() : 0;
-    // A sweep that measures is one of those that are allowed: the last of the iteration or one more.
-    const bool records = iteration->records() && options.positivity == Positivity::none;
-    if (!records) ++used;
-    const IterationOptions limits{options.tolerance,           options.max_sweeps - used,
-                                  low_order.acceleration(),    low_order.judge(),
-                                  single ? &*single : nullptr, records ? &record : nullptr};
-    IterationResult result = starts_positive(options) ? untouched(problem.band_count())
-                                                      : iteration->run(sweep, state, limits, observer);
-    solution.convergence = std::move(result.bands);
-    solution.history = std::move(result.history);
-    solution.interrupted = result.interrupted;
-    recorded = result.recorded;
-    if (records && !recorded) ++used;
-    if (single) solution.notes.push_back(single_precision_note(*single));
-    for (BandConvergence& band : solution.convergence) band.sweeps += used;
-    used += result.sweeps;
-    if (low_order.accelerates)
-      for (std::string& note : low_order.diffusion->notes()) solution.notes.push_back(std::move(note));
-    std::move(result.notes.begin(), result.notes.end(), std::back_inserter(solution.notes));
-  }
-  if (options.positivity != Positivity::none && options.order == SpaceOrder::linear)
-    keep_positive(sweep, state, options, low_order.acceleration(), observer, used, solution);
-  if (!recorded) {
-    TransportState last_state(sweep.layout());
-    sweep.apply(state, last_state, &record);
-    check_finite(sweep, used, last_state);
-    state = std::move(last_state);
+  try {
+    low_order = make_low_order(problem, sweep, extinction, options, solution);
+    iterate(sweep, single ? &*single : nullptr, low_order, *iteration, options, observer, state, record,
+            solution);
+  } catch (const SweepStopped&) {
+    throw SolveStopped{saved(state, problem.band_count())};
   }
   read_out(sweep, state, record, solution);
   if (low_order.diffusion) {
@@ -366,6 +383,8 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   solution.sweep_cost =
       1e9 * swept / (static_cast<double>(band_sweeps) * problem.mesh().cell_count() * directions.count());
   return solution;
+} catch (const SweepStopped&) {
+  throw SolveStopped{};  // before there was a state
 }
 
 }  // namespace etendue

@@ -68,6 +68,14 @@ struct SolveOptions {
   const AngularInput* angular_input = nullptr;
   /// Where the iteration starts; must outlive the call. Null: from darkness.
   const SavedState* initial = nullptr;
+  /// Whether to end at once, within a sweep: asked by all threads, often. Then SolveStopped is thrown.
+  std::function<bool()> stops = {};
+};
+
+/// A solution that ended within a sweep, as SolveOptions::stops wanted: there is no solution, but a state to
+/// continue from.
+struct SolveStopped {
+  SavedState state;
 };
 
 /// Bytes that solve() may take at its peak, the solution and all Krylov vectors included: an upper estimate.

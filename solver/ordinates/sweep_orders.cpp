@@ -2,11 +2,15 @@
 #include "solver/ordinates/sweep_orders.h"
 
 #include <algorithm>
+#include <atomic>
+
+#include "solver/ordinates/sweep_stopped.h"
 
 namespace etendue {
 
 SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions,
-                         std::size_t cells_per_tile, LevelOrder levels, std::size_t bytes, int threads)
+                         std::size_t cells_per_tile, LevelOrder levels, std::size_t bytes, int threads,
+                         const std::function<bool()>& stops)
     : graph_(mesh),
       tiles_(mesh, cells_per_tile),
       directions_(directions),
@@ -19,12 +23,15 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
   visits_.reset(static_cast<SweepVisit*>(::operator new(static_cast<std::size_t>(kept_count_) * one)));
   std::vector<std::size_t> lagged(orders_.size(), 0);
   std::vector<std::uint32_t> slots(orders_.size(), 0);
+  std::atomic<bool> stopped = false;
 #pragma omp parallel num_threads(threads)
   {
     SweepOrderMaker maker(graph_, tiles_, levels_);
     std::vector<SweepVisit> scratch;
 #pragma omp for schedule(dynamic, 1)
     for (std::int32_t pair = 0; pair < pairs; ++pair) {
+      if (!stopped && stops && stops()) stopped = true;
+      if (stopped) continue;
       const auto p = static_cast<std::size_t>(pair);
       const bool is_kept = pair < kept_count_;
       if (!is_kept) scratch.resize(graph_.cell_count());
@@ -34,6 +41,7 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
       if (is_kept) orders_[p] = std::move(order);
     }
   }
+  if (stopped) throw SweepStopped{};
   lagged_start_.push_back(0);
   for (const std::size_t count : lagged) lagged_start_.push_back(lagged_start_.back() + count);
   largest_slot_count_ = *std::max_element(slots.begin(), slots.end());

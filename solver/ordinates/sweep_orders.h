@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <new>
 #include <optional>
@@ -24,9 +25,10 @@ struct OwnedOrder {
 /// the memory that is allowed; the others are made again whenever they are needed.
 class SweepOrders {
  public:
-  /// The arguments must outlive it. `bytes` bounds what is kept.
+  /// The arguments but for `stops` must outlive it. `bytes` bounds what is kept. Where `stops`, asked by all
+  /// threads, says so, SweepStopped is thrown.
   SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t cells_per_tile,
-              LevelOrder levels, std::size_t bytes, int threads);
+              LevelOrder levels, std::size_t bytes, int threads, const std::function<bool()>& stops = {});
 
   /// The order of ordinate 2 `pair`; 2 `pair` + 1 walks it backwards. `remade` holds it if it was not kept;
   /// `maker`, null at first, is one of the calling thread.

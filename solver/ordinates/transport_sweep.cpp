@@ -68,8 +68,8 @@ std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, con
   const auto cell_count = static_cast<std::size_t>(mesh.cell_count());
   auto orders = std::make_shared<const SweepOrders>(
       mesh, directions, cells_per_tile(cell_count, cell_bytes, options.cache_bytes),
-      skips_faces(cells.stride()) ? LevelOrder::alike : LevelOrder::neighbours, options.order_memory,
-      threads);
+      skips_faces(cells.stride()) ? LevelOrder::alike : LevelOrder::neighbours, options.order_memory, threads,
+      options.stops);
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return orders;
 }
@@ -292,6 +292,7 @@ void TransportSweepOf<Real>::sweep_source(const TransportState& last, TransportS
       const ProcessorTimer timer(processor_seconds_);
       sweep_batch(first + t, last, next, record, *workspaces_[static_cast<std::size_t>(t)]);
     }
+    if (stopped_) throw SweepStopped{};
     merge(first, batches, next, record);
   }
   if constexpr (!adds_in_place) {
@@ -304,6 +305,12 @@ void TransportSweepOf<Real>::sweep_source(const TransportState& last, TransportS
       work->exitance = AlignedArray();
     }
   band_sweep_count_ += cells_.bands();
+}
+
+template <class Real>
+bool TransportSweepOf<Real>::is_stopped() {
+  if (!stopped_ && options_.stops && options_.stops()) stopped_ = true;
+  return stopped_;
 }
 
 template <class Real>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <span>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "solver/ordinates/scattering_moments.h"
 #include "solver/ordinates/sweep_kernel.h"
 #include "solver/ordinates/sweep_orders.h"
+#include "solver/ordinates/sweep_stopped.h"
 #include "solver/ordinates/transport_state.h"
 #include "solver/ordinates/wall_exchange.h"
 
@@ -126,6 +128,8 @@ class TransportSweepOf {
   void sweep_batch(std::int32_t batch, const TransportState& last, TransportState& next, SweepRecord* record,
                    Workspace& work);
   void form_angular_source(std::int32_t batch, Workspace& work);
+  /// Whether this sweep is to end; any thread may ask.
+  bool is_stopped();
   void sweep_group(std::span<const Passage> group, const TransportState& last, TransportState& next,
                    SweepRecord* record, Workspace& work);
   void begin_passage(const Passage& passage, const TransportState& last, SweepRecord* record,
@@ -133,7 +137,8 @@ class TransportSweepOf {
   SweepTaskOf<Real> make_task(const Passage& passage, SweepRecord* record, Workspace& work);
   void run_kernel(const SweepTaskOf<Real>& task) const;
   void run_alone(const Passage& passage, SweepRecord* record, Workspace& work);
-  void run_together(std::span<const Passage> group, SweepRecord* record, Workspace& work);
+  /// False where the sweep is to end.
+  bool run_together(std::span<const Passage> group, SweepRecord* record, Workspace& work);
   void end_passage(const Passage& passage, TransportState& next, SweepRecord* record, Workspace& work);
   void sweep_and_keep(SweepTaskOf<Real> task, OrdinateRadiance& kept, std::span<Real> whole_rows) const;
   void set_lagged(OrdinateIndex m, const SweepOrder& order, const TransportState& last,
@@ -202,6 +207,7 @@ class TransportSweepOf {
   bool may_narrow_ = true;                  ///< whether sweeps of some bands have had the rows of this one
   std::int64_t band_sweep_count_ = 0;
   double processor_seconds_ = 0;
+  std::atomic<bool> stopped_ = false;
 };
 
 extern template class TransportSweepOf<double>;

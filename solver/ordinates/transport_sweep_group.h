@@ -95,6 +95,7 @@ void TransportSweepOf<Real>::sweep_batch(std::int32_t batch, const TransportStat
       group.push_back({m, &orders_->of_pair(m.value() / 2, work.order_maker, member.remade_order),
                        angular_at(first, work), &member});
     }
+    if (is_stopped()) return;
     sweep_group(group, last, next, record, work);
   }
 }
@@ -110,8 +111,8 @@ void TransportSweepOf<Real>::sweep_group(std::span<const Passage> group, const T
   for (const Passage& passage : group) begin_passage(passage, last, record, work);
   if (pass_alone(record)) {
     for (const Passage& passage : group) run_alone(passage, record, work);
-  } else {
-    run_together(group, record, work);
+  } else if (!run_together(group, record, work)) {
+    return;
   }
   for (const Passage& passage : group) end_passage(passage, next, record, work);
 }
@@ -201,7 +202,7 @@ void TransportSweepOf<Real>::run_alone(const Passage& passage, SweepRecord* reco
 
 // Tile by tile, so that what one ordinate has brought into the cache serves all of the group.
 template <class Real>
-void TransportSweepOf<Real>::run_together(std::span<const Passage> group, SweepRecord* record,
+bool TransportSweepOf<Real>::run_together(std::span<const Passage> group, SweepRecord* record,
                                           Workspace& work) {
   std::vector<SweepTaskOf<Real>> tasks;
   for (const Passage& passage : group) tasks.push_back(make_task(passage, record, work));
@@ -213,7 +214,9 @@ void TransportSweepOf<Real>::run_together(std::span<const Passage> group, SweepR
       tasks[i].levels = order.levels.data() + order.steps[at];
       tasks[i].level_count = order.steps[at + 1] - order.steps[at];
       run_kernel(tasks[i]);
+      if (is_stopped()) return false;
     }
+  return true;
 }
 
 }  // namespace etendue

@@ -61,9 +61,15 @@ Solution solve_rotated(UncollidedLight& uncollided, const std::vector<DirectionS
       all.max_sweeps += before;
       return observer(all);
     };
-    Solution solution =
-        uncollided.solve_rest(sets[i], first_collided.empty() ? nullptr : &first_collided[i], warm,
-                              observer ? SolveObserver(shifted) : SolveObserver(), reader);
+    Solution solution;
+    try {
+      solution = uncollided.solve_rest(sets[i], first_collided.empty() ? nullptr : &first_collided[i], warm,
+                                       observer ? SolveObserver(shifted) : SolveObserver(), reader);
+    } catch (const SolveStopped&) {
+      if (mean.count() == 0) throw;
+      interrupted = true;  // the mean of the sets that are done is a result
+      break;
+    }
     before += sweeps;
     interrupted = solution.interrupted;
     if (interrupted && mean.count() > 0) break;

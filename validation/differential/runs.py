@@ -73,7 +73,7 @@ def _fine_bodies(scene):
 
 def _run(case, name, overrides, options, solved):
     folder = case.parent / name
-    command = [str(options.program), "run", str(case), "--output", str(folder), "--progress", "none"]
+    command = [str(options.program), "run", str(case), "--no-estimate", "--output", str(folder), "--progress", "none"]
     for override in [*overrides, *options.set]:
         command += ["--set", override]
     started = time.monotonic()

@@ -91,7 +91,7 @@ def execute(run, outcome, options):
 
 def arguments(run, case, folder):
     study = run.get("study")
-    words = ["study", str(case), "--refine", study["refine"], "--levels", str(study["levels"]), "--no-plot"] if study else ["run", str(case)]
+    words = ["study", str(case), "--refine", study["refine"], "--levels", str(study["levels"]), "--no-plot"] if study else ["run", str(case), "--no-estimate"]
     words += ["--output", str(folder), "--progress", "none"]
     for kind in ("column", "sheet"):
         if kind in run:

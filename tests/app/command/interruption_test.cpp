@@ -97,6 +97,74 @@ TEST(Interruption, WhileSolvingLeavesWholeResultsThatAreMarked) {
   }
 }
 
+/// A case of sweeps that take seconds, on one thread: 2,048 directions, 16 bands, 36 moments.
+constexpr const char* long_sweeps = R"([mesh]
+max_volume = 1.2e-3
+[[mesh.box]]
+region = "smoke"
+min = [0, 0, 0]
+max = [1, 1, 1]
+[bands]
+names = ["a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m", "n", "o", "p"]
+[media.smoke]
+absorption = 0.1
+scattering = 5
+phase = { model = "henyey-greenstein", g = 0.6 }
+[walls."*"]
+radiance = 1
+diffuse = 0.5
+[directions]
+set = "product"
+order = 32
+[solve]
+threads = 1
+method = "source-iteration"
+tolerance = 1e-12
+[output]
+directory = "results"
+)";
+
+// All results would take the sweep to its end, and another one.
+TEST(Interruption, WithinALongSweepLeavesTheStateToGoOnFrom) {
+  const CaseFolder folder(long_sweeps);
+  Process run({"run", folder.file(), "--progress", "plain"}, said_in(folder));
+  ASSERT_TRUE(run.says("sweep    1")) << text_of(said_in(folder));
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
+  EXPECT_EQ(ScratchFolder::names_in(folder.results()), (std::vector<std::string>{"solution.vtu"}));
+  const std::string state = (std::filesystem::path(folder.results()) / "solution.vtu").string();
+  EXPECT_NE(text_of(said_in(folder)).find("--set 'solve.initial=\"" + state + "\"'"), std::string::npos)
+      << text_of(said_in(folder));
+}
+
+TEST(Interruption, BeforeTheFirstSweepIsDoneLeavesNothing) {
+  const CaseFolder folder(long_sweeps);
+  Process run({"run", folder.file(), "--progress", "plain"}, said_in(folder));
+  ASSERT_TRUE(run.says("first sweep:")) << text_of(said_in(folder));  // it has taken a second
+  run.send(SIGTERM);
+  EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
+  EXPECT_NE(text_of(said_in(folder)).find("nothing was written"), std::string::npos);
+  EXPECT_EQ(ScratchFolder::names_in(folder.path()), (std::vector<std::string>{"case.toml", "said"}));
+}
+
+TEST(Interruption, WhileEstimatingErrorsLeavesTheResultsOfTheRun) {
+  const CaseFolder folder;
+  Process run({"run", folder.file(), "--progress", "plain", "--estimate", "--set", "directions.order=64"},
+              said_in(folder));
+  ASSERT_TRUE(run.says("open with: paraview")) << text_of(said_in(folder));
+  run.send(SIGINT);
+  const int code = run.wait();
+  // On a fast machine it may have ended before.
+  EXPECT_TRUE(code == 130 || code == 0) << text_of(said_in(folder));
+  const json summary = json::parse(text_of(std::filesystem::path(folder.results()) / "summary.json"));
+  EXPECT_EQ(summary["converged"], true);
+  EXPECT_EQ(summary["interrupted"], false);
+  if (code == 130) {
+    EXPECT_NE(text_of(said_in(folder)).find("but for the estimate of their errors"), std::string::npos)
+        << text_of(said_in(folder));
+  }
+}
+
 TEST(Interruption, WhileMeshingLeavesNothing) {
   const CaseFolder folder;
   std::vector<std::string> arguments = endless_run(folder);

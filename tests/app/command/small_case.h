@@ -20,7 +20,7 @@ struct Outcome {
   std::string err;
 };
 
-/// Runs the program in this process.
+/// Runs the program in this process; a run estimates no errors unless it is asked to, for the time.
 Outcome etendue_says(const std::vector<std::string>& arguments);
 
 /// A scratch folder with case.toml in it.
