@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "solver/ordinates/ordinate_lights.h"
 #include "solver/picture/bent_state.h"
 
 namespace etendue {
@@ -60,16 +61,18 @@ CollidedSource::CollidedSource(const LightSetup& lights, const DirectionSet& dir
 }
 
 // The cells whose moments a sweep keeps: where scattering is anisotropic, where it wrote each direction for
-// light that scatters first, and where a meter stood.
+// light that scatters first, where a light is left to the directions, and where a meter stood.
 void CollidedSource::find_rows(const LightSetup& lights, const SolveOptions& options) {
   const TetrahedralMesh& mesh = problem_.mesh();
   row_.assign(static_cast<std::size_t>(mesh.cell_count()), 0);
   dense_row_.assign(row_.size(), -1);
   for (const IrradianceMeter& meter : options.meters)
     for (const CellPoint& point : meter.cells) row_[point.cell.at()] = 1;
+  const OrdinateLights left(problem_, directions_, nullptr);
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
     const int region = mesh.region(cell);
+    if (left.depends_on_direction(cell)) row_[cell.at()] = 1;
     for (std::size_t b = 0; b < bands_; ++b) {
       const ScatteringTreatment& how = plan_[static_cast<std::size_t>(region) * bands_ + b];
       const bool scatters = problem_.scattering(cell, static_cast<int>(b)) > 0;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "solver/lights/point_source.h"
 #include "solver/parallel/parallel_for.h"
 
 namespace etendue {
@@ -37,18 +38,16 @@ std::vector<WallPoint> points_of(const TetrahedralMesh& mesh, int wall) {
 }
 
 struct PointLightPlace {
-  const LightSource* source;
+  const PointSource* source;
   PointInCell place;
 };
 
 std::vector<PointLightPlace> point_lights(const LightSetup& lights) {
   std::vector<PointLightPlace> places;
   const CellLocator locator(lights.problem().mesh());
-  // The sources of a set-up begin with the problem's lights.
-  for (std::size_t i = 0; i < lights.problem().lights().size(); ++i)
-    if (const auto* point = std::get_if<PointLight>(&lights.problem().lights()[i].kind))
-      places.push_back(
-          {lights.sources()[i].get(), {locator.find(point->position).front().cell, point->position}});
+  for (const auto& source : lights.sources())
+    if (const PointSource* point = source->as_point())
+      places.push_back({point, {locator.find(point->position()).front().cell, point->position()}});
   return places;
 }
 
