@@ -140,11 +140,12 @@ LightCase read_light(Section& section, const LightContext& context) {
   if (light.kind == "beam") light.gaussian = section.text("profile") == "gaussian";
   read_size(section, light);
   const std::optional<double> candelas = read_shape(section, light, context.folder);
-  if (light.kind == "sun" || light.kind == "sky") read_daylight(section, light);
+  std::optional<double> illuminance;
+  if (light.kind == "sun" || light.kind == "sky") illuminance = read_daylight(section, light);
   if (light.kind == "point" || light.kind == "spot" || light.kind == "beam")
     read_lamp_power(section, context, candelas, light);
   else
-    read_strength(section, context, light);
+    read_strength(section, context, illuminance, light);
   if (section.has("walls"))
     for (const std::string& wall : section.texts("walls")) light.walls.push_back(wall);
   return light;
