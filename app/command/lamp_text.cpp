@@ -19,7 +19,7 @@ std::string lamp_text(const Problem& problem, const Case& input) {
     text += fmt::format("lamp {}: {:.4g} {} in the bands, {:.5g} lm, {:.4g} lm/W\n", lamps[i].name,
                         lamps[i].power, input.units.power, lamps[i].luminous_flux, lamps[i].efficacy);
   if (lamps.size() > lamps_told) text += fmt::format("and {} more lamps\n", lamps.size() - lamps_told);
-  for (const Daylight& day : daylight(problem, input))
+  for (const Daylight& day : daylight(input))
     text += fmt::format("{}: {:.4g} {}/{}^2{} on a level plane{}{}\n", day.name, day.irradiance,
                         input.units.power, input.units.length,
                         day.illuminance < 0 ? "" : fmt::format(", {:.5g} lx", day.illuminance),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/write/lamp_light.h"
 
-#include <algorithm>
 #include <numeric>
 #include <optional>
 #include <variant>
 
+#include "app/case/daylight.h"
 #include "solver/sensors/photometry.h"
 
 namespace etendue {
@@ -25,21 +25,13 @@ std::vector<LampLight> lamp_lights(const Problem& problem, const Units& units) {
   return lamps;
 }
 
-std::vector<Daylight> daylight(const Problem& problem, const Case& input) {
-  const Photometry photometry(problem.bands());
+std::vector<Daylight> daylight(const Case& input) {
+  const Photometry photometry(input.bands);
   const std::optional<SiScale> scale = si_scale(input.units.length, input.units.power);
   std::vector<Daylight> found;
   for (const LightCase& light : input.lights) {
-    std::vector<double> level(problem.bands().names.size(), 0);
-    bool shines = false;
-    for (const Light& part : problem.lights()) {
-      const auto* beam = std::get_if<BeamLight>(&part.kind);
-      if (beam == nullptr || beam->profile || part.name != light.name) continue;
-      shines = true;
-      for (std::size_t b = 0; b < level.size(); ++b)
-        level[b] += beam->irradiance[b] * std::max(0.0, -beam->direction.z());
-    }
-    if (!shines) continue;
+    if (light.kind != "sun" && light.kind != "sky") continue;
+    const std::vector<double> level = unobstructed_irradiance(light);
     Daylight& day = found.emplace_back();
     day.name = light.name;
     day.note = light.note;

@@ -20,7 +20,7 @@ struct LampLight {
 /// Points and spots; none where the bands or the unit of power have no photometry.
 std::vector<LampLight> lamp_lights(const Problem& problem, const Units& units);
 
-/// Light of a sun or a sky on a level plane under all of it, z being up.
+/// Light of a sun or a sky on a level plane under all of it, before any glazing.
 struct Daylight {
   std::string name;
   std::string note;         ///< how the sun stands; may be empty
@@ -28,7 +28,7 @@ struct Daylight {
   double illuminance = -1;  ///< [lx]; -1 where the bands or units have no photometry
 };
 
-/// Suns and skies that come in as beams.
-std::vector<Daylight> daylight(const Problem& problem, const Case& input);
+/// Of the suns and skies of a case.
+std::vector<Daylight> daylight(const Case& input);
 
 }  // namespace etendue

@@ -174,7 +174,7 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["balance"] = array_of(result.balances, [](const Balance& b) { return as_json(b); });
   if (const auto lamps = lamp_lights(result.problem, result.input.units); !lamps.empty())
     summary["lamps"] = array_of(lamps, [](const LampLight& lamp) { return as_json(lamp); });
-  if (const auto days = daylight(result.problem, result.input); !days.empty())
+  if (const auto days = daylight(result.input); !days.empty())
     summary["daylight"] = array_of(days, [](const Daylight& day) { return as_json(day); });
   if (!solution.lights.balance.empty())
     summary["uncollided"] =

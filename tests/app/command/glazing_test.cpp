@@ -109,6 +109,21 @@ TEST(Glazing, LetsTheSunInByItsAngle) {
     EXPECT_NEAR(of_wall(photons, wall, "incoming"), of_wall(folder, wall, "incoming"), 0.02 * known) << wall;
 }
 
+// Suns and skies are told as they are before the glass, and not left out.
+TEST(Glazing, LeavesWhatSunsAndSkiesAreToldToSend) {
+  const CaseFolder folder(
+      atrium(even_sky + "[[light]]\nname = \"sun\"\nkind = \"sun\"\nirradiance = 3\nwalls = [\"roof\"]\n"
+                        "sun_position = { altitude = 30, azimuth = 180 }\n"));
+  const Outcome run = etendue_says({"run", folder.file()});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  EXPECT_NE(run.out.find("sky: 6.283 W/m^2, "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("sun: 1.5 W/m^2, "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("lx on a level plane; sun at altitude 30.00, azimuth 180.00 degrees"),
+            std::string::npos)
+      << run.out;
+  EXPECT_NE(text_of(folder.path() / "results" / "summary.json").find("\"daylight\""), std::string::npos);
+}
+
 // The daylight factor under the roof: the integral of L T cos cos'/r^2 over the roof, over pi L.
 TEST(Glazing, AttenuatesDaylightFactors) {
   const CaseFolder folder(atrium(even_sky +
