@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/write/lamp_light.h"
 
+#include <algorithm>
 #include <numeric>
 #include <optional>
 #include <variant>
@@ -10,9 +11,9 @@
 
 namespace etendue {
 
-std::vector<LampLight> lamp_lights(const Problem& problem, const Units& units) {
+std::vector<LampLight> lamp_lights(const Problem& problem, const Case& input) {
   const Photometry photometry(problem.bands());
-  const std::optional<double> watts = watts_of_unit(units.power);
+  const std::optional<double> watts = watts_of_unit(input.units.power);
   std::vector<LampLight> lamps;
   if (!photometry.known() || !watts) return lamps;
   for (const Light& light : problem.lights()) {
@@ -20,7 +21,9 @@ std::vector<LampLight> lamp_lights(const Problem& problem, const Units& units) {
     if (point == nullptr) continue;
     const double power = std::accumulate(point->power.begin(), point->power.end(), 0.0);
     const double lumens = *watts * photometry.luminous(point->power);
-    lamps.push_back({light.name, power, lumens, power > 0 ? lumens / (*watts * power) : 0});
+    const auto written = std::ranges::find(input.lights, light.name, &LightCase::name);
+    lamps.push_back({light.name, power, lumens, power > 0 ? lumens / (*watts * power) : 0,
+                     written == input.lights.end() ? "" : written->note});
   }
   return lamps;
 }

@@ -15,10 +15,11 @@ struct LampLight {
   double power = 0;          ///< of all bands [units.power]
   double luminous_flux = 0;  ///< [lm]
   double efficacy = 0;       ///< luminous efficacy of its radiation in the bands [lm/W]
+  std::string note;          ///< how it is tilted, where that counts; may be empty
 };
 
 /// Points and spots; none where the bands or the unit of power have no photometry.
-std::vector<LampLight> lamp_lights(const Problem& problem, const Units& units);
+std::vector<LampLight> lamp_lights(const Problem& problem, const Case& input);
 
 /// Light of a sun or a sky on a level plane under all of it, before any glazing.
 struct Daylight {
