@@ -122,7 +122,7 @@ struct LightCase {
       false;  ///< of a lamp with the light of its file: what it sends at its own wall is lost
   bool level_irradiance =
       false;         ///< of a sky: strength is what a level plane gets, not the radiance of the zenith
-  std::string note;  ///< how the sun stands, for people; may be empty
+  std::string note;  ///< how the sun stands or a lamp is tilted, for people; may be empty
   Uncollided uncollided = Uncollided::automatic;
   std::vector<std::string> walls;
   Origin origin;

@@ -53,19 +53,28 @@ void check_daylight_factors(const Case& input, Faults& faults) {
   }
 }
 
-std::vector<double> unobstructed_sky_irradiance(const Case& input) {
-  const LightCase& sky = *std::ranges::find_if(input.lights, is_sky);
-  std::vector<double> sum(static_cast<std::size_t>(input.bands.count()), 0);
-  // Without a table the sky has the same radiance L all over: pi L, unless that is what is given.
-  if (sky.angle.empty())
-    for (std::size_t b = 0; b < sum.size(); ++b)
-      sum[b] = sky.level_irradiance ? sky.strength[b] : std::numbers::pi * sky.strength[b];
-  else
-    for (const BeamLight& part : sky_parts(sky, {})) {
-      const double cosine = std::max(0.0, part.direction.dot(sky.direction));
+std::vector<double> unobstructed_irradiance(const LightCase& light) {
+  std::vector<double> sum = light.strength;
+  const auto scale = [&](double factor) {
+    for (double& value : sum) value *= factor;
+  };
+  if (!is_sky(light)) {
+    scale(std::max(0.0, -light.direction.z()));
+  } else if (light.angle.empty()) {
+    // Without a table the sky has the same radiance L all over: pi L, unless that is what is given.
+    scale(light.level_irradiance ? 1 : std::numbers::pi);
+  } else {
+    std::ranges::fill(sum, 0);
+    for (const BeamLight& part : sky_parts(light, {})) {
+      const double cosine = std::max(0.0, part.direction.dot(light.direction));
       for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += part.irradiance[b] * cosine;
     }
+  }
   return sum;
+}
+
+std::vector<double> unobstructed_sky_irradiance(const Case& input) {
+  return unobstructed_irradiance(*std::ranges::find_if(input.lights, is_sky));
 }
 
 }  // namespace etendue

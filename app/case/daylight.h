@@ -12,9 +12,12 @@ namespace etendue {
 /// is excluded from a daylight factor, and light of lamps is no daylight.
 void check_daylight_factors(const Case& input, Faults& faults);
 
-/// Irradiance [band] that the sky of a case brings to an unobstructed horizontal plane: the integral of
-/// L cos(zenith angle) over the upper hemisphere [power/length^2]. The zenith is opposite to the light's
-/// `direction`. The case must have passed check_daylight_factors().
+/// Irradiance [band] that a sun or a sky brings to an unobstructed level plane, without glazing
+/// [power/length^2]: of a sky the integral of L cos(zenith angle) over the upper hemisphere, its zenith being
+/// opposite to the light's `direction`.
+std::vector<double> unobstructed_irradiance(const LightCase& light);
+
+/// That of the sky of a case, which must have passed check_daylight_factors().
 std::vector<double> unobstructed_sky_irradiance(const Case& input);
 
 }  // namespace etendue

@@ -132,13 +132,14 @@ void require_rising(IesNumbers& numbers, const std::vector<double>& angles, cons
 }
 
 // LM-63-02, section 5: the position of the lamp in the luminaire, the number of pairs, angles and factors.
-// How the lamp lies does not change what its factors are; they are those of the tilt of the luminaire.
+// In geometry 1 the lamp stands along the axis of the luminaire, in 2 and 3 across it.
 LampTilt read_factors(IesNumbers& numbers) {
   const double geometry = numbers.next("the lamp-to-luminaire geometry");
   if (geometry != 1 && geometry != 2 && geometry != 3)
     numbers.refuse(fmt::format("{} is no lamp-to-luminaire geometry; give 1, 2 or 3", geometry));
   const std::size_t count = numbers.next_count("the number of tilt angles");
   LampTilt tilt;
+  tilt.lies_across = geometry != 1;
   tilt.angle = numbers.next(count, "the tilt angles");
   require_rising(numbers, tilt.angle, "tilt");
   if (tilt.angle.front() < 0 || tilt.angle.back() > 180)

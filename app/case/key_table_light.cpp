@@ -272,9 +272,10 @@ std::vector<KeyDeclaration> light_keys() {
        number,
        {.unit = "W/m^2",
         .range = {.lowest = 0, .highest = 1500, .lowest_excluded = true},
-        .help = "Of a sky: what the sky without the sun sends to a level plane, of all wavelengths. In a "
-                "case with "
-                "one band it is the irradiance of the sky, unless another is given."}},
+        .help = "Of a sky: what the sky without the sun sends to a level plane, of all wavelengths. Unless "
+                "another strength is given it is the irradiance of the sky in a case with one band and no "
+                "`bands.edges`; in bands that the eye sees the sky has the illuminance that Perez et al. "
+                "(1990) find for it."}},
       {"light",
        "walls",
        texts,

@@ -17,6 +17,7 @@
 #include "app/case/read_solve.h"
 #include "app/case/render_toml.h"
 #include "app/case/section.h"
+#include "app/case/seen_lights_check.h"
 #include "app/case/toml_document.h"
 
 namespace etendue {
@@ -83,6 +84,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
     check_possible_names(result, faults);
     check_daylight_factors(result, faults);
     check_seen_by_eye(result, faults);
+    check_sensors_see_lights(result, faults);
   }
   report_unused(root, faults);
   if (!faults.empty()) throw InputError(std::move(faults));

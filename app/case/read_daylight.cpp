@@ -9,6 +9,7 @@
 
 #include "app/case/read_sun.h"
 #include "solver/sky/cie_general_sky.h"
+#include "solver/sky/perez_efficacy.h"
 #include "solver/sky/perez_sky.h"
 
 namespace etendue {
@@ -59,13 +60,13 @@ void read_cie_sky(Section& section, int type, const std::optional<SunPlace>& sun
       fmt::format("CIE standard general sky {}", type) + (light.note.empty() ? "" : ", ") + light.note;
 }
 
-void read_perez_sky(Section& section, const std::optional<SunPlace>& sun, LightCase& light) {
+std::optional<double> read_perez_sky(Section& section, const std::optional<SunPlace>& sun, LightCase& light) {
   const auto direct = section.number_if("direct_normal_irradiance"),
              diffuse = section.number_if("diffuse_horizontal_irradiance");
   for (const char* key : {"direct_normal_irradiance", "diffuse_horizontal_irradiance"})
     if (!section.has(key)) section.fault(fmt::format("a sky of Perez needs two irradiances; add {}", key));
   if (!section.has("sun_position")) section.fault("a sky of Perez needs sun_position; add it");
-  if (!direct || !diffuse || !sun) return;
+  if (!direct || !diffuse || !sun) return {};
   const double zenith = (90 - sun->altitude) * degree;
   const SkyConditions conditions = sky_conditions(*direct, *diffuse, zenith, sun->eccentricity);
   if (!fill_table(perez_sky(conditions, zenith), *sun, light))
@@ -74,13 +75,15 @@ void read_perez_sky(Section& section, const std::optional<SunPlace>& sun, LightC
         fmt::format("gives a sky of clearness {:.4g} and brightness {:.4g}, for which the model of Perez is "
                     "negative or infinite somewhere; use other irradiances or cie_type",
                     conditions.clearness, conditions.brightness));
-  light.note = fmt::format("Perez, clearness {:.4g}, brightness {:.4g}, {}", conditions.clearness,
-                           conditions.brightness, light.note);
+  const double efficacy = diffuse_luminous_efficacy(conditions, zenith);
+  light.note = fmt::format("Perez, clearness {:.4g}, brightness {:.4g}, {:.4g} lm/W, {}",
+                           conditions.clearness, conditions.brightness, efficacy, light.note);
+  return efficacy * *diffuse;
 }
 
 }  // namespace
 
-void read_daylight(Section& section, LightCase& light) {
+std::optional<double> read_daylight(Section& section, LightCase& light) {
   const std::optional<SunPlace> sun = read_sun_position(section);
   if (sun)
     light.note = fmt::format("sun at altitude {:.2f}, azimuth {:.2f} degrees", sun->altitude, sun->azimuth);
@@ -89,20 +92,19 @@ void read_daylight(Section& section, LightCase& light) {
       section.fault("a light of kind sun needs direction or sun_position; add one of them");
     if (section.has("sun_position")) section.unused("direction", "`sun_position` is given");
     if (sun) light.direction = -sun->to_sun;
-    return;
+    return {};
   }
   const auto type = section.number_if("cie_type");
   const bool perez = section.has("direct_normal_irradiance") || section.has("diffuse_horizontal_irradiance");
   if (!section.has("cie_type") && !perez) {
     section.unused("sun_position", "only a CIE sky or a sky of Perez depends on the sun");
-    return;
+    return {};
   }
   for (const char* key : {"distribution", "direction", "along"})
     section.unused(key, "the sky is given by its model, with its zenith along z");
-  if (type)
-    read_cie_sky(section, static_cast<int>(*type), sun, light);
-  else if (perez)
-    read_perez_sky(section, sun, light);
+  if (!type) return perez ? read_perez_sky(section, sun, light) : std::nullopt;
+  read_cie_sky(section, static_cast<int>(*type), sun, light);
+  return {};
 }
 
 }  // namespace etendue

@@ -68,11 +68,19 @@ std::optional<Vec3> unit_if(Section& section, std::string_view name) {
   return {};
 }
 
-/// What 1 of the intensity of a file is [cd] as the lamp is tilted; empty where only its shape counts.
-std::optional<double> tilted_candelas(Section& section, const LightTable& table, const Vec3& direction) {
+/// What 1 of the intensity of a file is [cd] as the lamp is tilted; empty where only its shape counts. A
+/// factor that counts is noted.
+std::optional<double> tilted_candelas(Section& section, const LightTable& table, LightCase& light) {
   if (!table.candelas || section.has("power") || section.has("luminous_flux")) return {};
-  const double tilted = std::acos(std::clamp(-direction.z(), -1., 1.)) * 180 / std::numbers::pi;
-  if (const std::optional<double> factor = table.tilt.factor_at(tilted)) return *table.candelas * *factor;
+  const double tilted = std::acos(std::clamp(-light.direction.z(), -1., 1.)) * 180 / std::numbers::pi;
+  if (const std::optional<double> factor = table.tilt.factor_at(tilted)) {
+    if (!table.tilt.angle.empty())
+      light.note = fmt::format("TILT factor {:.4g} at {:.4g} degrees{}", *factor, tilted,
+                               table.tilt.lies_across && tilted > 0
+                                   ? ", whichever way the lamp, which lies across its luminaire, is turned"
+                                   : "");
+    return *table.candelas * *factor;
+  }
   section.fault(
       "distribution",
       fmt::format("is tilted by {:.4g} degrees, and its TILT factors are from {:.4g} to {:.4g}; turn the "
@@ -89,7 +97,7 @@ std::optional<double> read_shape(Section& section, LightCase& light, const std::
     light.intensity = std::move(table.intensity);
     light.plane = std::move(table.plane);
     light.type = table.type;
-    return tilted_candelas(section, table, light.direction);
+    return tilted_candelas(section, table, light);
   }
   const auto angle = section.number_if("angle");
   if (!angle) return {};
@@ -141,11 +149,12 @@ LightCase read_light(Section& section, const LightContext& context) {
   light.numerical_aperture = section.number_if("numerical_aperture").value_or(0);
   read_size(section, light);
   const std::optional<double> candelas = read_shape(section, light, context.folder);
-  if (light.kind == "sun" || light.kind == "sky") read_daylight(section, light);
+  std::optional<double> illuminance;
+  if (light.kind == "sun" || light.kind == "sky") illuminance = read_daylight(section, light);
   if (light.kind == "point" || light.kind == "spot" || light.kind == "beam")
     read_lamp_power(section, context, candelas, light);
   else
-    read_strength(section, context, light);
+    read_strength(section, context, illuminance, light);
   if (section.has("walls"))
     for (const std::string& wall : section.texts("walls")) light.walls.push_back(wall);
   return light;

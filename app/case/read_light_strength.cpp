@@ -41,32 +41,47 @@ std::vector<StrengthKeys> strength_keys(const std::string& kind) {
   return {{"radiance", "luminance", false}};
 }
 
+/// Why lumens per square metre cannot be converted; empty where they can.
+std::string no_lux_reason(const LightContext& context) {
+  const std::string reason = no_lumens_reason(context.bands, context.units.power);
+  return reason.empty() && !si_scale(context.units.length, context.units.power)
+             ? fmt::format("needs units.length of m, cm, mm or km, not \"{}\"", context.units.length)
+             : reason;
+}
+
+/// [band] Lumens per square metre in units of the case.
+std::vector<double> divided_per_area(Section& section, const LightContext& context, double lux) {
+  const SiScale scale = si_scale(context.units.length, context.units.power).value();
+  return divided(section, context, lux * scale.length * scale.length);
+}
+
 /// Per square metre, in units of the case.
 std::vector<double> read_per_area(Section& section, const LightContext& context, const char* key) {
   const std::optional<double> value = section.number_if(key);
   if (!value || !are_sound(context.bands)) return {};
-  std::string reason = no_lumens_reason(context.bands, context.units.power);
-  const std::optional<SiScale> scale = si_scale(context.units.length, context.units.power);
-  if (reason.empty() && !scale)
-    reason = fmt::format("needs units.length of m, cm, mm or km, not \"{}\"", context.units.length);
-  if (!reason.empty()) {
-    section.fault(key, reason);
-    return {};
-  }
-  return divided(section, context, *value * scale->length * scale->length);
+  const std::string reason = no_lux_reason(context);
+  if (reason.empty()) return divided_per_area(section, context, *value);
+  section.fault(key, reason);
+  return {};
 }
 
-/// The diffuse irradiance by which a sky of Perez is known, of a case with one band. False where it is not
-/// that.
-bool read_diffuse(Section& section, const LightContext& context, LightCase& light) {
+/// What a sky of Perez has by its diffuse irradiance [W/m^2], which is of all wavelengths together: as it is
+/// in one band without wavelengths, else as `illuminance` [lx]. False where it is neither.
+bool take_diffuse(Section& section, const LightContext& context, std::optional<double> illuminance,
+                  LightCase& light) {
   const char* key = "diffuse_horizontal_irradiance";
-  const std::optional<SiScale> scale = si_scale(context.units.length, context.units.power);
-  if (!section.has(key) || !scale || context.bands.count() != 1) return false;
+  if (!section.has(key)) return false;
   const std::optional<double> diffuse = section.number_if(key);
-  if (!diffuse) return true;  // was refused
-  light.strength = {*diffuse * scale->length * scale->length / scale->power};
+  if (!diffuse || !are_sound(context.bands)) return true;  // was refused
+  const std::optional<SiScale> scale = si_scale(context.units.length, context.units.power);
   light.level_irradiance = true;
-  section.unused("color_temperature", "there is one band");
+  if (scale && context.bands.count() == 1 && context.bands.edges.empty()) {
+    light.strength = {*diffuse * scale->length * scale->length / scale->power};
+    section.unused("color_temperature", "there is one band");
+    return true;
+  }
+  if (!no_lux_reason(context).empty()) return false;
+  if (illuminance) light.strength = divided_per_area(section, context, *illuminance);
   return true;
 }
 
@@ -102,7 +117,8 @@ void read_lamp_power(Section& section, const LightContext& context, std::optiona
       divided(section, context, given ? *lumens : *candelas * integral_of_lamp_shape(point_light(light)));
 }
 
-void read_strength(Section& section, const LightContext& context, LightCase& light) {
+void read_strength(Section& section, const LightContext& context, std::optional<double> illuminance,
+                   LightCase& light) {
   std::string wanted, found;
   for (const StrengthKeys& keys : strength_keys(light.kind))
     for (const char* key : {keys.radiometric, keys.photometric}) {
@@ -119,7 +135,7 @@ void read_strength(Section& section, const LightContext& context, LightCase& lig
           radiometric ? band_numbers_if(section, key, context.bands) : read_per_area(section, context, key);
       if (radiometric) section.unused("color_temperature", fmt::format("`{}` is given for each band", key));
     }
-  if (!found.empty() || (light.kind == "sky" && read_diffuse(section, context, light))) return;
+  if (!found.empty() || (light.kind == "sky" && take_diffuse(section, context, illuminance, light))) return;
   section.fault(fmt::format("a light of kind {} needs {}; add one of them", light.kind, wanted));
 }
 

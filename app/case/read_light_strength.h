@@ -14,8 +14,11 @@ namespace etendue {
 void read_lamp_power(Section& section, const LightContext& context, std::optional<double> candelas,
                      LightCase& light);
 
-/// Reads the radiance or irradiance of other kinds of light, in units of radiometry or photometry.
-void read_strength(Section& section, const LightContext& context, LightCase& light);
+/// Reads the radiance or irradiance of other kinds of light, in units of radiometry or photometry. Without
+/// any a sky of Perez has the irradiance by which it is known, in one band without wavelengths, or
+/// `illuminance` on a level plane [lx], in bands that the eye sees.
+void read_strength(Section& section, const LightContext& context, std::optional<double> illuminance,
+                   LightCase& light);
 
 /// [band] Numbers of a key; empty where it is absent or faulty.
 std::vector<double> band_numbers_if(Section& section, std::string_view name, const Bands& bands);

@@ -6,13 +6,14 @@
 #include <optional>
 #include <variant>
 
+#include "app/case/daylight.h"
 #include "solver/sensors/photometry.h"
 
 namespace etendue {
 
-std::vector<LampLight> lamp_lights(const Problem& problem, const Units& units) {
+std::vector<LampLight> lamp_lights(const Problem& problem, const Case& input) {
   const Photometry photometry(problem.bands());
-  const std::optional<double> watts = watts_of_unit(units.power);
+  const std::optional<double> watts = watts_of_unit(input.units.power);
   std::vector<LampLight> lamps;
   if (!photometry.known() || !watts) return lamps;
   for (const Light& light : problem.lights()) {
@@ -20,26 +21,20 @@ std::vector<LampLight> lamp_lights(const Problem& problem, const Units& units) {
     if (point == nullptr) continue;
     const double power = std::accumulate(point->power.begin(), point->power.end(), 0.0);
     const double lumens = *watts * photometry.luminous(point->power);
-    lamps.push_back({light.name, power, lumens, power > 0 ? lumens / (*watts * power) : 0});
+    const auto written = std::ranges::find(input.lights, light.name, &LightCase::name);
+    lamps.push_back({light.name, power, lumens, power > 0 ? lumens / (*watts * power) : 0,
+                     written == input.lights.end() ? "" : written->note});
   }
   return lamps;
 }
 
-std::vector<Daylight> daylight(const Problem& problem, const Case& input) {
-  const Photometry photometry(problem.bands());
+std::vector<Daylight> daylight(const Case& input) {
+  const Photometry photometry(input.bands);
   const std::optional<SiScale> scale = si_scale(input.units.length, input.units.power);
   std::vector<Daylight> found;
   for (const LightCase& light : input.lights) {
-    std::vector<double> level(problem.bands().names.size(), 0);
-    bool shines = false;
-    for (const Light& part : problem.lights()) {
-      const auto* beam = std::get_if<BeamLight>(&part.kind);
-      if (beam == nullptr || beam->profile || part.name != light.name) continue;
-      shines = true;
-      for (std::size_t b = 0; b < level.size(); ++b)
-        level[b] += beam->irradiance[b] * std::max(0.0, -beam->direction.z());
-    }
-    if (!shines) continue;
+    if (light.kind != "sun" && light.kind != "sky") continue;
+    const std::vector<double> level = unobstructed_irradiance(light);
     Daylight& day = found.emplace_back();
     day.name = light.name;
     day.note = light.note;

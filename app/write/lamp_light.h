@@ -15,12 +15,13 @@ struct LampLight {
   double power = 0;          ///< of all bands [units.power]
   double luminous_flux = 0;  ///< [lm]
   double efficacy = 0;       ///< luminous efficacy of its radiation in the bands [lm/W]
+  std::string note;          ///< how it is tilted, where that counts; may be empty
 };
 
 /// Points and spots; none where the bands or the unit of power have no photometry.
-std::vector<LampLight> lamp_lights(const Problem& problem, const Units& units);
+std::vector<LampLight> lamp_lights(const Problem& problem, const Case& input);
 
-/// Light of a sun or a sky on a level plane under all of it, z being up.
+/// Light of a sun or a sky on a level plane under all of it, before any glazing.
 struct Daylight {
   std::string name;
   std::string note;         ///< how the sun stands; may be empty
@@ -28,7 +29,7 @@ struct Daylight {
   double illuminance = -1;  ///< [lx]; -1 where the bands or units have no photometry
 };
 
-/// Suns and skies that come in as beams.
-std::vector<Daylight> daylight(const Problem& problem, const Case& input);
+/// Of the suns and skies of a case.
+std::vector<Daylight> daylight(const Case& input);
 
 }  // namespace etendue

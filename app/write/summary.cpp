@@ -202,9 +202,9 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["sweeps"] = array_of(solution.convergence, [](const BandConvergence& c) { return c.sweeps; });
   summary["residual"] = array_of(solution.convergence, [](const BandConvergence& c) { return c.residual; });
   summary["balance"] = array_of(result.balances, [](const Balance& b) { return as_json(b); });
-  if (const auto lamps = lamp_lights(result.problem, result.input.units); !lamps.empty())
+  if (const auto lamps = lamp_lights(result.problem, result.input); !lamps.empty())
     summary["lamps"] = array_of(lamps, [](const LampLight& lamp) { return as_json(lamp); });
-  if (const auto days = daylight(result.problem, result.input); !days.empty())
+  if (const auto days = daylight(result.input); !days.empty())
     summary["daylight"] = array_of(days, [](const Daylight& day) { return as_json(day); });
   if (const auto beams = beam_powers(result.problem, result.input); !beams.empty())
     summary["beams"] = array_of(beams, [](const BeamPower& beam) { return as_json(beam); });

@@ -37,12 +37,13 @@ std::span<const EmitterPart> flat_parts(const LightSource& source) {
 LightIrradiance::LightIrradiance(const LightSetup& lights) : lights_(lights) {
   if (std::ranges::any_of(lights.sources(), [](const auto& source) { return !flat_parts(*source).empty(); }))
     images_ = lights.paths().mirrors().images_of_point();
+  skies_.resize(lights.sources().size());
   const auto& walls = lights.problem().walls();
   if (std::ranges::any_of(walls, [](const Wall& wall) { return is_mirror(wall); })) return;
-  for (const auto& source : lights.sources()) {
-    const WideSource* wide = source->as_wide();
+  for (std::size_t i = 0; i < skies_.size(); ++i) {
+    const WideSource* wide = lights.sources()[i]->as_wide();
     const SkySource* sky = wide != nullptr ? wide->as_sky() : nullptr;
-    if (sky != nullptr && sky->shows_radiance()) skies_.emplace_back(*sky, lights.paths());
+    if (sky != nullptr && sky->shows_radiance()) skies_[i].emplace(*sky, lights.paths());
   }
 }
 
@@ -52,9 +53,12 @@ UncollidedAtPoint LightIrradiance::at(const PointInCell& point, const Vec3& norm
   LightBeams seen(bands), clear(bands);
   LightDetail each = each_triangle;
   each.creases = &lights_.creases();
-  for (const SkyIrradiance& sky : skies_) add_sky(sky, point, normal, light);
-  for (const auto& source : lights_.sources()) {
-    if (std::ranges::any_of(skies_, [&](const auto& sky) { return &sky.sky() == source.get(); })) continue;
+  for (std::size_t i = 0; i < skies_.size(); ++i) {
+    if (skies_[i]) {
+      add_sky(*skies_[i], point, normal, light);
+      continue;
+    }
+    const LightSource* source = lights_.sources()[i].get();
     const bool flat = !flat_parts(*source).empty();
     const LightDetail detail = flat ? each : fine_light;
     seen.clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,8 +51,8 @@ class LightIrradiance {
                  const Vec3& normal, UncollidedAtPoint& light) const;
 
   const LightSetup& lights_;
-  std::vector<MirrorSet> images_;     ///< behind which flat lights are seen
-  std::vector<SkyIrradiance> skies_;  ///< without mirrors
+  std::vector<MirrorSet> images_;                    ///< behind which flat lights are seen
+  std::vector<std::optional<SkyIrradiance>> skies_;  ///< [source] of skies without mirrors
 };
 
 }  // namespace etendue

@@ -14,6 +14,7 @@ class PointSource : public LightSource {
   /// `cone` has the directions that lead into the domain from the position.
   PointSource(std::string name, const PointLight& light, TangentCone cone, const LightPaths& paths);
 
+  const Vec3& position() const { return light_.position; }
   struct Image {
     Vec3 position;
     MirrorSet mirrors;

@@ -173,14 +173,13 @@ class Emission {
       : lights_(lights), mesh_(lights.problem().mesh()), locator_(mesh_), region_(region), cone_(cone) {}
 
   void add_to(RegionAccount& account) const {
-    std::size_t source = 0;
-    for (const Light& light : lights_.problem().lights()) {
-      if (light.uncollided == Uncollided::no) continue;  // is no source, and in the account of directions
-      if (const auto* surface = std::get_if<SurfaceLight>(&light.kind)) add_surface(*surface, account);
-      if (const auto* point = std::get_if<PointLight>(&light.kind))
-        if (is_here(point->position)) add_point(*lights_.sources()[source], account);
-      ++source;
-    }
+    for (const Light& light : lights_.problem().lights())
+      if (const auto* surface = std::get_if<SurfaceLight>(&light.kind);
+          surface != nullptr && light.uncollided != Uncollided::no)
+        add_surface(*surface, account);
+    for (const auto& source : lights_.sources())
+      if (const PointSource* point = source->as_point(); point != nullptr && is_here(point->position()))
+        add_point(*point, account);
     if (!lights_.has_region(region_)) return;
     const double solid_angle = cone_ ? cone_->solid_angle() : 4 * pi;
     for (std::int32_t c = 0; c < mesh_.cell_count(); ++c)
@@ -203,8 +202,7 @@ class Emission {
       for (std::size_t n = 0; n < account.path.size(); ++n) account.emitted[n] += spread * light.radiance[n];
     }
   }
-  void add_point(const LightSource& source, RegionAccount& account) const {
-    const PointSource& point = *source.as_point();
+  void add_point(const PointSource& point, RegionAccount& account) const {
     const double part = !cone_ ? 1
                                : integrate_over_cone(
                                      *cone_, 1,
@@ -213,7 +211,7 @@ class Emission {
                                      },
                                      sum_tolerance, most_directions)
                                      .values[0];
-    for (std::size_t b = 0; b < account.path.size(); ++b) account.emitted[b] += part * source.power()[b];
+    for (std::size_t b = 0; b < account.path.size(); ++b) account.emitted[b] += part * point.power()[b];
   }
 
   const LightSetup& lights_;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "solver/lights/point_source.h"
 #include "solver/parallel/parallel_for.h"
 
 namespace etendue {
@@ -37,22 +38,16 @@ std::vector<WallPoint> points_of(const TetrahedralMesh& mesh, int wall) {
 }
 
 struct PointLightPlace {
-  const LightSource* source;
+  const PointSource* source;
   PointInCell place;
 };
 
 std::vector<PointLightPlace> point_lights(const LightSetup& lights) {
   std::vector<PointLightPlace> places;
   const CellLocator locator(lights.problem().mesh());
-  // The sources of a set-up begin with the problem's lights, without those that are left to the directions.
-  std::size_t source = 0;
-  for (const Light& light : lights.problem().lights()) {
-    if (light.uncollided == Uncollided::no) continue;
-    if (const auto* point = std::get_if<PointLight>(&light.kind))
-      places.push_back(
-          {lights.sources()[source].get(), {locator.find(point->position).front().cell, point->position}});
-    ++source;
-  }
+  for (const auto& source : lights.sources())
+    if (const PointSource* point = source->as_point())
+      places.push_back({point, {locator.find(point->position()).front().cell, point->position()}});
   return places;
 }
 

@@ -11,13 +11,13 @@ namespace {
 
 constexpr double solar_constant = 1367;  // [W/m^2], as in Perez et al. 1990
 
-/// Lower ends of the bins of clearness; the first begins at 1.
-constexpr std::array<double, 7> clearness_bins = {1.065, 1.23, 1.5, 1.95, 2.8, 4.5, 6.2};
+/// Lower ends of the classes of clearness; the first begins at 1.
+constexpr std::array<double, clearness_bins - 1> lower_ends = {1.065, 1.23, 1.5, 1.95, 2.8, 4.5, 6.2};
 
 using Coefficients = std::array<std::array<double, 4>, 5>;  // [a, b, c, d, e][1 .. 4]
 
 // Perez et al. 1993, table 1.
-constexpr std::array<Coefficients, 8> table = {{
+constexpr std::array<Coefficients, clearness_bins> table = {{
     {{{1.3525, -0.2576, -0.2690, -1.4366},
       {-0.7670, 0.0007, 1.2734, -0.1233},
       {2.8000, 0.6004, 1.2375, 1.0000},
@@ -68,6 +68,10 @@ double air_mass(double zenith) {
 
 }  // namespace
 
+std::size_t clearness_bin(double clearness) {
+  return static_cast<std::size_t>(std::ranges::upper_bound(lower_ends, clearness) - lower_ends.begin());
+}
+
 SkyConditions sky_conditions(double direct_normal, double diffuse_horizontal, double sun_zenith,
                              double eccentricity) {
   const double cubed = 1.041 * sun_zenith * sun_zenith * sun_zenith;
@@ -76,10 +80,9 @@ SkyConditions sky_conditions(double direct_normal, double diffuse_horizontal, do
 }
 
 SkyShape perez_sky(const SkyConditions& conditions, double sun_zenith) {
-  const auto bin = static_cast<std::size_t>(std::ranges::upper_bound(clearness_bins, conditions.clearness) -
-                                            clearness_bins.begin());
+  const std::size_t bin = clearness_bin(conditions.clearness);
   // The erratum: between overcast and clear the brightness is at least 0.2.
-  const bool between = conditions.clearness > clearness_bins[0] && conditions.clearness < clearness_bins[4];
+  const bool between = conditions.clearness > lower_ends[0] && conditions.clearness < lower_ends[4];
   const double delta = between ? std::max(conditions.brightness, 0.2) : conditions.brightness;
   const Coefficients& x = table[bin];
   const auto linear = [&](std::size_t i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "solver/sky/sky_shape.h"
 
 namespace etendue {
@@ -10,6 +12,10 @@ struct SkyConditions {
   double clearness;   ///< epsilon, from 1 (overcast) to about 12 (clear)
   double brightness;  ///< Delta
 };
+
+/// Classes of clearness, from overcast to clear (Perez et al. 1990, table 1).
+inline constexpr std::size_t clearness_bins = 8;
+std::size_t clearness_bin(double clearness);
 
 /// Conditions of a direct normal and a diffuse horizontal irradiance [W/m^2] with the sun at a zenith angle
 /// below pi/2 [rad] (Perez et al., Solar Energy 44 (1990) 271, eqs. (1) and (2)); the air mass is Kasten's

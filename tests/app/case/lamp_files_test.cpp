@@ -135,9 +135,31 @@ TEST(Tilt, DimsTheLampThatIsTilted) {
   };
   EXPECT_NEAR(lumens("[0, 0, -1]"), 4 * M_PI * 100, 1e-9);
   EXPECT_NEAR(lumens("[1.7320508075688772, 0, -1]"), 4 * M_PI * 80, 1e-9);
+  EXPECT_EQ(case_of(cube + lamp + "direction = [1.7320508075688772, 0, -1]\n").lights.at(0).note,
+            "TILT factor 0.8 at 60 degrees");
   EXPECT_NE(faults_of(cube + lamp + "direction = [0, 0, 1]\n")
                 .find("is tilted by 180 degrees, and its TILT factors are from 0 to 90; turn the lamp"),
             std::string::npos);
+}
+
+// The factors of a lamp that lies across its luminaire are told to hold for all ways to turn it.
+TEST(Tilt, SaysWhereTheLampLiesAcross) {
+  const TestFolder folder;
+  const auto note = [&](const std::string& geometry, const std::string& direction) {
+    const auto file =
+        folder.write("lamp.ies", header + "TILT=INCLUDE\n" + geometry + "\n2\n0 90\n1 0.7\n" + rest);
+    return case_of(cube +
+                   "[bands]\nnames = [\"a\"]\nedges = [450, 650]\n[[light]]\nname = \"a\"\nkind = \"point\"\n"
+                   "position = [0.5, 0.5, 0.9]\ndistribution = \"" +
+                   file.string() + "\"\ndirection = " + direction + "\n")
+        .lights.at(0)
+        .note;
+  };
+  const std::string across = "whichever way the lamp, which lies across its luminaire, is turned";
+  for (const std::string geometry : {"2", "3"})
+    EXPECT_TRUE(note(geometry, "[1, 0, -1]").ends_with(across)) << note(geometry, "[1, 0, -1]");
+  EXPECT_EQ(note("2", "[0, 0, -1]"), "TILT factor 1 at 0 degrees");
+  EXPECT_EQ(note("1", "[1, 0, -1]"), "TILT factor 0.85 at 45 degrees");
 }
 
 }  // namespace

@@ -56,13 +56,27 @@ TEST(ReadDaylight, TakesTwoIrradiancesForASkyOfPerez) {
   const Case one = case_of(cube + "[units]\nlength = \"cm\"\n" + sky + south + perez);
   EXPECT_TRUE(one.lights.at(0).level_irradiance);
   EXPECT_NEAR(one.lights[0].strength.at(0), 0.01, 1e-12) << "W/cm^2";
-  EXPECT_TRUE(one.lights[0].note.starts_with("Perez, clearness 4.644, brightness 0.1458, sun at"));
+  EXPECT_TRUE(
+      one.lights[0].note.starts_with("Perez, clearness 4.644, brightness 0.1458, 146.1 lm/W, sun at"));
   const Case given = case_of(cube + seen + sky + south + perez + "illuminance = 12000\n");
   EXPECT_NEAR(Photometry(given.bands).luminous(given.lights.at(0).strength), 12000, 1e-9);
-  EXPECT_NE(faults_of(cube + seen + sky + south + perez)
+  EXPECT_NE(faults_of(cube + "[bands]\nnames = [\"a\"]\nedges = [900, 1000]\n" + sky + south + perez)
                 .find("a light of kind sky needs radiance or luminance or irradiance or illuminance; add one "
                       "of them"),
             std::string::npos);
+}
+
+// The diffuse irradiance is of all wavelengths: in bands that the eye sees it has the lumens of Perez et al.
+// 1990, here 141.88 + 2 * 1.90 - 53.24 cos 60 - 14.03 ln 0.14578 = 146.07 lm/W (clearness 4.644). Taken for
+// light of the one band from 380 to 780 nm, it had 182 lm/W.
+TEST(ReadDaylight, GivesASkyOfPerezTheIlluminanceOfItsEfficacy) {
+  const std::string perez = "direct_normal_irradiance = 800\ndiffuse_horizontal_irradiance = 100\n";
+  const std::string one = "[bands]\nnames = [\"a\"]\nedges = [380, 780]\n";
+  for (const std::string& bands : {seen, one}) {
+    const Case input = case_of(cube + bands + sky + south + perez);
+    EXPECT_TRUE(input.lights.at(0).level_irradiance);
+    EXPECT_NEAR(Photometry(input.bands).luminous(input.lights[0].strength), 14607, 1);
+  }
 }
 
 TEST(ReadDaylight, SaysWhatIsWrong) {

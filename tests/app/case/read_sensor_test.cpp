@@ -51,6 +51,28 @@ TEST(ReadSensor, TakesEachKind) {
   EXPECT_NEAR(region.sensor.half_angle, std::numbers::pi / 3, 1e-15);
 }
 
+// Light from outside has neither beams nor radiance along rays then: the irradiance was 0 under a sun. The
+// cell of a point is seen.
+TEST(ReadSensor, IsRefusedBesideLightsThatItDoesNotSee) {
+  const auto refused = [](const std::string& light, const std::string& keys) {
+    return faults_of(cube + "[[light]]\nname = \"lamp\"\nuncollided = false\n" + light +
+                     "[[sensor]]\nname = \"desk\"\n" + keys)
+               .find("the sensor \"desk\" does not see the light \"lamp\"") != std::string::npos;
+  };
+  const std::string sun = "kind = \"sun\"\ndirection = [0, 0, -1]\nirradiance = 1\n",
+                    point = "kind = \"point\"\nposition = [0.5, 0.5, 0.5]\npower = 1\n",
+                    even_sky = "kind = \"sky\"\nradiance = 1\nwalls = [\"zmax\"]\n",
+                    clear_sky = even_sky + "cie_type = 1\n";
+  const std::string desk = "position = [0.5, 0.5, 0]\nnormal = [0, 0, 1]\n";
+  EXPECT_TRUE(refused(sun, desk));
+  EXPECT_TRUE(refused(clear_sky, desk));
+  EXPECT_TRUE(refused(even_sky + "[walls.zmax]\nglazing = { transmittance = 0.8 }\n", desk));
+  EXPECT_FALSE(refused(point, desk));
+  EXPECT_FALSE(refused(even_sky, desk));
+  EXPECT_FALSE(refused(sun, "kind = \"region\"\nregion = \"air\"\n"));
+  EXPECT_FALSE(refused(sun, "kind = \"flux\"\nregion = \"air\"\n"));
+}
+
 TEST(ReadSensor, TakesGlare) {
   const std::string seen = "kind = \"glare\"\nposition = [0.5, 0.5, 0.5]\ndirection = [2, 0, 0]\n";
   const std::string eye = sensor + seen, colors = "[bands]\nnames = [\"red\", \"green\", \"blue\"]\n";

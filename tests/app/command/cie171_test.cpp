@@ -2,14 +2,16 @@
 //
 // After test cases of CIE 171:2006 (Test cases to assess the accuracy of lighting computer programs) that
 // have analytical answers; rooms are other ones where the report's are not needed for the answer.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <numbers>
-#include <sstream>
 
+#include "tests/app/command/box_case.h"
+#include "tests/app/command/csv_table.h"
 #include "tests/app/command/sensor_table.h"
 #include "tests/app/command/small_case.h"
 
@@ -17,7 +19,9 @@ namespace etendue {
 namespace {
 
 using std::numbers::pi;
+using test::box_case;
 using test::CaseFolder;
+using test::CsvTable;
 using test::etendue_says;
 using test::Outcome;
 using test::rows_of;
@@ -28,47 +32,19 @@ using test::text_of;
 // 416.67 lx for 0.8.
 TEST(Cie171, InternalReflectedComponent) {
   for (const auto& [reflectance, indirect] : {std::pair{0.5, 104.17}, {0.8, 416.67}}) {
-    std::ostringstream text;
-    text << R"([mesh]
-edge_length = 2
-[[mesh.box]]
-region = "air"
-min = [0, 0, 0]
-max = [4, 4, 4]
-[bands]
-names = ["light"]
-edges = [550, 560]
-[media.air]
-[walls."*"]
-diffuse = )"
-         << reflectance << R"(
-[[light]]
-kind = "point"
-name = "lamp"
-position = [2, 2, 2]
-power = 10000
-[directions]
-set = "product"
-order = 4
-[solve]
-tolerance = 1e-8
-[output]
-directory = "results"
-)";
-    const CaseFolder folder(text.str());
+    const CaseFolder folder(
+        box_case({.size = "[4, 4, 4]",
+                  .edge_length = 2,
+                  .bands = "names = [\"light\"]\nedges = [550, 560]",
+                  .order = 4},
+                 fmt::format("[walls.\"*\"]\ndiffuse = {}\n", reflectance) +
+                     "[[light]]\nkind = \"point\"\nname = \"lamp\"\nposition = [2, 2, 2]\npower = 10000\n"
+                     "[solve]\ntolerance = 1e-8\n"));
     const Outcome run = etendue_says({"run", folder.file()});
     ASSERT_EQ(run.code, ExitCode::done) << run.err;
-    std::istringstream lines(text_of(folder.path() / "results" / "walls.csv"));
-    std::string line;
-    std::getline(lines, line);
-    ASSERT_TRUE(line.starts_with("wall,band,area,irradiance_mean,incoming,")) << line;
     double incoming = 0;
-    while (std::getline(lines, line)) {
-      std::istringstream fields(line);
-      std::string field;
-      for (int i = 0; i < 5; ++i) std::getline(fields, field, ',');
-      incoming += std::stod(field);
-    }
+    for (const double wall : CsvTable(text_of(folder.path() / "results" / "walls.csv")).numbers("incoming"))
+      incoming += wall;
     EXPECT_NEAR((incoming - 10000) / 96, indirect, 1e-3 * indirect) << reflectance;
   }
 }
@@ -76,31 +52,17 @@ directory = "results"
 /// A black room with one open wall under the CIE overcast sky of Moon and Spencer (1942), and points on its
 /// floor along its middle.
 std::string room_under_overcast_sky(const std::string& open_wall) {
-  return R"([mesh]
-edge_length = 2
-[[mesh.box]]
-region = "air"
-min = [0, 0, 0]
-max = [4, 4, 3]
-walls = { )" +
-         open_wall +
-         R"( = "opening" }
-[bands]
-names = ["light"]
-edges = [550, 560]
-[media.air]
-[walls."*"]
+  return box_case({.size = "[4, 4, 3]",
+                   .edge_length = 2,
+                   .walls = open_wall + " = \"opening\"",
+                   .bands = "names = [\"light\"]\nedges = [550, 560]"},
+                  R"([walls."*"]
 [[light]]
 kind = "sky"
 name = "overcast"
 radiance = 1
 distribution = "overcast.csv"
 walls = ["opening"]
-[directions]
-set = "product"
-order = 2
-[output]
-directory = "results"
 [[sensor]]
 name = "near"
 position = [0.5, 2, 0]
@@ -116,7 +78,7 @@ name = "far"
 position = [3.5, 2, 0]
 normal = [0, 0, 1]
 daylight_factor = true
-)";
+)");
 }
 
 /// Sky component in percent: the integral over the opening of L cos cos'/r^2 over 7 pi/9, by the midpoint

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "tests/app/command/box_case.h"
 #include "tests/app/command/sensor_table.h"
 #include "tests/app/command/small_case.h"
 
@@ -12,6 +13,7 @@ namespace etendue {
 namespace {
 
 using std::numbers::pi;
+using test::box_case;
 using test::CaseFolder;
 using test::etendue_says;
 using test::Outcome;
@@ -20,24 +22,10 @@ using test::text_of;
 
 /// A black box under an open roof, with a light and sensors.
 std::string court(const std::string& more) {
-  return R"([mesh]
-edge_length = 1
-[[mesh.box]]
-region = "air"
-min = [0, 0, 0]
-max = [2, 1, 1]
-walls = { zmax = "roof" }
-[bands]
-names = ["blue-green", "yellow"]
-edges = [450, 550, 600]
-[media.air]
-[walls."*"]
-[directions]
-set = "product"
-order = 2
-[output]
-directory = "results"
-)" + more;
+  return box_case({.size = "[2, 1, 1]",
+                   .walls = "zmax = \"roof\"",
+                   .bands = "names = [\"blue-green\", \"yellow\"]\nedges = [450, 550, 600]"},
+                  "[walls.\"*\"]\n" + more);
 }
 
 const std::string even_sky =

@@ -9,6 +9,7 @@
 #include "solver/lights/polygon_irradiance.h"
 #include "solver/sensors/glare.h"
 #include "solver/sensors/photometry.h"
+#include "tests/app/command/box_case.h"
 #include "tests/app/command/sensor_table.h"
 #include "tests/app/command/small_case.h"
 
@@ -16,6 +17,7 @@ namespace etendue {
 namespace {
 
 using std::numbers::pi;
+using test::box_case;
 using test::CaseFolder;
 using test::etendue_says;
 using test::Outcome;
@@ -24,17 +26,9 @@ using test::text_of;
 
 /// A room of even radiance all around with a lamp at the ceiling, and an observer.
 std::string room(const std::string& keys) {
-  return R"([mesh]
-edge_length = 1.5
-[[mesh.box]]
-region = "air"
-min = [0, 0, 0]
-max = [6, 4, 3]
-[bands]
-names = ["light"]
-edges = [500, 600]
-[media.air]
-[walls."*"]
+  return box_case(
+      {.size = "[6, 4, 3]", .edge_length = 1.5, .bands = "names = [\"light\"]\nedges = [500, 600]"},
+      R"([walls."*"]
 radiance = 0.3
 uncollided = false
 [[light]]
@@ -45,17 +39,12 @@ direction = [0, 0, -1]
 along = [1, 0, 0]
 size = [1.2, 0.6]
 radiance = 60
-[directions]
-set = "product"
-order = 2
-[output]
-directory = "results"
 [[sensor]]
 name = "eye"
 kind = "glare"
 position = [1, 2, 1.2]
 direction = [1, 0, 0]
-)" + keys;
+)" + keys);
 }
 
 /// Closed forms of this room: it has the luminance L_w everywhere, the lamp L more within its solid
@@ -130,7 +119,7 @@ TEST(GlareSensor, FindsSourcesByTheirLuminance) {
 TEST(GlareSensor, CountsPointsAsSmallSources) {
   std::string text = room("sources = \"lights\"\n");
   const std::size_t first = text.find("[[light]]");
-  text.replace(first, text.find("[directions]") - first,
+  text.replace(first, text.find("[[sensor]]") - first,
                "[[light]]\nkind = \"point\"\nname = \"bulb\"\nposition = [4, 2, 2.2]\npower = 12\n");
   const CaseFolder folder(text);
   const Outcome run = etendue_says({"run", folder.file()});

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
+#include "tests/app/command/box_case.h"
+#include "tests/app/command/csv_table.h"
 #include "tests/app/command/sensor_table.h"
 #include "tests/app/command/small_case.h"
 
@@ -15,7 +16,9 @@ namespace etendue {
 namespace {
 
 using std::numbers::pi;
+using test::box_case;
 using test::CaseFolder;
+using test::CsvTable;
 using test::etendue_says;
 using test::Outcome;
 using test::rows_of;
@@ -23,47 +26,17 @@ using test::text_of;
 
 /// A black box under a glazed roof.
 std::string atrium(const std::string& more) {
-  return R"([mesh]
-edge_length = 0.5
-[[mesh.box]]
-region = "air"
-min = [0, 0, 0]
-max = [2, 1, 1]
-walls = { zmax = "roof" }
-[bands]
-names = ["light"]
-edges = [500, 600]
-[media.air]
-[walls.roof]
-glazing = { transmittance = 0.8 }
-[walls."*"]
-[directions]
-set = "product"
-order = 2
-[output]
-directory = "results"
-)" + more;
+  return box_case({.size = "[2, 1, 1]",
+                   .edge_length = 0.5,
+                   .walls = "zmax = \"roof\"",
+                   .bands = "names = [\"light\"]\nedges = [500, 600]"},
+                  "[walls.roof]\nglazing = { transmittance = 0.8 }\n[walls.\"*\"]\n" + more);
 }
 
 const std::string even_sky = "[[light]]\nkind = \"sky\"\nname = \"sky\"\nradiance = 2\nwalls = [\"roof\"]\n";
 
-/// The number after a wall's name in walls.csv, in a column.
 double of_wall(const CaseFolder& folder, const std::string& wall, const std::string& column) {
-  std::istringstream lines(text_of(folder.path() / "results" / "walls.csv"));
-  std::string line, field;
-  std::getline(lines, line);
-  std::istringstream header(line);
-  int at = -1, i = 0;
-  for (; std::getline(header, field, ','); ++i)
-    if (field == column) at = i;
-  while (std::getline(lines, line))
-    if (line.starts_with(wall + ",")) {
-      std::istringstream fields(line);
-      for (i = 0; i <= at; ++i) std::getline(fields, field, ',');
-      return std::stod(field);
-    }
-  ADD_FAILURE() << "no " << wall << " in walls.csv";
-  return 0;
+  return CsvTable(text_of(folder.path() / "results" / "walls.csv")).number({wall}, column);
 }
 
 /// 2 times the integral of T(mu) mu dmu, by the midpoint rule in the angle.
@@ -107,6 +80,21 @@ TEST(Glazing, LetsTheSunInByItsAngle) {
   ASSERT_EQ(etendue_says({"run", photons.file()}).code, ExitCode::done);
   for (const std::string wall : {"ymin", "zmin"})
     EXPECT_NEAR(of_wall(photons, wall, "incoming"), of_wall(folder, wall, "incoming"), 0.02 * known) << wall;
+}
+
+// Suns and skies are told as they are before the glass, and not left out.
+TEST(Glazing, LeavesWhatSunsAndSkiesAreToldToSend) {
+  const CaseFolder folder(
+      atrium(even_sky + "[[light]]\nname = \"sun\"\nkind = \"sun\"\nirradiance = 3\nwalls = [\"roof\"]\n"
+                        "sun_position = { altitude = 30, azimuth = 180 }\n"));
+  const Outcome run = etendue_says({"run", folder.file()});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  EXPECT_NE(run.out.find("sky: 6.283 W/m^2, "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("sun: 1.5 W/m^2, "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("lx on a level plane; sun at altitude 30.00, azimuth 180.00 degrees"),
+            std::string::npos)
+      << run.out;
+  EXPECT_NE(text_of(folder.path() / "results" / "summary.json").find("\"daylight\""), std::string::npos);
 }
 
 // The daylight factor under the roof: the integral of L T cos cos'/r^2 over the roof, over pi L.

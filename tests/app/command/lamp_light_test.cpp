@@ -6,6 +6,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "tests/app/command/box_case.h"
 #include "tests/app/command/sensor_table.h"
 #include "tests/app/command/small_case.h"
 
@@ -13,6 +14,7 @@ namespace etendue {
 namespace {
 
 using std::numbers::pi;
+using test::box_case;
 using test::CaseFolder;
 using test::etendue_says;
 using test::Outcome;
@@ -38,20 +40,10 @@ name = "desk"
 position = [1, 1, 0]
 normal = [0, 0, 1]
 )";
-  const CaseFolder folder(R"([mesh]
-edge_length = 1
-[[mesh.box]]
-region = "air"
-min = [0, 0, 0]
-max = [2, 2, 2]
-[bands]
-names = ["blue", "green", "red", "infrared"]
-edges = [400, 500, 600, 700, 1000]
-[media.air]
-[walls."*"]
-[output]
-directory = "results"
-)" + lamps);
+  const CaseFolder folder(box_case(
+      {.size = "[2, 2, 2]",
+       .bands = "names = [\"blue\", \"green\", \"red\", \"infrared\"]\nedges = [400, 500, 600, 700, 1000]"},
+      "[walls.\"*\"]\n" + lamps));
   // It shines up as well: that light is lost in the ceiling.
   std::ofstream(folder.path() / "lamp.ies")
       << "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 50\n0 180\n0\n100 100\n";
@@ -68,17 +60,9 @@ directory = "results"
 // Just below the open top of a box all of a clear sky is seen, and a sun 30 degrees high sends half its
 // illuminance down.
 TEST(Daylight, GivesTheIlluminanceOfSkyAndSun) {
-  const CaseFolder folder(R"([mesh]
-edge_length = 1
-[[mesh.box]]
-region = "air"
-min = [0, 0, 0]
-max = [1, 1, 1]
-[bands]
-names = ["blue", "green", "red"]
-edges = [400, 500, 600, 700]
-[media.air]
-[walls."*"]
+  const CaseFolder folder(
+      box_case({.bands = "names = [\"blue\", \"green\", \"red\"]\nedges = [400, 500, 600, 700]"},
+               R"([walls."*"]
 [[light]]
 name = "sky"
 kind = "sky"
@@ -98,9 +82,7 @@ sun_position = { altitude = 30, azimuth = 180 }
 name = "top"
 position = [0.5, 0.5, 0.9999]
 normal = [0, 0, 1]
-[output]
-directory = "results"
-)");
+)"));
   const Outcome run = etendue_says({"run", folder.file()});
   ASSERT_EQ(run.code, ExitCode::done) << run.err;
   const auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
@@ -116,23 +98,14 @@ directory = "results"
 // level plane gets: the standard's formulas summed over 300 x 600 directions by a program of its own. The sky
 // comes in some 200 parts.
 TEST(Daylight, SendsTheSkyOfTheStandardToWalls) {
-  std::string text = R"([mesh]
-edge_length = 1
-[[mesh.box]]
-region = "air"
-min = [0, 0, 0]
-max = [1, 1, 1]
-[media.air]
-[walls."*"]
+  std::string text = box_case({.bands = "names = [\"grey\"]"}, R"([walls."*"]
 [[light]]
 name = "sky"
 kind = "sky"
 cie_type = 12
 irradiance = 1
 sun_position = { altitude = 40, azimuth = 180 }
-[output]
-directory = "results"
-)";
+)");
   const struct {
     std::string name, normal;
     double irradiance;

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
+#include "tests/app/command/csv_table.h"
 #include "tests/app/command/empty_cube.h"
 #include "tests/app/command/small_case.h"
 
@@ -16,6 +16,7 @@ namespace etendue {
 namespace {
 
 using test::CaseFolder;
+using test::CsvTable;
 using test::empty_cube;
 using test::etendue_says;
 using test::Outcome;
@@ -33,21 +34,6 @@ std::vector<float> pixels_of(const std::filesystem::path& exr, const std::string
                                    columns * sizeof(float)));
   file.setFrameBuffer(frame);
   file.readPixels(0, last.y);
-  return values;
-}
-
-/// The value of each row of a table of sensors, in its order.
-std::vector<double> values_in(const std::string& table) {
-  std::vector<double> values;
-  std::istringstream lines(table);
-  std::string line;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    std::istringstream fields(line);
-    std::string field;
-    for (int i = 0; i < 6; ++i) std::getline(fields, field, ',');
-    values.push_back(std::stod(field));
-  }
   return values;
 }
 
@@ -75,7 +61,8 @@ TEST(RadiosityViews, LooksAtAFurnace) {
                                         "--set", "walls.floor.uncollided=false", "--set",
                                         "walls.*.radiance=[0.2,0.7]", "--set", "walls.*.uncollided=false"});
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
-  const std::vector<double> values = values_in(text_of(folder.path() / "results/sensors.csv"));
+  const std::vector<double> values =
+      CsvTable(text_of(folder.path() / "results/sensors.csv")).numbers("value");
   ASSERT_EQ(values.size(), 4U);
   for (const std::size_t band : {0, 1}) {
     EXPECT_NEAR(values[band], std::numbers::pi, 1e-6);
@@ -100,7 +87,8 @@ TEST(RadiosityViews, FollowsLightsAlongRays) {
                     "--set", "walls.floor.uncollided=true", "--set", "walls.*.diffuse=[0,0.5]", "--set",
                     "sensor.0.position=[0.4,0.3,1]", "--set", "sensor.0.normal=[0,0,-1]"});
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
-  const std::vector<double> values = values_in(text_of(folder.path() / "results/sensors.csv"));
+  const std::vector<double> values =
+      CsvTable(text_of(folder.path() / "results/sensors.csv")).numbers("value");
   // Four rectangles at a corner below the point, each with the factor of (8.8) in Howell's catalogue B-4.
   const auto corner = [](double x, double y) {
     const double p = std::hypot(1, x), q = std::hypot(1, y);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 
+#include "tests/app/command/csv_table.h"
 #include "tests/app/command/small_case.h"
 
 namespace etendue {
@@ -14,6 +14,7 @@ namespace {
 
 using nlohmann::json;
 using test::CaseFolder;
+using test::CsvTable;
 using test::etendue_says;
 using test::Outcome;
 using test::ScratchFolder;
@@ -55,26 +56,6 @@ TEST(RunPhotons, WritesWhatOtherMethodsWriteWithErrors) {
   for (const json& balance : summary["balance"]) EXPECT_LT(std::abs(balance["residual"].get<double>()), 1e-2);
 }
 
-std::vector<std::vector<std::string>> rows_of(const std::string& table) {
-  std::vector<std::vector<std::string>> rows;
-  std::istringstream lines(table);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream cells(line);
-    rows.emplace_back();
-    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
-  }
-  return rows;
-}
-
-/// The numbers of a column of a table.
-std::vector<double> column_of(const std::string& table, const std::string& name) {
-  const auto rows = rows_of(table);
-  const auto column = static_cast<std::size_t>(std::ranges::find(rows.front(), name) - rows.front().begin());
-  std::vector<double> numbers;
-  for (std::size_t i = 1; i < rows.size(); ++i) numbers.push_back(std::stod(rows[i].at(column)));
-  return numbers;
-}
-
 const std::vector<std::string> without_light_inside = {"--set", "media.smoke.absorption=1e6", "--set",
                                                        "media.smoke.scattering=0"};
 
@@ -85,12 +66,12 @@ TEST(RunPhotons, ProbesThatNoHistoryReachesHaveAnUpperBoundAsError) {
   const Outcome outcome = etendue_says(by_photons(folder, folder.results(), without_light_inside));
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
   EXPECT_TRUE(has(outcome.out, "3 values of probes were reached by no history")) << outcome.out;
-  const std::string table = text_of(folder.path() / "results/probes.csv");
-  EXPECT_EQ(column_of(table, "fluence"), std::vector<double>(3, 0));
-  const std::vector<double> errors = column_of(table, "fluence_error");
+  const CsvTable table(text_of(folder.path() / "results/probes.csv"));
+  EXPECT_EQ(table.numbers("fluence"), std::vector<double>(3, 0));
+  const std::vector<double> errors = table.numbers("fluence_error");
   for (std::size_t b = 0; b < 3; ++b)
     EXPECT_NEAR(errors[b], 3 * 4 * std::numbers::pi * (1 - 0.2 * static_cast<double>(b)) / 500, 1e-9);
-  for (const double error : column_of(text_of(folder.path() / "results/walls.csv"), "incoming_error"))
+  for (const double error : CsvTable(text_of(folder.path() / "results/walls.csv")).numbers("incoming_error"))
     EXPECT_GT(error, 0);
 }
 
@@ -103,9 +84,9 @@ TEST(RunPhotons, ComparisonCountsUnreachedProbesInFiniteErrors) {
   const Outcome outcome = etendue_says(arguments);
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
   EXPECT_TRUE(has(outcome.out, "photons: 3 values of probes were reached by no history")) << outcome.out;
-  const auto rows = rows_of(text_of(folder.path() / "results/comparison.csv"));
+  const CsvTable comparison(text_of(folder.path() / "results/comparison.csv"));
   int probes = 0;
-  for (const std::vector<std::string>& row : rows) {
+  for (const std::vector<std::string>& row : comparison.rows()) {
     if (!row.front().starts_with("\"probe")) continue;
     ++probes;
     EXPECT_LT(std::abs(std::stod(row.back())), 3) << row.front();

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "tests/app/command/csv_table.h"
 #include "tests/app/command/small_case.h"
 
 namespace etendue {
@@ -12,6 +12,7 @@ namespace {
 
 using nlohmann::json;
 using test::CaseFolder;
+using test::CsvTable;
 using test::etendue_says;
 using test::Outcome;
 using test::ScratchFolder;
@@ -134,16 +135,7 @@ std::string initial_in(const CaseFolder& folder) {
 
 /// The fluence at the probe, [band].
 std::vector<double> probed(const CaseFolder& folder) {
-  std::istringstream table(text_of(std::filesystem::path(folder.results()) / "probes.csv"));
-  std::vector<double> values;
-  std::string line;
-  for (std::getline(table, line); std::getline(table, line);) {
-    std::istringstream row(line);
-    std::string word;
-    for (int column = 0; column < 7; ++column) std::getline(row, word, ',');
-    values.push_back(std::stod(word));
-  }
-  return values;
+  return CsvTable(text_of(std::filesystem::path(folder.results()) / "probes.csv")).numbers("fluence");
 }
 
 TEST(Run, GoesOnFromItsSolutionToTheSameAnswer) {

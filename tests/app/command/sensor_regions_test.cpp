@@ -5,8 +5,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
+#include "tests/app/command/csv_table.h"
 #include "tests/app/command/sensor_table.h"
 #include "tests/app/command/small_case.h"
 
@@ -15,6 +15,7 @@ namespace {
 
 using std::numbers::pi;
 using test::CaseFolder;
+using test::CsvTable;
 using test::etendue_says;
 using test::Outcome;
 using test::rows_of;
@@ -83,20 +84,6 @@ TEST(Sensors, AccountsOfRegionsHaveLightThatCollidedOnce) {
     EXPECT_NEAR((row("scattered_in W").at(1) - row("scattered_out W").at(0)) / row("scattered_out W").at(1),
                 1, 1e-8);
   }
-}
-
-/// A column of a table whose first two are a name and a band.
-double number_in(const std::string& table, const std::string& name, const std::string& band,
-                 std::size_t column) {
-  std::istringstream lines(table);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream parts(line);
-    std::vector<std::string> fields;
-    for (std::string field; std::getline(parts, field, ',');) fields.push_back(field);
-    if (fields[0] == name && fields[1] == band) return std::stod(fields.at(column));
-  }
-  ADD_FAILURE() << name << " " << band << " is not in\n" << table;
-  return 0;
 }
 
 /// Smoke around a block that shines, and what flows through their surfaces.
@@ -172,18 +159,19 @@ void expect_surfaces_balance(const std::string& directions) {
   const Outcome run = etendue_says({"run", folder.file()});
   ASSERT_EQ(run.code, ExitCode::done) << run.err;
   auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
-  const std::string regions = text_of(folder.path() / "results" / "regions.csv");
-  const std::string walls = text_of(folder.path() / "results" / "walls.csv");
+  const CsvTable regions(text_of(folder.path() / "results" / "regions.csv"));
+  const CsvTable walls(text_of(folder.path() / "results" / "walls.csv"));
   const auto value = [&](const std::string& sensor, const std::string& quantity) {
     return rows[sensor + " grey " + quantity].at(2);
   };
-  const double balance = number_in(regions, "block", "grey", 5) - number_in(regions, "block", "grey", 4);
+  const double balance =
+      regions.number({"block", "grey"}, "emitted") - regions.number({"block", "grey"}, "absorbed");
   EXPECT_GT(balance, 0.01);
   EXPECT_NEAR(value("surface", "flux_net W") / balance, 1, 1e-8);
   EXPECT_NEAR(value("sides", "flux_net W") / balance, 1, 1e-8) << "mirrors take nothing";
   EXPECT_NEAR(value("back", "flux_forward W") / value("sides", "flux_backward W"), 1, 1e-12);
-  EXPECT_NEAR(value("mirror", "flux_forward W") / number_in(walls, "mirror", "grey", 4), 1, 1e-8);
-  EXPECT_NEAR(value("mirror", "flux_backward W") / number_in(walls, "mirror", "grey", 5), 1, 1e-8);
+  EXPECT_NEAR(value("mirror", "flux_forward W") / walls.number({"mirror", "grey"}, "incoming"), 1, 1e-8);
+  EXPECT_NEAR(value("mirror", "flux_backward W") / walls.number({"mirror", "grey"}, "outgoing"), 1, 1e-8);
   EXPECT_GT(value("rising", "flux_forward W"), value("rising", "flux_backward W"));
   EXPECT_LT(value("rising", "flux_forward W"), value("sides", "flux_forward W") / 2);
   EXPECT_NEAR(value("smoke", "account_residual 1"), 0, 1e-8);
@@ -219,18 +207,12 @@ normal = [-1, 0, 0]
       {"run", folder.file(), "--set", "directions.rotations=2", "--set", "walls.mirror.specular=0"});
   ASSERT_EQ(run.code, ExitCode::done) << run.err;
   auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
-  const std::string walls = text_of(folder.path() / "results" / "walls.csv");
-  EXPECT_NEAR(rows["wall grey flux_forward W"].at(2) / number_in(walls, "xmax", "grey", 4), 1, 1e-8);
-  EXPECT_NEAR(rows["wall grey flux_backward W"].at(2) / number_in(walls, "xmax", "grey", 5), 1, 1e-8);
-  std::istringstream lines(text_of(folder.path() / "results" / "probes.csv"));
-  std::string line;
-  std::getline(lines, line);
-  std::getline(lines, line);
-  std::vector<std::string> fields;
-  std::istringstream parts(line);
-  for (std::string field; std::getline(parts, field, ',');) fields.push_back(field);
-  EXPECT_NEAR(rows["around grey fluence W/m^2"].at(2) / std::stod(fields[6]), 1, 1e-10);
-  EXPECT_NEAR(rows["point grey irradiance W/m^2"].at(2) / std::stod(fields[10]), 1, 1e-10);
+  const CsvTable walls(text_of(folder.path() / "results" / "walls.csv"));
+  EXPECT_NEAR(rows["wall grey flux_forward W"].at(2) / walls.number({"xmax", "grey"}, "incoming"), 1, 1e-8);
+  EXPECT_NEAR(rows["wall grey flux_backward W"].at(2) / walls.number({"xmax", "grey"}, "outgoing"), 1, 1e-8);
+  const CsvTable probes(text_of(folder.path() / "results" / "probes.csv"));
+  EXPECT_NEAR(rows["around grey fluence W/m^2"].at(2) / probes.numbers("fluence").at(0), 1, 1e-10);
+  EXPECT_NEAR(rows["point grey irradiance W/m^2"].at(2) / probes.numbers("irradiance").at(0), 1, 1e-10);
   EXPECT_EQ(rows["smoke grey radiance_integral W m"].size(), 3U);
   EXPECT_NEAR(rows["smoke grey solid_angle rad"].at(2), 2 * pi, 1e-12);
 }

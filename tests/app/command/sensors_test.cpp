@@ -14,6 +14,8 @@
 #include "app/case/ies_file.h"
 #include "app/write/toned_png.h"
 #include "solver/sensors/photometry.h"
+#include "tests/app/command/box_case.h"
+#include "tests/app/command/csv_table.h"
 #include "tests/app/command/sensor_table.h"
 #include "tests/app/command/small_case.h"
 
@@ -21,35 +23,21 @@ namespace etendue {
 namespace {
 
 using std::numbers::pi;
+using test::box_case;
 using test::CaseFolder;
+using test::CsvTable;
 using test::etendue_says;
 using test::Outcome;
 using test::rows_of;
 using test::small_case;
 using test::text_of;
 
+const std::string two_bands = "names = [\"blue-green\", \"yellow\"]\nedges = [450, 550, 600]";
+
 /// A dark box of clear air under a sky of radiance 1 in two bands, with sensors.
 std::string sky_case(const std::string& sensors) {
-  return R"([mesh]
-edge_length = 1
-[[mesh.box]]
-region = "air"
-min = [0, 0, 0]
-max = [1, 1, 1]
-[bands]
-names = ["blue-green", "yellow"]
-edges = [450, 550, 600]
-[media.air]
-[walls.zmax]
-radiance = [1, 2]
-uncollided = true
-[walls."*"]
-[directions]
-set = "product"
-order = 2
-[output]
-directory = "results"
-)" + sensors;
+  return box_case({.bands = two_bands},
+                  "[walls.zmax]\nradiance = [1, 2]\nuncollided = true\n[walls.\"*\"]\n" + sensors);
 }
 
 const std::string desk = "[[sensor]]\nname = \"desk\"\nposition = [0.5, 0.5, 0]\nnormal = [0, 0, 1]\n";
@@ -132,16 +120,9 @@ TEST(Sensors, GridsArePictures) {
   const Outcome run = etendue_says({"run", folder.file()});
   ASSERT_EQ(run.code, ExitCode::done) << run.err;
   std::vector<std::array<double, 2>> parts(6, {0, 0});
-  std::istringstream lines(text_of(folder.path() / "results" / "floor.grid.csv"));
-  std::string line;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    std::vector<std::string> fields;
-    std::istringstream items(line);
-    for (std::string field; std::getline(items, field, ',');) fields.push_back(field);
+  for (const auto& fields : CsvTable(text_of(folder.path() / "results" / "floor.grid.csv")).rows())
     parts[std::stoul(fields[1]) * 3 + std::stoul(fields[0])][fields[5] == "yellow" ? 1 : 0] =
         std::stod(fields[8]);
-  }
   EXPECT_GT(parts[1][0], 0);
   EXPECT_EQ(parts[2][0], 0) << "outside";
   const BandColor rule({{"blue-green", "yellow"}, {450, 550, 600}});
@@ -155,27 +136,9 @@ TEST(Sensors, GridsArePictures) {
 
 /// A furnace of radiance 1 and 2 in a box of volume 1, with sensors.
 std::string furnace_case(const std::string& sensors) {
-  return R"([mesh]
-edge_length = 1
-[[mesh.box]]
-region = "air"
-min = [0, 0, 0]
-max = [1, 1, 1]
-[bands]
-names = ["blue-green", "yellow"]
-edges = [450, 550, 600]
-[media.air]
-[walls."*"]
-radiance = [1, 2]
-uncollided = false
-[directions]
-set = "product"
-order = 4
-[solve]
-tolerance = 1e-12
-[output]
-directory = "results"
-)" + sensors;
+  return box_case(
+      {.bands = two_bands, .order = 4},
+      "[walls.\"*\"]\nradiance = [1, 2]\nuncollided = false\n[solve]\ntolerance = 1e-12\n" + sensors);
 }
 
 /// Photons of a joule at the middle of a band, lambda/(h c) [1/J].
@@ -246,19 +209,14 @@ TEST(Sensors, IntensitiesAreInCandelaToo) {
   auto rows = rows_of(text_of(folder.path() / "results" / "sensors.csv"));
   EXPECT_NEAR(rows["out photopic luminous_intensity_most candela"].at(2) / straight, 1, 1e-9);
   std::vector<double> candela;
-  std::istringstream lines(text_of(folder.path() / "results" / "out.intensity.csv"));
-  std::string line;
-  std::getline(lines, line);
-  EXPECT_EQ(line, "polar,azimuth,band,uncollided,collided,intensity,unit");
-  while (std::getline(lines, line)) {
-    std::vector<std::string> fields;
-    std::istringstream parts(line);
-    for (std::string field; std::getline(parts, field, ',');) fields.push_back(field);
+  const std::string intensities = text_of(folder.path() / "results" / "out.intensity.csv");
+  EXPECT_TRUE(intensities.starts_with("polar,azimuth,band,uncollided,collided,intensity,unit\n"))
+      << intensities;
+  for (const auto& fields : CsvTable(intensities).rows())
     if (fields[2] == "photopic") {
       EXPECT_EQ(fields[6], "candela");
       candela.push_back(std::stod(fields[5]));
     }
-  }
   ASSERT_EQ(candela.size(), 32U);
   EXPECT_NEAR(candela[0] / straight, 1, 1e-9);
   const std::filesystem::path file = folder.path() / "results" / "out.ies";
@@ -295,20 +253,14 @@ TEST(Sensors, HaveSpectra) {
   const Outcome run = etendue_says({"run", folder.file()});
   ASSERT_EQ(run.code, ExitCode::done) << run.err;
   const std::string table = text_of(folder.path() / "results" / "out.spectrum.csv");
-  std::istringstream lines(table);
-  std::string line;
-  std::getline(lines, line);
-  EXPECT_EQ(line,
-            "quantity,band,from_nm,to_nm,photon_energy_J,uncollided,collided,value,unit,per_nm,photons,"
-            "photon_unit");
+  EXPECT_TRUE(table.starts_with(
+      "quantity,band,from_nm,to_nm,photon_energy_J,uncollided,collided,value,unit,per_nm,photons,"
+      "photon_unit\n"))
+      << table;
   std::map<std::string, std::vector<double>> rows;
-  while (std::getline(lines, line)) {
-    std::istringstream parts(line);
-    std::vector<std::string> fields;
-    for (std::string field; std::getline(parts, field, ',');) fields.push_back(field);
+  for (const auto& fields : CsvTable(table).rows())
     for (const std::size_t i : {2, 3, 4, 7, 9, 10})
       rows[fields[0] + " " + fields[1]].push_back(std::stod(fields[i]));
-  }
   const std::vector<double> yellow = rows.at("flux_forward yellow");
   EXPECT_EQ(yellow[0], 550);
   EXPECT_EQ(yellow[1], 600);

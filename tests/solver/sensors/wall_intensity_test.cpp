@@ -59,6 +59,19 @@ TEST(WallIntensity, HasTheBulbsThatAreSeenThroughTheWindow) {
   }
 }
 
+// A lamp that is left to the directions is no source of beams, wherever it stands among the lights.
+TEST(WallIntensity, HasNoBulbsThatAreLeftToTheDirections) {
+  const TetrahedralMesh mesh = box_with_a_window();
+  std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
+  const Problem lamps(
+      mesh, {}, {uniform_medium(1, 0.5, 0, 0)}, walls, AngularSpace::sphere,
+      {{"left", PointLight{{0.3, 0.4, 0.6}, {40 * pi}, Vec3::UnitZ(), {}, {}}, {}, Uncollided::no},
+       {"bulb", PointLight{{0.5, 0.4, 0.3}, {4 * pi}, Vec3::UnitZ(), {}, {}}, {}}});
+  const GridReading found = intensity_of(lamps, 8, 10);
+  EXPECT_NEAR(found.uncollided[0], std::exp(-0.5 * 0.3), 1e-12);
+  EXPECT_EQ(found.uncollided[7 * 8], 0);
+}
+
 TEST(WallIntensity, AnglesAreThoseOfTheWall) {
   const TetrahedralMesh mesh = box_with_a_window();
   int window = 0;
