@@ -9,7 +9,7 @@
 #include "app/command/run_photons.h"
 #include "app/command/run_radiosity.h"
 #include "app/command/sensors.h"
-#include "solver/split/solve_split.h"
+#include "solver/ordinates/solve.h"
 
 namespace etendue {
 namespace {
@@ -31,7 +31,9 @@ void check_directions_run(const Case& input, const Problem& problem, const CellL
                       (once == nullptr ? set : *once).count();
   if (work > quick_sweep) return;
   options.max_sweeps = 1;
-  solve_split(lights, set, options, {}, once);
+  // Light along rays may take longer than all sweeps, and refuses nothing that the set-up of lights does not.
+  solve(problem, set, options);
+  if (once != nullptr) solve(problem, *once, options);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "app/command/commands.h"
 #include "app/command/error_estimate.h"
 #include "app/command/interruption.h"
+#include "app/command/run_log.h"
 #include "app/command/study_level.h"
 #include "app/write/output_folder.h"
 #include "app/write/sensor_rows.h"
@@ -239,7 +240,9 @@ ExitCode run_and_estimate(const RunRequest& request, std::ostream& out, std::ost
   }
   const ErrorEstimate estimate = Estimation(request, *kept, out, err).made();
   if (is_known(estimate)) write(estimate, kept->directory);
-  out << estimate_text(estimate) << std::flush;
+  const std::string text = estimate_text(estimate);
+  out << text << std::flush;
+  append_to_log(kept->directory, text);
   return code;
 }
 

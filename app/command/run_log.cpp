@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "app/write/commit.h"
 #include "app/write/output_folder.h"
 #include "app/write/results.h"
@@ -46,6 +49,16 @@ void RunLog::save_failed(std::string_view fault) const {
   } catch (const FileError&) {
     // The fault itself is what the user must hear of, and often the disk that is full.
   }
+}
+
+void append_to_log(const std::filesystem::path& directory, std::string_view text) {
+  std::ifstream file(directory / log_name, std::ios::binary);
+  if (!file) return;
+  std::string log{std::istreambuf_iterator<char>(file), {}};
+  log += text;
+  OutputFolder folder(directory);
+  folder.add_text(log_name, log);
+  folder.publish({});
 }
 
 LoggedStream::Buffer::~Buffer() {

@@ -33,6 +33,9 @@ class RunLog {
   std::optional<std::filesystem::path> directory_ = {};
 };
 
+/// Adds text to the log of a run that is over. Throws FileError.
+void append_to_log(const std::filesystem::path& directory, std::string_view text);
+
 /// Prints to another stream, and copies whole lines into the log. A drawing, from a carriage return to the
 /// sequence that clears the rest of its line, is printed only.
 class LoggedStream : public std::ostream {

@@ -88,12 +88,14 @@ TEST(Estimate, LeavesTheResultsOfTheRunAndItsOwn) {
   EXPECT_TRUE(has(outcome.out, "how far to trust the numbers")) << outcome.out;
   EXPECT_EQ(
       ScratchFolder::names_in(folder.results()),
-      (std::vector<std::string>{"estimate.csv", "fields.vtu", "history.csv", "probes.csv", "regions.csv",
-                                "solution.vtu", "summary.json", "walls.csv", "walls.vtp"}));
+      (std::vector<std::string>{"estimate.csv", "fields.vtu", "history.csv", "log.txt", "probes.csv",
+                                "regions.csv", "solution.vtu", "summary.json", "walls.csv", "walls.vtp"}));
   const json summary = summary_of(folder);
   for (const char* where : {"region smoke", "wall floor", "probe middle 0"})
     EXPECT_TRUE(has(summary["estimate"]["numbers"].dump(), where)) << where;
   EXPECT_TRUE(has(outcome.out, summary["estimate"]["verdict"].get<std::string>())) << outcome.out;
+  EXPECT_TRUE(text_of(std::filesystem::path(folder.results()) / "log.txt")
+                  .ends_with(outcome.out.substr(outcome.out.find("\nhow far to trust the numbers"))));
   EXPECT_GT(summary["seconds"]["estimate"], 0);
   EXPECT_EQ(std::ranges::count(summary["files"], json("estimate.csv")), 1);
   // The next run has none, and removes it.

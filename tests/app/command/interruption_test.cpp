@@ -131,7 +131,7 @@ TEST(Interruption, WithinALongSweepLeavesTheStateToGoOnFrom) {
   ASSERT_TRUE(run.says("sweep    1")) << text_of(said_in(folder));
   run.send(SIGINT);
   EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
-  EXPECT_EQ(ScratchFolder::names_in(folder.results()), (std::vector<std::string>{"solution.vtu"}));
+  EXPECT_EQ(ScratchFolder::names_in(folder.results()), (std::vector<std::string>{"log.txt", "solution.vtu"}));
   const std::string state = (std::filesystem::path(folder.results()) / "solution.vtu").string();
   EXPECT_NE(text_of(said_in(folder)).find("--set 'solve.initial=\"" + state + "\"'"), std::string::npos)
       << text_of(said_in(folder));
