@@ -40,9 +40,10 @@ class Process {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   }
 
-  /// Waits until the program has said this.
+  /// Waits until the program has said this. Instrumented code on a busy machine takes a minute for a sweep of
+  /// seconds.
   bool says(const std::string& part) const {
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 20000; ++i) {
       if (text_of(said_).find(part) != std::string::npos) return true;
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
