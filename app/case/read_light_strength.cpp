@@ -65,8 +65,8 @@ std::vector<double> read_per_area(Section& section, const LightContext& context,
   return {};
 }
 
-/// What a sky of Perez has by its diffuse irradiance [W/m^2], which is of all wavelengths together: as it is
-/// in one band without wavelengths, else as `illuminance` [lx]. False where it is neither.
+/// Strength of a sky of Perez by its diffuse irradiance [W/m^2], which is of all wavelengths together: as it
+/// is in one band without wavelengths, else as `illuminance` [lx]. False where it is neither.
 bool take_diffuse(Section& section, const LightContext& context, std::optional<double> illuminance,
                   LightCase& light) {
   const char* key = "diffuse_horizontal_irradiance";

@@ -50,7 +50,7 @@ Case case_of(const RunRequest& request);
 TetrahedralMesh mesh_visibly(const Case& input, const Log& log, const StageDisplay& stages);
 WrittenResults write_visibly(const RunResult& result, const StageDisplay& stages);
 
-/// Says how a run that was interrupted continues from the solution.vtu that it left; ends with a line break.
+/// How an interrupted run continues from the solution.vtu that it left; ends with a line break.
 std::string how_to_go_on(const Case& input);
 
 /// The threads of a run, those that are wanted or all cores.
