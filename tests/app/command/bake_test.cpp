@@ -8,11 +8,10 @@ namespace {
 
 using test::CaseFolder;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::small_case;
 using test::text_of;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(Bake, WritesWhatTheWallsReceiveSendAndSee) {
   const CaseFolder folder;

@@ -10,6 +10,7 @@ namespace {
 
 using test::CaseFolder;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 
 /// A disc of 2 W and radius 0.2 that comes down into a unit cube at x.
@@ -25,8 +26,6 @@ std::string said(const std::string& x, const std::string& walls) {
   EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err;
   return outcome.out;
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(BeamPower, IsThatOfTheWholeBeamOnItsWalls) {
   const std::string out = said("0.5", "");

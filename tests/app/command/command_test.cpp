@@ -15,10 +15,9 @@ namespace {
 
 using test::CaseFolder;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::ScratchFolder;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(Command, HelpAndVersionGoToStandardOutput) {
   const Outcome help = etendue_says({"--help"});

@@ -14,11 +14,10 @@ namespace {
 
 using test::CaseFolder;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::ScratchFolder;
 using test::text_of;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(Compare, CountsDifferencesInErrorsOfBoth) {
   EXPECT_DOUBLE_EQ(in_errors(10, 3, 4), 2);

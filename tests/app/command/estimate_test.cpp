@@ -18,11 +18,10 @@ namespace {
 using nlohmann::json;
 using test::CaseFolder;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::ScratchFolder;
 using test::text_of;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 json summary_of(const CaseFolder& folder) {
   return json::parse(text_of(std::filesystem::path(folder.results()) / "summary.json"));

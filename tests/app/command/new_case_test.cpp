@@ -10,8 +10,6 @@
 namespace etendue::test {
 namespace {
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 // Coarsely, to be quick.
 const std::map<std::string_view, Overrides> coarsely = {
     {"room", {"mesh.edge_length=1.5", "camera.0.pixels=[16, 12]"}},

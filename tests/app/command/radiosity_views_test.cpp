@@ -19,10 +19,9 @@ using test::CaseFolder;
 using test::CsvTable;
 using test::empty_cube;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::text_of;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::vector<float> pixels_of(const std::filesystem::path& exr, const std::string& channel) {
   Imf::InputFile file(exr.c_str());

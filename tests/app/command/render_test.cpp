@@ -10,6 +10,7 @@ namespace {
 
 using test::CaseFolder;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::ScratchFolder;
 using test::small_case;
@@ -39,8 +40,6 @@ std::string hazy_case() {
   text.insert(text.find(scattering), "phase = { model = \"henyey-greenstein\", g = 0.5 }\n");
   return text + lamp + camera;
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(Render, MakesThePicturesOfTheRunAgain) {
   const CaseFolder folder(hazy_case());

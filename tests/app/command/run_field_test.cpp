@@ -12,11 +12,10 @@ namespace {
 
 using test::CaseFolder;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::text_of;
 using test::write_text;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A VTK image of 8^3 voxels over the cube from -0.25 to 1.25, with a function at its points or in its
 /// voxels.

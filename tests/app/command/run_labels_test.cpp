@@ -14,6 +14,7 @@ namespace {
 using nlohmann::json;
 using test::CaseFolder;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::text_of;
 using test::write_text;
@@ -99,8 +100,6 @@ std::string fault_of(const std::string& labels) {
   EXPECT_EQ(outcome.code, ExitCode::input_error);
   return outcome.err;
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(RunLabels, AreRefusedWithTheirPlace) {
   EXPECT_TRUE(has(fault_of(R"({ file = "head.vti", regions = { skin = 9 } })"),

@@ -16,12 +16,11 @@ using nlohmann::json;
 using test::CaseFolder;
 using test::CsvTable;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::ScratchFolder;
 using test::small_case;
 using test::text_of;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::vector<std::string> by_photons(const CaseFolder& folder, const std::string& results,
                                     const std::vector<std::string>& more = {}) {

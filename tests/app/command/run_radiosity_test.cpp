@@ -15,11 +15,10 @@ using nlohmann::json;
 using test::CaseFolder;
 using test::empty_cube;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::ScratchFolder;
 using test::text_of;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 json summary_in(const std::filesystem::path& results) {
   return json::parse(text_of(results / "summary.json"));

@@ -14,6 +14,7 @@ using nlohmann::json;
 using test::CaseFolder;
 using test::CsvTable;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::ScratchFolder;
 using test::text_of;
@@ -21,8 +22,6 @@ using test::text_of;
 const std::vector<std::string> all_files = {"fields.vtu",   "history.csv", "log.txt",
                                             "probes.csv",   "regions.csv", "solution.vtu",
                                             "summary.json", "walls.csv",   "walls.vtp"};
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 json summary_in(const std::filesystem::path& results) {
   return json::parse(text_of(results / "summary.json"));

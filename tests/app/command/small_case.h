@@ -10,6 +10,11 @@
 
 namespace etendue::test {
 
+/// Whether a text has a part.
+inline bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 /// A unit cube of smoke with an emitting floor, three bands, 8 directions and a probe: solved in a moment.
 std::string small_case();
 

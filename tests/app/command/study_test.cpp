@@ -15,10 +15,9 @@ namespace {
 using nlohmann::json;
 using test::CaseFolder;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::text_of;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A unit cube that scatters, with an exact solution.
 std::string exact_case(const std::string& more = "") {
