@@ -2,6 +2,9 @@
 #include "app/command/stage_progress.h"
 
 #include <fmt/format.h>
+#include <pthread.h>
+
+#include <mutex>
 
 namespace etendue {
 namespace {
@@ -12,6 +15,16 @@ constexpr double seconds_between_lines = 5;
 constexpr double seconds_between_drawings = 0.2;
 // That a stage has after a signal, so that some of them together end within a second.
 constexpr double seconds_of_grace = 0.25;
+
+// Guards what is shown, and is held while a process is copied (fork): a copy of a process in which another
+// thread allocates memory just then may wait for ever for that thread, which the copy does not have.
+std::mutex showing;
+
+void hold_while_copied() {
+  static const int registered =
+      pthread_atfork([] { showing.lock(); }, [] { showing.unlock(); }, [] { showing.unlock(); });
+  static_cast<void>(registered);
+}
 
 }  // namespace
 
@@ -53,17 +66,22 @@ void StageProgress::finish() {
 ShownStage::ShownStage(const StageDisplay& display, std::string name)
     : progress_(display.style, std::move(name), display.out), interrupted_(display.interrupted) {
   if (display.style == ProgressStyle::none) return;
+  hold_while_copied();
+  std::unique_lock<std::mutex> begins(showing);
   waiting_ = std::thread([this] {
-    std::unique_lock<std::mutex> lock(showing_);
-    while (!ending_.wait_for(lock, std::chrono::duration<double>(seconds_between_drawings),
-                             [this] { return ended_ || says_share_; }))
-      progress_.show_waiting(std::chrono::duration<double>(Clock::now() - begun_).count());
+    std::unique_lock<std::mutex> lock(showing);
+    waits_ = true;
+    ending_.notify_all();
+    const std::chrono::duration<double> interval(seconds_between_drawings);
+    while (!ending_.wait_for(lock, interval, [this] { return ended_; }))
+      if (!says_share_) progress_.show_waiting(std::chrono::duration<double>(Clock::now() - begun_).count());
   });
+  ending_.wait(begins, [this] { return waits_; });
 }
 
 ShownStage::~ShownStage() {
   {
-    const std::lock_guard<std::mutex> lock(showing_);
+    const std::lock_guard<std::mutex> lock(showing);
     ended_ = true;
   }
   ending_.notify_all();
@@ -75,7 +93,7 @@ StageObserver ShownStage::observer() {
   return [this](double share) {
     const double seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
     {
-      const std::lock_guard<std::mutex> lock(showing_);
+      const std::lock_guard<std::mutex> lock(showing);
       says_share_ = says_share_ || share > 0;
       progress_.show(share, seconds);
     }

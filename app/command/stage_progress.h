@@ -5,7 +5,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -54,6 +53,7 @@ struct StageDisplay {
 
 /// A stage that begins now and is shown until this ends, by the time that it takes until it says which share
 /// is done: nothing else may be written to the display's stream meanwhile but by this thread's observer.
+/// Whatever the stage does, it may start processes: the thread that shows it waits while a process is copied.
 /// After a signal a stage of a fraction of a second is still done, so that little is left out.
 class ShownStage {
  public:
@@ -70,7 +70,7 @@ class ShownStage {
   StageProgress progress_;
   std::function<bool()> interrupted_;
   Clock::time_point begun_ = Clock::now();
-  std::mutex showing_;
+  bool waits_ = false;  ///< the thread has begun
   bool says_share_ = false;
   bool ended_ = false;
   std::condition_variable ending_;

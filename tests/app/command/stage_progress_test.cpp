@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <sstream>
+#include <string>
 #include <thread>
+
+#include "mesh/tetrahedra/child_process.h"
 
 namespace etendue {
 namespace {
@@ -49,6 +53,19 @@ TEST(ShownStage, EndsWithinASecondOfASignalAndHasAMomentBefore) {
   while (observer(0.2) && std::chrono::steady_clock::now() < begun + std::chrono::seconds(2))
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(1));
+}
+
+// A copy of a process has one thread: what another one was about to do then is never done. Under the address
+// sanitizer one of some thousand copies waited for ever for the thread that shows the stage.
+TEST(ShownStage, LetsProcessesBeStarted) {
+  std::ostringstream out;
+  for (int repetition = 0; repetition < 500; ++repetition) {
+    const ShownStage stage({ProgressStyle::plain, out, {}}, "meshing");
+    const ChildOutcome child = run_in_child(
+        [](std::FILE* result) { return std::fputs(std::string(100'000, 'x').c_str(), result) < 0 ? 1 : 0; },
+        {});
+    ASSERT_EQ(child.result.size(), 100'000U);
+  }
 }
 
 TEST(StageProgress, CanBeSilent) { EXPECT_EQ(shown(ProgressStyle::none), ""); }
