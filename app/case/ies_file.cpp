@@ -17,6 +17,13 @@ namespace {
 /// More angles than any lamp has.
 constexpr double most_angles = 1e5;
 
+/// Files of many programs do not keep to the capitals of LM-63.
+std::string upper_case(std::string text) {
+  for (char& letter : text)
+    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+  return text;
+}
+
 /// The words of a file after its TILT line with the lines they stand on; commas part them too.
 class IesNumbers {
  public:
@@ -26,7 +33,7 @@ class IesNumbers {
   std::string skip_to_tilt() {
     std::string line;
     while (next_line(line)) {
-      if (!line.starts_with("TILT=")) continue;
+      if (!upper_case(line).starts_with("TILT=")) continue;
       const std::string what = line.substr(5), blanks = " \t";
       const std::size_t first = what.find_first_not_of(blanks), last = what.find_last_not_of(blanks);
       if (first == std::string::npos)
@@ -153,10 +160,10 @@ LampTilt read_factors(IesNumbers& numbers) {
   return tilt;
 }
 
-/// `what` is NONE, INCLUDE or the name of a file beside the lamp's.
+/// `what` is NONE or INCLUDE, in letters of any case, or the name of a file beside the lamp's.
 LampTilt read_tilt(IesNumbers& numbers, const std::string& what, const std::filesystem::path& path) {
-  if (what == "NONE") return {};
-  if (what == "INCLUDE") return read_factors(numbers);
+  if (upper_case(what) == "NONE") return {};
+  if (upper_case(what) == "INCLUDE") return read_factors(numbers);
   const std::filesystem::path file = path.parent_path() / what;
   std::ifstream stream(file);
   if (!stream) numbers.refuse(fmt::format("the file {} of TILT={} cannot be read", file.string(), what));

@@ -159,12 +159,12 @@ LightTable read_ldt(const std::filesystem::path& path) {
   const int sets = lines.count("the number of sets of lamps", 1, most_angles);
   lines.skip(2, "the flux of the lamps");
   const double flux = lines.number("the flux of the lamps");
-  if (!(flux > 0))
-    lines.refuse(fmt::format("the flux {} of the lamps leaves no light; give one above 0", flux));
+  if (flux < 0) lines.refuse(fmt::format("the flux {} of the lamps is negative", flux));
   lines.skip(3 + 6 * (sets - 1) + 10, "the planes");
 
   LightTable table;
-  table.candelas = conversion * flux / reference_flux;
+  // Files without a flux have a shape only.
+  if (flux > 0) table.candelas = conversion * flux / reference_flux;
   const std::vector<double> all = lines.rising(plane_count, "the planes");
   table.plane = stored_angles(lines, all, stored, symmetry);
   table.angle = lines.rising(angle_count, "the angles");

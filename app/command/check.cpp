@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <optional>
+
 #include "app/case/build.h"
+#include "app/command/begun_run.h"
 #include "app/command/check_run.h"
 #include "app/command/commands.h"
 #include "app/command/field_text.h"
@@ -10,6 +13,8 @@
 #include "app/command/lamp_text.h"
 #include "app/command/memory_forecast.h"
 #include "app/command/phase_text.h"
+#include "app/command/progress.h"
+#include "app/command/stage_progress.h"
 #include "app/command/text_table.h"
 #include "app/command/verbose_log.h"
 #include "app/write/solution_file.h"
@@ -77,13 +82,18 @@ ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream
   check_kernels(input);
   if (input.initial) check_initial(*input.initial, input);
   const Log log = verbose_log(request, err);
+  const StageDisplay stages{resolved_style(ProgressStyle::automatic, err), err, {}};
   // What a run refuses does not depend on the size of cells.
-  const TetrahedralMesh mesh = build_mesh(request.mesh ? input : with_coarsest_cells(input), log);
+  const Case meshed = request.mesh ? input : with_coarsest_cells(input);
+  const TetrahedralMesh mesh = mesh_visibly(meshed, log, stages);
+  std::optional<ShownStage> setting_up(std::in_place, stages, "setting up");
   const Problem problem = build_problem(input, mesh);
-  check_run(input, problem);
-  const bool is_exact = request.mesh || input.mesh.file;
-  const std::string memory =
-      is_exact ? memory_text(input, problem) : expected_memory_text(input, problem, log);
+  const std::optional<RunMemory> needed = check_run(input, problem);
+  std::string memory;
+  if (needed)
+    memory = request.mesh || input.mesh.file ? memory_text(*needed, problem)
+                                             : expected_memory_text(*needed, input, problem, log);
+  setting_up.reset();
   out << request.file.string() << " is a valid case\n" << summary_of(input) << lamp_text(problem, input);
   for (const std::string& field : field_texts(input, mesh)) out << field << '\n';
   out << memory;

@@ -2,17 +2,14 @@
 #include "app/command/memory_forecast.h"
 
 #include <cmath>
-#include <optional>
 
 #include "app/case/build.h"
 #include "app/case/volume_bounds.h"
 #include "app/command/begun_run.h"
 #include "app/command/check_run.h"
-#include "app/command/exact_setup.h"
 #include "app/command/memory.h"
+#include "app/command/ordinates_setup.h"
 #include "app/command/photon_pictures.h"
-#include "app/command/probes.h"
-#include "app/command/run_options.h"
 #include "solver/photons/solve_photons.h"
 
 namespace etendue {
@@ -24,36 +21,25 @@ constexpr double bound_in_means = 2;
 /// Meshes with more cells need memory for little else than cells.
 constexpr int many_cells = 20000;
 
-/// Empty by radiosity.
-std::optional<RunMemory> run_memory(const Case& input, const Problem& problem) {
-  if (input.radiosity) return std::nullopt;
-  const int threads = thread_count(input);
-  if (input.photons)
-    return RunMemory{
-        estimate_photon_memory(problem, threads) + estimate_photon_map_memory(input, problem, threads), ""};
-  const LightSetup lights(problem);
-  const RunDirections directions = run_directions(input, problem, lights);
-  const DirectionSet& set = directions.sets.front();
-  SolveOptions options =
-      run_options(input, set, place_probes(input.probes, problem.mesh(), CellLocator(problem.mesh())));
-  std::optional<ExactSetup> exact;
-  if (input.exact) options.angular_input = &exact.emplace(input, problem, set).input;
-  return memory_of(lights, directions, options);
+RunMemory run_memory(const Case& input, const Problem& problem) {
+  return input.photons ? photon_run_memory(input, problem) : OrdinatesSetup(input, problem).memory();
 }
 
 }  // namespace
 
-std::string memory_text(const Case& input, const Problem& problem) {
-  const auto memory = run_memory(input, problem);
-  if (!memory) return "";
-  return check_memory(memory->solving, problem.mesh(), problem.band_count(), memory->matrices);
+RunMemory photon_run_memory(const Case& input, const Problem& problem) {
+  const int threads = thread_count(input);
+  return {estimate_photon_memory(problem, threads) + estimate_photon_map_memory(input, problem, threads), ""};
 }
 
-std::string expected_memory_text(const Case& input, const Problem& coarse, const Log& log) {
-  const auto memory = run_memory(input, coarse);
-  if (!memory) return "";
+std::string memory_text(const RunMemory& memory, const Problem& problem) {
+  return check_memory(memory.solving, problem.mesh(), problem.band_count(), memory.matrices);
+}
+
+std::string expected_memory_text(const RunMemory& memory, const Case& input, const Problem& coarse,
+                                 const Log& log) {
   const double cells = expected_cells(input.mesh, coarse.mesh()), known = coarse.mesh().cell_count();
-  const auto solving = static_cast<double>(memory->solving);
+  const auto solving = static_cast<double>(memory.solving);
   double by_cell = solving / known;
   if (known < many_cells) {
     Case finer = with_coarsest_cells(input);
@@ -61,7 +47,7 @@ std::string expected_memory_text(const Case& input, const Problem& coarse, const
     const TetrahedralMesh mesh = build_mesh(finer, log);
     const Problem problem = build_problem(input, mesh);
     by_cell =
-        (static_cast<double>(run_memory(input, problem)->solving) - solving) / (mesh.cell_count() - known);
+        (static_cast<double>(run_memory(input, problem).solving) - solving) / (mesh.cell_count() - known);
   }
   return check_expected_memory(solving + by_cell * (cells - known), cells, coarse.band_count(), "");
 }

@@ -8,19 +8,17 @@
 
 #include "app/case/build.h"
 #include "app/command/begun_run.h"
-#include "app/command/exact_setup.h"
 #include "app/command/fault_report.h"
 #include "app/command/field_text.h"
 #include "app/command/lamp_text.h"
 #include "app/command/memory.h"
+#include "app/command/ordinates_setup.h"
 #include "app/command/phase_text.h"
 #include "app/command/pictures.h"
 #include "app/command/probes.h"
 #include "app/command/progress.h"
 #include "app/command/resolution_text.h"
-#include "app/command/run_directions.h"
 #include "app/command/run_log.h"
-#include "app/command/run_options.h"
 #include "app/command/run_report.h"
 #include "app/command/sensors.h"
 #include "app/command/stage_progress.h"
@@ -94,17 +92,13 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
     return run_by_photons({request, input, problem, seconds, watch, interruption, shown}, out, err, reader);
   if (input.radiosity)
     return run_by_radiosity({request, input, problem, seconds, watch, interruption, shown}, out, err, reader);
-  check_views(input.cameras, input.sensors, problem);
   setting_up.emplace(stages, "setting up");
-  const LightSetup lights(problem);
-  const RunDirections all_directions = run_directions(input, problem, lights);
-  const DirectionSet& directions = all_directions.sets.front();
-  const CellLocator locator(mesh);
-  check_sensors(input.sensors, locator, problem);
-  std::optional<ExactSetup> exact;
-  if (input.exact) exact.emplace(input, problem, directions);
-  SolveOptions options = run_options(input, directions, place_probes(input.probes, mesh, locator));
-  if (exact) options.angular_input = &exact->input;
+  OrdinatesSetup setup(input, problem);
+  const LightSetup& lights = setup.lights;
+  const RunDirections& all_directions = setup.directions;
+  const DirectionSet& directions = setup.set();
+  const CellLocator& locator = setup.locator;
+  SolveOptions& options = setup.options;
   OrdinateBook ordinates(input.sensors, lights, locator);
   SetReader keep_book;
   if (need_all_ordinates(input.sensors, problem.space()))
@@ -120,7 +114,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
     options.initial = &initial;
     out << "starts from " << input.initial->path.string() << std::endl;
   }
-  const RunMemory expected = memory_of(lights, all_directions, options);
+  const RunMemory expected = setup.memory();
   const std::string memory = check_memory(expected.solving, mesh, problem.band_count(), expected.matrices);
   const Resolution resolution = resolution_of(problem, finest(all_directions), locator);
   out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions), problem.band_count(),
@@ -161,7 +155,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
                    .threads = options.threads,
                    .record = request.record,
                    .is_coarse = is_coarse(resolution)};
-  if (exact) add_exact(*exact, directions, result);
+  if (setup.exact) add_exact(*setup.exact, directions, result);
   result.seconds.measures = watch.lap();
   result.probes = read_probes(input.probes, lights, solution, locator, options.threads,
                               ShownStage(stages, "probes").observer());

@@ -15,7 +15,6 @@
 namespace etendue {
 namespace {
 
-constexpr const char* log_name = "log.txt";
 constexpr const char* failed_log_name = "log-failed.txt";
 /// The sequence that ends a drawing: it clears the rest of the line.
 constexpr std::string_view clear_line = "\x1b[K";
@@ -31,10 +30,10 @@ RunLog::RunLog(const RunRecord& record)
 void RunLog::save() const {
   if (!directory_) return;
   OutputFolder folder(*directory_);
-  folder.add_text(log_name, text_);
+  folder.add_text(run_log_name, text_);
   folder.publish({failed_log_name});
   // A file that is alone is replaced in one step: at no time are the results without their summary.
-  const std::string summary = summary_with_files(*directory_, {log_name}, {});
+  const std::string summary = summary_with_files(*directory_, {run_log_name}, {});
   if (summary.empty()) return;
   folder.add_text("summary.json", summary);
   folder.publish({});
@@ -52,12 +51,12 @@ void RunLog::save_failed(std::string_view fault) const {
 }
 
 void append_to_log(const std::filesystem::path& directory, std::string_view text) {
-  std::ifstream file(directory / log_name, std::ios::binary);
+  std::ifstream file(directory / run_log_name, std::ios::binary);
   if (!file) return;
   std::string log{std::istreambuf_iterator<char>(file), {}};
   log += text;
   OutputFolder folder(directory);
-  folder.add_text(log_name, log);
+  folder.add_text(run_log_name, log);
   folder.publish({});
 }
 

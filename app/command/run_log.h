@@ -12,6 +12,9 @@
 
 namespace etendue {
 
+/// Name of the log among the results.
+inline constexpr const char* run_log_name = "log.txt";
+
 /// Lines that a run has printed, for its log.txt.
 class RunLog {
  public:

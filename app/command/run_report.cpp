@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/command/run_log.h"
 #include "app/command/text_table.h"
 #include "app/write/balance_check.h"
 #include "app/write/negative_fluence.h"
@@ -203,6 +204,7 @@ std::string closing_text(const RunResult& result, const WrittenResults& written)
   const std::string directory = written.directory.string();
   text += "written to " + directory + ":";
   for (const std::string& name : written.files) text += " " + name;
+  text += " " + std::string(run_log_name);
   return text + fmt::format("\nopen with: paraview {0}/fields.vtu {0}/walls.vtp\n", directory);
 }
 

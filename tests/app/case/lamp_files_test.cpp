@@ -14,14 +14,15 @@ namespace {
 using Numbers = std::vector<double>;
 
 /// An EULUMDAT file of this symmetry with planes at these angles, angles of 0, 90 and 180 degrees, and
-/// intensities 1, 2, 3 … of `stored` planes; two sets of lamps, of 2000 lm and 5000 lm.
-std::string ldt(int symmetry, const Numbers& planes, int stored, const std::string& first_intensity = "1") {
+/// intensities 1, 2, 3 … of `stored` planes; two sets of lamps, the second of 5000 lm.
+std::string ldt(int symmetry, const Numbers& planes, int stored, const std::string& first_intensity = "1",
+                const std::string& lumens = "2000") {
   std::ostringstream text;
   text << "maker\n2\n"
        << symmetry << "\n"
        << planes.size() << "\n0\n3\n90\nreport\nlamp\nnumber\nfile\ndate\n";
   for (int i = 0; i < 9; ++i) text << "100\n";
-  text << "50\n80\n1.0\n0\n2\n1\nLED\n2000\n3000\n80\n20\n1\nLED\n5000\n3000\n80\n50\n";
+  text << "50\n80\n1.0\n0\n2\n1\nLED\n" << lumens << "\n3000\n80\n20\n1\nLED\n5000\n3000\n80\n50\n";
   for (int i = 0; i < 10; ++i) text << "0,5\n";
   for (const double plane : planes) text << plane << "\n";
   text << "0\n90\n180\n" << first_intensity << "\n";
@@ -51,6 +52,21 @@ TEST(LdtFile, HasItsCandelasOfTheFirstSetOfLamps) {
   EXPECT_EQ(table.angle, (Numbers{0, 90, 180}));
   EXPECT_EQ(table.intensity, (Numbers{1, 2, 3}));
   EXPECT_EQ(table.candelas, 2.0);  // cd per 1000 lm
+}
+
+TEST(LdtFile, HasAShapeOnlyWithoutAFlux) {
+  EXPECT_EQ(read(ldt(1, {0}, 1, "1", "0")).candelas, std::nullopt);
+  const TestFolder folder;
+  const std::string light =
+      "[bands]\nnames = [\"a\"]\nedges = [450, 650]\n[[light]]\nname = \"a\"\nkind = \"point\"\n"
+      "position = [0.5, 0.5, 0.9]\ndistribution = \"" +
+      folder.write("lamp.ldt", ldt(1, {0}, 1, "1", "0")).string() + "\"\n";
+  const Case input = case_of(cube + light + "luminous_flux = 500\n");
+  EXPECT_NEAR(Photometry(input.bands).luminous(input.lights.at(0).strength), 500, 1e-9);
+  EXPECT_NE(faults_of(cube + light).find("needs power or luminous_flux"), std::string::npos);
+  EXPECT_TRUE(refusal("a.ldt", ldt(1, {0}, 1, "1", "-1"))
+                  .starts_with("a.ldt:29: the flux -1 of the lamps is negative"))
+      << refusal("a.ldt", ldt(1, {0}, 1, "1", "-1"));
 }
 
 // Stored are all planes; C0 to C180; C270 over C0 to C90; C0 to C90.
@@ -103,6 +119,13 @@ TEST(Tilt, OfTheFileAndOfOneBesideIt) {
   folder.write("factors.tlt", "3\n2\n0 180\n1 0.5\n");
   const auto other = folder.write("other.ies", header + "TILT=factors.tlt\n" + rest);
   EXPECT_EQ(read_light_table(other, {}).tilt.factor, (Numbers{1, 0.5}));
+}
+
+TEST(Tilt, IsReadInLettersOfAnyCase) {
+  const TestFolder folder;
+  EXPECT_TRUE(read_light_table(folder.write("a.ies", header + "TILT=None\n" + rest), {}).tilt.angle.empty());
+  const auto file = folder.write("b.ies", header + "Tilt=Include\n1\n2\n0 90\n1 0.5\n" + rest);
+  EXPECT_EQ(read_light_table(file, {}).tilt.factor, (Numbers{1, 0.5}));
 }
 
 TEST(Tilt, IsRefusedByFileAndLine) {

@@ -102,6 +102,7 @@ TEST(RunReport, CautionsWhereTheBalanceIsOffByLessThanItsTolerance) {
 
 TEST(RunReport, SaysHowToOpenTheFiles) {
   const std::string text = closing_text(SampleRun({"grey"}).result(), {"/r", {"fields.vtu", "walls.vtp"}, 1});
+  EXPECT_TRUE(has(text, "written to /r: fields.vtu walls.vtp log.txt\n")) << text;
   EXPECT_TRUE(has(text, "paraview /r/fields.vtu /r/walls.vtp")) << text;
   EXPECT_TRUE(has(text, "read 0.5  mesh 1.5")) << text;
 }
