@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "app/case/key_help.h"
+#include "app/case/key_schema.h"
 #include "app/case/keys.h"
 #include "app/command/command_line.h"
 #include "app/command/commands.h"
@@ -28,7 +29,7 @@ struct Dispatch {
   ExitCode operator()(const DirectionsRequest& request) const { return show_directions(request, out); }
   ExitCode operator()(const NewRequest& request) const { return new_case(request, out); }
   ExitCode operator()(const KeysRequest& request) const {
-    out << (request.path.empty() ? key_reference() : key_help(request.path));
+    out << (request.schema ? key_schema() : request.path.empty() ? key_reference() : key_help(request.path));
     return ExitCode::done;
   }
   ExitCode operator()(const ShowText& show) const {

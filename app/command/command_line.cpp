@@ -27,6 +27,7 @@ const char* const examples = R"(Examples:
   etendue mesh case.toml -o mesh.vtu
   etendue directions --set ldfe-sq --order 2 -o set.vtp
   etendue keys walls.floor
+  etendue keys --schema > etendue.schema.json
 
 Exit codes: 0 done, converged and balanced; 1 not converged or not balanced (results written and
 marked so); 2 the case, the mesh or the command line is wrong; 3 a file could not be read or written;
@@ -107,11 +108,15 @@ class Parser {
   }
 
   void add_keys() {
-    app_.add_subcommand("keys", "Every key of the case file, or those of one table")
-        ->add_option(
-            "path", keys_.path,
-            "A table or a key, e.g. mesh.box, solve.tolerance or diffuse; default: the reference page")
-        ->type_name("PATH");
+    CLI::App& keys = *app_.add_subcommand("keys", "Every key of the case file, or those of one table");
+    CLI::Option* path =
+        keys.add_option(
+                "path", keys_.path,
+                "A table or a key, e.g. mesh.box, solve.tolerance or diffuse; default: the reference page")
+            ->type_name("PATH");
+    keys.add_flag("--schema", keys_.schema,
+                  "A JSON schema of all keys, by which editors complete and check case files")
+        ->excludes(path);
   }
 
   void add_run() {

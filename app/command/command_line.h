@@ -101,7 +101,8 @@ struct DirectionsRequest {
 };
 
 struct KeysRequest {
-  std::string path;  ///< of one table or key; empty: the whole reference page
+  std::string path;     ///< of one table or key; empty: the whole reference page
+  bool schema = false;  ///< all of them as a JSON schema instead
 };
 
 struct NewRequest {

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "app/case/key_help.h"
+#include "app/case/key_schema.h"
 #include "app/case/toml_document.h"
 #include "app/case/value_check.h"
 #include "mesh/base/errors.h"
@@ -59,6 +62,28 @@ TEST(KeyReference, IsTheCommittedPage) {
   std::ifstream page(ETENDUE_SOURCE_DIR "/docs/keys.md");
   const std::string committed((std::istreambuf_iterator<char>(page)), std::istreambuf_iterator<char>());
   EXPECT_TRUE(key_reference() == committed);
+}
+
+// scripts/check_schema holds it to the cases and to faulty ones.
+TEST(KeySchema, HasEveryKeyWithItsMeaning) {
+  const auto schema = nlohmann::json::parse(key_schema());
+  std::size_t described = 0;
+  const std::function<void(const nlohmann::json&)> count = [&](const nlohmann::json& node) {
+    if (node.is_object() && node.contains("properties"))
+      for (const auto& [name, property] : node["properties"].items())
+        if (property.contains("description")) ++described;
+    for (const auto& child : node)
+      if (child.is_structured()) count(child);
+  };
+  count(schema);
+  EXPECT_GE(described, key_declarations().size());
+  const auto& wall = schema["properties"]["walls"]["additionalProperties"];
+  EXPECT_EQ(wall["additionalProperties"], false);
+  const auto& diffuse = wall["properties"]["diffuse"];
+  EXPECT_EQ(diffuse["anyOf"][0]["maximum"], 1.0);
+  EXPECT_EQ(diffuse["default"], 0.0);
+  EXPECT_EQ(schema["properties"]["mesh"]["properties"]["box"]["items"]["required"],
+            nlohmann::json({"min", "max"}));
 }
 
 TEST(KeyHelp, DescribesATableAndAKey) {
