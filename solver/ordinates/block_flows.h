@@ -75,7 +75,7 @@ class BlockFlows {
       return repeat<B>(values[first]);
     } else {
       static_assert(C * B == W);
-      return __builtin_shuffle(load_lanes<W>(values), cells);
+      return chosen<W>(load_lanes<W>(values), cells);
     }
   }
 

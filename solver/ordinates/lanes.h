@@ -62,6 +62,18 @@ ETENDUE_KERNEL_INLINE void store_lanes(Real* to, const Lanes<W>& value) {
   std::memcpy(to, &value, sizeof value);
 }
 
+/// In each lane the value of the lane that is named there.
+template <int W>
+ETENDUE_KERNEL_INLINE Lanes<W> chosen(const Lanes<W>& values, const LaneChoice<W>& lanes) {
+#if defined(__clang__)  // has only constant choices
+  Lanes<W> result;
+  for (int lane = 0; lane < W; ++lane) result[lane] = values[lanes[lane]];
+  return result;
+#else
+  return __builtin_shuffle(values, lanes);
+#endif
+}
+
 ETENDUE_KERNEL_INLINE Lanes<2> join(Real a, Real b) { return Lanes<2>{a, b}; }
 ETENDUE_KERNEL_INLINE Lanes<4> join(const Lanes<2>& a, const Lanes<2>& b) {
   return __builtin_shufflevector(a, b, 0, 1, 2, 3);

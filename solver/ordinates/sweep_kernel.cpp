@@ -64,7 +64,7 @@ ETENDUE_KERNEL_INLINE void load_face(const Cells& packet, int f, std::ptrdiff_t 
     for (int j = 0; j < C; ++j) {
       LaneChoice<4> choice;
       std::memcpy(&choice, nodes[j], sizeof choice);
-      row[j] = __builtin_shuffle(load_lanes<4>(radiance[j]), choice);
+      row[j] = chosen<4>(load_lanes<4>(radiance[j]), choice);
     }
     Rows<C>::to_lanes(row, out);
   } else {
