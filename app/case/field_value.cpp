@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "app/case/keys.h"
-#include "app/case/read_mesh.h"
+#include "app/case/resolve_path.h"
 #include "app/case/section.h"
 #include "mesh/files/field_file.h"
 #include "solver/problem/sampled_field.h"

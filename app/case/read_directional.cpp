@@ -8,7 +8,7 @@
 
 #include "app/case/band_values.h"
 #include "app/case/number_columns.h"
-#include "app/case/read_mesh.h"
+#include "app/case/resolve_path.h"
 #include "solver/angle/micro_flakes.h"
 
 namespace etendue {

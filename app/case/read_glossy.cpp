@@ -11,7 +11,7 @@
 
 #include "app/case/band_values.h"
 #include "app/case/number_columns.h"
-#include "app/case/read_mesh.h"
+#include "app/case/resolve_path.h"
 #include "solver/surfaces/microfacets.h"
 #include "solver/surfaces/phong.h"
 #include "solver/surfaces/reflectance_table.h"

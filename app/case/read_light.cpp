@@ -11,7 +11,7 @@
 #include "app/case/light_table.h"
 #include "app/case/read_daylight.h"
 #include "app/case/read_light_strength.h"
-#include "app/case/read_mesh.h"
+#include "app/case/resolve_path.h"
 
 namespace etendue {
 namespace {

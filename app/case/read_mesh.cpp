@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/case/override.h"
+#include "app/case/resolve_path.h"
 
 namespace etendue {
 namespace {
@@ -106,11 +106,6 @@ void reject_unused(Section& mesh) {
 }
 
 }  // namespace
-
-std::filesystem::path resolve_path(const TomlNode& node, const std::filesystem::path& case_folder) {
-  const std::filesystem::path path(node.text());
-  return node.origin.file == override_file ? path : (case_folder / path).lexically_normal();
-}
 
 MeshCase read_mesh_section(Section section, const std::filesystem::path& case_folder) {
   MeshCase mesh;

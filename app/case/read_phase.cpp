@@ -11,7 +11,7 @@
 #include "app/case/edit_distance.h"
 #include "app/case/keys.h"
 #include "app/case/number_columns.h"
-#include "app/case/read_mesh.h"
+#include "app/case/resolve_path.h"
 #include "solver/mie/mie_scattering.h"
 
 namespace etendue {

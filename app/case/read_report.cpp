@@ -8,7 +8,7 @@
 
 #include "app/case/build.h"
 #include "app/case/edit_distance.h"
-#include "app/case/read_mesh.h"
+#include "app/case/resolve_path.h"
 #include "solver/angle/direction_set.h"
 
 namespace etendue {

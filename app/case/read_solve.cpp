@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "app/case/build.h"
-#include "app/case/read_mesh.h"
+#include "app/case/resolve_path.h"
 #include "solver/angle/direction_set.h"
 
 namespace etendue {

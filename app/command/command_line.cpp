@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "app/case/edit_distance.h"
-#include "app/write/results.h"
+#include "app/write/program_version.h"
 #include "mesh/base/errors.h"
 
 namespace etendue {

@@ -6,7 +6,7 @@
 
 #include "app/command/command_line.h"
 #include "app/command/exit_code.h"
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 
 namespace etendue {
 

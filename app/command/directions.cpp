@@ -9,6 +9,7 @@
 #include "app/write/output_folder.h"
 #include "app/write/vtk_files.h"
 #include "mesh/base/errors.h"
+#include "solver/angle/direction_report.h"
 #include "solver/angle/direction_set.h"
 
 namespace etendue {

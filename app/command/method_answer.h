@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/command/commands.h"
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 
 namespace etendue {
 

@@ -8,8 +8,10 @@
 #include "app/command/run_directions.h"
 #include "app/command/run_options.h"
 #include "mesh/tetrahedra/cell_locator.h"
+#include "solver/angle/direction_set.h"
 #include "solver/lights/light_setup.h"
-#include "solver/ordinates/solve.h"
+#include "solver/ordinates/solve_options.h"
+#include "solver/problem/problem.h"
 
 namespace etendue {
 

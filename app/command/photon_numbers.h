@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 
 namespace etendue {
 

@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "app/case/case.h"
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/lights/light_setup.h"
-#include "solver/ordinates/solve.h"
+#include "solver/ordinates/solution.h"
+#include "solver/ordinates/solve_options.h"
 #include "solver/parallel/stage_observer.h"
 
 namespace etendue {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/command/command_line.h"
-#include "solver/ordinates/solve.h"
+#include "solver/ordinates/solve_observer.h"
 
 namespace etendue {
 

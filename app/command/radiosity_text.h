@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 
 namespace etendue {
 

@@ -25,6 +25,7 @@
 #include "app/command/verbose_log.h"
 #include "app/command/visible_solution.h"
 #include "app/write/output_folder.h"
+#include "app/write/program_version.h"
 #include "app/write/results.h"
 #include "app/write/sensor_files.h"
 #include "app/write/solution_file.h"

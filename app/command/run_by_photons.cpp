@@ -13,6 +13,7 @@
 #include "app/command/run_photons.h"
 #include "app/command/run_report.h"
 #include "app/command/unreached.h"
+#include "app/write/results.h"
 
 namespace etendue {
 

@@ -16,6 +16,7 @@
 #include "app/command/run_radiosity.h"
 #include "app/command/run_report.h"
 #include "app/command/sensors.h"
+#include "app/write/results.h"
 #include "app/write/sensor_files.h"
 
 namespace etendue {

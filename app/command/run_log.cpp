@@ -8,7 +8,7 @@
 
 #include "app/write/commit.h"
 #include "app/write/output_folder.h"
-#include "app/write/results.h"
+#include "app/write/program_version.h"
 #include "app/write/summary.h"
 #include "mesh/base/errors.h"
 

@@ -7,8 +7,9 @@
 
 #include "app/case/case.h"
 #include "app/command/run_directions.h"
+#include "solver/angle/direction_set.h"
 #include "solver/lights/light_setup.h"
-#include "solver/ordinates/solve.h"
+#include "solver/ordinates/solve_options.h"
 
 namespace etendue {
 

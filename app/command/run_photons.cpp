@@ -9,6 +9,7 @@
 #include "app/command/photon_progress.h"
 #include "app/command/probes.h"
 #include "app/write/solution_file.h"
+#include "solver/ordinates/solve_observer.h"
 #include "solver/photons/photon_mesh.h"
 #include "solver/photons/probe_histories.h"
 

@@ -5,7 +5,7 @@
 
 #include "app/case/case.h"
 #include "app/command/stage_progress.h"
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/photons/solve_photons.h"
 

@@ -8,7 +8,7 @@
 #include "app/case/case.h"
 #include "app/command/interruption.h"
 #include "app/command/stage_progress.h"
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/angle/direction_set.h"
 #include "solver/lights/light_setup.h"

@@ -7,8 +7,10 @@
 #include "app/case/case.h"
 #include "app/write/solution_file.h"
 #include "mesh/base/log.h"
+#include "solver/angle/direction_set.h"
 #include "solver/lights/light_setup.h"
-#include "solver/ordinates/solve.h"
+#include "solver/ordinates/solve_options.h"
+#include "solver/problem/problem.h"
 
 namespace etendue {
 

@@ -6,7 +6,7 @@
 
 #include "app/case/case.h"
 #include "app/command/ordinate_book.h"
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/sensors/sensor_reading.h"
 

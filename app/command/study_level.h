@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/command/study.h"
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 
 namespace etendue {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 #include "mesh/tetrahedra/cell_locator.h"
 
 namespace etendue {

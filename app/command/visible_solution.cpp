@@ -5,6 +5,7 @@
 #include "app/command/progress.h"
 #include "app/write/solution_file.h"
 #include "mesh/base/errors.h"
+#include "solver/ordinates/solve_observer.h"
 
 namespace etendue {
 namespace {

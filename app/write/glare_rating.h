@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 #include "app/write/sensor_rows.h"
 #include "solver/sensors/glare.h"
 

@@ -14,8 +14,6 @@
 
 namespace etendue {
 
-std::string program_version() { return ETENDUE_VERSION; }
-
 namespace {
 
 /// The walls after each of the first passes, and a file that plays them one after the other.

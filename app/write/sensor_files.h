@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/write/output_folder.h"
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 
 namespace etendue {
 

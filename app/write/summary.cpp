@@ -12,6 +12,7 @@
 #include "app/write/commit.h"
 #include "app/write/lamp_light.h"
 #include "app/write/negative_fluence.h"
+#include "app/write/program_version.h"
 #include "app/write/stage_seconds.h"
 
 namespace etendue {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 
 namespace etendue {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/write/results.h"
+#include "app/write/run_result.h"
 #include "mesh/files/mesh_file.h"
 #include "solver/angle/direction_set.h"
 

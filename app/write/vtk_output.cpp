@@ -7,7 +7,7 @@
 #include <vtkInformationStringKey.h>
 #include <vtkPointData.h>
 
-#include "app/write/results.h"
+#include "app/write/program_version.h"
 #include "app/write/vtk_arrays.h"
 #include "mesh/files/vtk_write.h"
 

@@ -7,7 +7,7 @@
 
 #include "mesh/base/errors.h"
 #include "mesh/base/up_axis.h"
-#include "mesh/files/vtk_encoding.h"
+#include "mesh/files/mesh_file_options.h"
 #include "mesh/tetrahedra/raw_mesh.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 
@@ -20,18 +20,6 @@ namespace etendue {
 /// wrong. `origin` is that of the key that names the file.
 RawMesh read_mesh(const std::filesystem::path& path, double scale = 1, const Origin& origin = {},
                   UpAxis up = UpAxis::z);
-
-/// A named list of texts in the field data of a file.
-struct FieldTexts {
-  std::string name;
-  std::vector<std::string> texts;
-};
-
-/// Form and additional content of a written mesh file.
-struct MeshFileOptions {
-  VtkEncoding encoding = VtkEncoding::inline_base64;
-  std::vector<FieldTexts> field_texts = {};  ///< beside the names of regions and walls
-};
 
 /// Writes a mesh as .vtu, read back identically by read_mesh. Written to a temporary name and renamed.
 void write_mesh(const std::filesystem::path& path, const TetrahedralMesh& mesh,

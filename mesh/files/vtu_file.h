@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "mesh/files/mesh_file.h"
+#include "mesh/files/mesh_file_options.h"
 #include "mesh/tetrahedra/raw_mesh.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/angle/direction_report.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 
-#include "solver/angle/direction_set.h"
 #include "solver/angle/spherical_harmonics.h"
 #include "solver/problem/angular_space.h"
 #include "solver/problem/phase_function.h"

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "solver/ordinates/aligned_array.h"
-#include "solver/ordinates/solve.h"
+#include "solver/ordinates/solve_options.h"
 #include "solver/ordinates/sweep_kernel.h"
 
 namespace etendue {

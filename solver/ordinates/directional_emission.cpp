@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/ordinates/sweep_order.h"
+#include "solver/ordinates/seen_area.h"
 #include "solver/problem/problem_checks.h"
 
 namespace etendue {

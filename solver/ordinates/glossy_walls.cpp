@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "solver/ordinates/seen_area.h"
 #include "solver/ordinates/sweep_order.h"
 
 namespace etendue {

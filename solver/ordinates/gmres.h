@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/ordinates/iteration.h"
+#include "solver/ordinates/solve_observer.h"
 
 namespace etendue {
 

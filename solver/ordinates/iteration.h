@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/ordinates/solve.h"
+#include "solver/ordinates/solution.h"
+#include "solver/ordinates/solve_observer.h"
 #include "solver/ordinates/transport_state.h"
 #include "solver/ordinates/transport_sweep.h"
 

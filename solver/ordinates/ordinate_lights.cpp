@@ -7,7 +7,7 @@
 
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/lights/beam_pieces.h"
-#include "solver/ordinates/sweep_order.h"
+#include "solver/ordinates/seen_area.h"
 #include "solver/problem/lamp_shape.h"
 
 namespace etendue {

@@ -13,6 +13,8 @@
 #include "solver/ordinates/gmres.h"
 #include "solver/ordinates/residual.h"
 #include "solver/ordinates/safe_squares.h"
+#include "solver/ordinates/solve_observer.h"
+#include "solver/ordinates/state_copy.h"
 
 namespace etendue {
 namespace {

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "solver/ordinates/iteration.h"
+#include "solver/ordinates/solve_observer.h"
 
 namespace etendue {
 

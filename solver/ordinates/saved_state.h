@@ -5,8 +5,6 @@
 
 namespace etendue {
 
-class TransportState;
-
 /// All that one sweep hands to the next (TransportState), without the padding of lanes: what a file keeps and
 /// another run may start from. The band is the fastest index everywhere.
 struct SavedState {
@@ -22,11 +20,5 @@ struct SavedState {
   /// far as they fit.
   bool is_turned = false;
 };
-
-/// The values of a state, to the last bit.
-SavedState saved(const TransportState& state, int bands);
-
-/// Gives a state the values that were saved. Throws InputError where they are not of its kind.
-void restore(const SavedState& from, int bands, TransportState& state);
 
 }  // namespace etendue

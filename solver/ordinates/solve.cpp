@@ -19,6 +19,7 @@
 #include "solver/ordinates/positive_iteration.h"
 #include "solver/ordinates/scattering_report.h"
 #include "solver/ordinates/source_iteration.h"
+#include "solver/ordinates/state_copy.h"
 #include "solver/ordinates/transport_sweep.h"
 #include "solver/problem/mirror.h"
 

@@ -13,6 +13,8 @@
 #include "solver/ordinates/diffusion_acceleration.h"
 #include "solver/ordinates/finite_check.h"
 #include "solver/ordinates/residual.h"
+#include "solver/ordinates/solve_observer.h"
+#include "solver/ordinates/state_copy.h"
 #include "solver/ordinates/sweep_kernel.h"
 
 namespace etendue {

@@ -10,6 +10,7 @@
 
 #include "solver/ordinates/cycle_breaking.h"
 #include "solver/ordinates/ready_cells.h"
+#include "solver/ordinates/seen_area.h"
 
 namespace etendue {
 namespace {

@@ -32,16 +32,6 @@ struct SweepOrder {
   std::uint32_t slot_count = 0;
 };
 
-/// A face with |w.n| below this is parallel to the direction, on both sides.
-inline constexpr double parallel_cosine = 1e-14;
-
-/// Area of a face seen along a direction, w . (A n) [length^2]; exactly zero where they are parallel.
-inline double seen_area(const Vec3& area_normal, const Vec3& direction) {
-  const double a = direction.dot(area_normal);
-  // Squares instead of a root: this is asked of all faces for every direction.
-  return a * a < parallel_cosine * parallel_cosine * area_normal.squaredNorm() ? 0 : a;
-}
-
 /// Which cells of a level stand side by side: neighbours in space, or those through whose faces light goes
 /// the same way, for kernels that leave out the faces through which none enters.
 enum class LevelOrder { neighbours, alike };

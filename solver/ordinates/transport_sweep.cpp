@@ -11,6 +11,7 @@
 
 #include "solver/ordinates/narrow_sweep.h"
 #include "solver/ordinates/processor_timer.h"
+#include "solver/ordinates/saved_state.h"
 #include "solver/ordinates/sweep_workspace.h"
 #include "solver/ordinates/transport_sweep_by_direction.h"
 #include "solver/ordinates/transport_sweep_group.h"

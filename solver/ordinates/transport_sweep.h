@@ -11,6 +11,7 @@
 #include "solver/ordinates/dense_scattering.h"
 #include "solver/ordinates/ordinate_schedule.h"
 #include "solver/ordinates/scattering_moments.h"
+#include "solver/ordinates/solution.h"
 #include "solver/ordinates/sweep_kernel.h"
 #include "solver/ordinates/sweep_orders.h"
 #include "solver/ordinates/sweep_stopped.h"

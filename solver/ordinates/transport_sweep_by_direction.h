@@ -6,6 +6,7 @@
 // Part of TransportSweep, for its source file alone.
 #include <algorithm>
 
+#include "solver/ordinates/seen_area.h"
 #include "solver/ordinates/sweep_order.h"
 #include "solver/ordinates/transport_sweep.h"
 

@@ -8,6 +8,7 @@
 
 #include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/angle/ordinate_reflectance.h"
+#include "solver/ordinates/seen_area.h"
 #include "solver/ordinates/sweep_order.h"
 #include "solver/problem/mirror.h"
 

@@ -7,7 +7,7 @@
 
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/ordinates/solution.h"
-#include "solver/ordinates/solve.h"
+#include "solver/ordinates/solve_observer.h"
 #include "solver/photons/batch_statistics.h"
 #include "solver/problem/problem.h"
 

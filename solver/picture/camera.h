@@ -5,11 +5,9 @@
 #include <optional>
 
 #include "mesh/base/vec3.h"
+#include "solver/picture/glossy_rays.h"
 
 namespace etendue {
-
-/// Enough for lobes that are not seen to be made of rays once pixels have four of them.
-inline constexpr int default_glossy_rays = 16;
 
 /// How the angle from the view becomes a distance from the middle of the picture.
 enum class Projection {

@@ -6,14 +6,16 @@
 #include <span>
 #include <vector>
 
+#include "solver/angle/direction_set.h"
 #include "solver/lights/light_setup.h"
 #include "solver/ordinates/ordinate_lights.h"
 #include "solver/ordinates/saved_state.h"
 #include "solver/ordinates/scattering_plan.h"
-#include "solver/ordinates/solve.h"
+#include "solver/ordinates/solve_options.h"
 #include "solver/picture/continuous_harmonics.h"
 #include "solver/picture/directional_matter.h"
 #include "solver/problem/phase_list.h"
+#include "solver/problem/problem.h"
 
 namespace etendue {
 

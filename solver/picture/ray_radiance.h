@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "solver/picture/camera.h"
 #include "solver/picture/collided_source.h"
+#include "solver/picture/glossy_rays.h"
 #include "solver/picture/once_scattered.h"
 #include "solver/picture/ray_entry.h"
 #include "solver/picture/wall_light.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/lights/light_setup.h"
-#include "solver/ordinates/solve.h"
+#include "solver/ordinates/solve_options.h"
 #include "solver/ordinates/swept_light.h"
 #include "solver/sensors/cone_cubature.h"
 #include "solver/sensors/region_surface.h"

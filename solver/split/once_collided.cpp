@@ -9,6 +9,7 @@
 #include "mesh/base/errors.h"
 #include "solver/angle/harmonics.h"
 #include "solver/ordinates/scattering_plan.h"
+#include "solver/ordinates/solve.h"
 
 namespace etendue {
 namespace {

@@ -3,8 +3,11 @@
 
 #include <optional>
 
-#include "solver/ordinates/solve.h"
+#include "solver/angle/direction_set.h"
+#include "solver/ordinates/solution.h"
+#include "solver/ordinates/solve_options.h"
 #include "solver/ordinates/swept_light.h"
+#include "solver/problem/problem.h"
 #include "solver/split/first_collision.h"
 
 namespace etendue {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "solver/ordinates/node_means.h"
+#include "solver/ordinates/solve_observer.h"
 #include "solver/split/mean_solution.h"
 
 namespace etendue {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "solver/ordinates/solve_observer.h"
 #include "solver/split/solve_split.h"
 
 namespace etendue {

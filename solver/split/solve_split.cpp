@@ -12,6 +12,7 @@
 #include "solver/lights/beam_source.h"
 #include "solver/lights/sky_source.h"
 #include "solver/ordinates/node_means.h"
+#include "solver/ordinates/solve.h"
 #include "solver/parallel/parallel_for.h"
 #include "solver/split/first_collision.h"
 #include "solver/split/once_collided.h"

@@ -3,9 +3,12 @@
 
 #include <memory>
 
+#include "solver/angle/direction_set.h"
 #include "solver/lights/first_collisions.h"
 #include "solver/lights/light_setup.h"
-#include "solver/ordinates/solve.h"
+#include "solver/ordinates/solution.h"
+#include "solver/ordinates/solve_observer.h"
+#include "solver/ordinates/solve_options.h"
 #include "solver/ordinates/swept_light.h"
 
 namespace etendue {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/write/results.h"
 #include "mesh/base/errors.h"
 #include "tests/app/write/sample_run.h"
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/write/program_version.h"
 #include "tests/app/write/sample_run.h"
 
 namespace etendue {

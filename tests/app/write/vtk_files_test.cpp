@@ -19,6 +19,7 @@
 #include <algorithm>
 
 #include "app/write/color.h"
+#include "app/write/program_version.h"
 #include "app/write/vtk_files.h"
 #include "mesh/base/errors.h"
 #include "tests/app/write/sample_run.h"

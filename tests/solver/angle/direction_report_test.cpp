@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/angle/direction_report.h"
 #include "tests/solver/angle/sets_to_test.h"
 
 namespace etendue {

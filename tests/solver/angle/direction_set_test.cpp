@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "mesh/base/errors.h"
+#include "solver/angle/direction_report.h"
 #include "tests/solver/angle/sets_to_test.h"
 
 namespace etendue {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/angle/direction_report.h"
 #include "solver/angle/refinement.h"
 
 namespace etendue {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/angle/refinement.h"
+#include "solver/angle/direction_report.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/LU>
 
+#include "solver/angle/direction_report.h"
 #include "solver/angle/harmonics.h"
 #include "tests/solver/angle/sets_to_test.h"
 

@@ -7,6 +7,7 @@
 
 #include "solver/measure/balance.h"
 #include "solver/ordinates/diffusion_acceleration.h"
+#include "solver/ordinates/solve_observer.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
 namespace etendue {

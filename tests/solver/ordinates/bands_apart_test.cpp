@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/ordinates/diffusion_acceleration.h"
+#include "solver/ordinates/solve_observer.h"
 #include "solver/ordinates/source_iteration.h"
 #include "tests/solver/ordinates/sample_problems.h"
 

@@ -11,6 +11,7 @@
 #include "mesh/base/errors.h"
 #include "solver/measure/balance.h"
 #include "solver/ordinates/residual.h"
+#include "solver/ordinates/state_copy.h"
 #include "solver/ordinates/transport_sweep.h"
 #include "solver/surfaces/phong.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"

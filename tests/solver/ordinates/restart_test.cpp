@@ -7,6 +7,8 @@
 
 #include "mesh/base/errors.h"
 #include "solver/ordinates/saved_state.h"
+#include "solver/ordinates/solve_observer.h"
+#include "solver/ordinates/state_copy.h"
 #include "solver/ordinates/transport_state.h"
 #include "tests/solver/ordinates/sample_problems.h"
 

@@ -10,6 +10,7 @@
 #include "mesh/base/errors.h"
 #include "solver/ordinates/cell_balance.h"
 #include "solver/ordinates/cell_coefficients.h"
+#include "solver/ordinates/seen_area.h"
 #include "solver/ordinates/sweep_order.h"
 #include "tests/solver/ordinates/sample_problems.h"
 

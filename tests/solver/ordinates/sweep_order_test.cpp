@@ -8,6 +8,7 @@
 #include <set>
 
 #include "solver/angle/direction_set.h"
+#include "solver/ordinates/seen_area.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
 namespace etendue {

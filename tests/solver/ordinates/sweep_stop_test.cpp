@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "solver/ordinates/solve_observer.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
 namespace etendue {

@@ -8,6 +8,7 @@
 
 #include "mesh/base/errors.h"
 #include "solver/measure/balance.h"
+#include "solver/ordinates/solve_observer.h"
 #include "tests/solver/ordinates/sample_problems.h"
 
 namespace etendue {

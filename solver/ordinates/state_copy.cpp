@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/ordinates/saved_state.h"
+#include "solver/ordinates/state_copy.h"
 
 #include <algorithm>
 #include <span>
 
 #include "mesh/base/errors.h"
 #include "solver/ordinates/sweep_kernel.h"
-#include "solver/ordinates/transport_state.h"
 
 namespace etendue {
 namespace {
