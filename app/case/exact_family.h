@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/base/vec3.h"
+#include "base/vec3.h"
 
 namespace etendue {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solver/problem/light.h"
+#include "solver/problem/lights/light.h"
 
 namespace etendue {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/case/case.h"
-#include "solver/problem/light.h"
+#include "solver/problem/lights/light.h"
 
 namespace etendue {
 

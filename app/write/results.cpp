@@ -5,12 +5,12 @@
 
 #include <chrono>
 
-#include "app/write/output_folder.h"
-#include "app/write/sensor_files.h"
-#include "app/write/solution_file.h"
-#include "app/write/summary.h"
-#include "app/write/tables.h"
-#include "app/write/vtk_files.h"
+#include "app/write/csv/sensor_files.h"
+#include "app/write/csv/tables.h"
+#include "app/write/json/summary.h"
+#include "app/write/result/output_folder.h"
+#include "app/write/vtk/solution_file.h"
+#include "app/write/vtk/vtk_files.h"
 
 namespace etendue {
 

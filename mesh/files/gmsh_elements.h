@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "mesh/files/name_table.h"
-#include "mesh/files/text_lines.h"
+#include "base/name_table.h"
+#include "base/text_lines.h"
 #include "mesh/tetrahedra/raw_mesh.h"
 
 namespace etendue {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/text_lines.h"
 #include "mesh/files/gmsh_elements.h"
-#include "mesh/files/text_lines.h"
 
 namespace etendue {
 namespace {

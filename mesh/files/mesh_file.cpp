@@ -7,7 +7,7 @@
 
 #include "mesh/files/gmsh_file.h"
 #include "mesh/files/tetgen_files.h"
-#include "mesh/files/vtu_file.h"
+#include "mesh/files/vtk/vtu_file.h"
 
 namespace etendue {
 namespace {

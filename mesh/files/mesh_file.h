@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "mesh/base/errors.h"
-#include "mesh/base/up_axis.h"
-#include "mesh/files/mesh_file_options.h"
+#include "base/errors.h"
+#include "base/up_axis.h"
+#include "mesh/files/vtk/mesh_file_options.h"
 #include "mesh/tetrahedra/raw_mesh.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <cstdio>
 
-#include "mesh/base/errors.h"
-#include "mesh/files/name_table.h"
-#include "mesh/files/text_lines.h"
+#include "base/errors.h"
+#include "base/name_table.h"
+#include "base/text_lines.h"
 
 namespace etendue {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "mesh/base/vec3.h"
+#include "base/vec3.h"
 
 namespace etendue {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/base/errors.h"
+#include "base/errors.h"
 #include "mesh/tetrahedra/raw_mesh.h"
 
 namespace etendue {

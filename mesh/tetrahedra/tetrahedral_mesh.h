@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/base/index.h"
-#include "mesh/base/vec3.h"
+#include "base/index.h"
+#include "base/vec3.h"
 #include "mesh/tetrahedra/raw_mesh.h"
 
 namespace etendue {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "solver/exact/exact_input.h"
-#include "solver/measure/balance.h"
+#include "solver/solution/balance.h"
 
 namespace etendue {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "solver/problem/cell_rule.h"
+#include "base/quadrature/cell_rule.h"
 
 namespace etendue {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "solver/angle/direction_set.h"
+#include "solver/angular/sets/direction_set.h"
 #include "solver/exact/exact_radiance.h"
-#include "solver/ordinates/solution.h"
 #include "solver/problem/problem.h"
+#include "solver/solution/solution.h"
 
 namespace etendue {
 

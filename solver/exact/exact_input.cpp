@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "solver/ordinates/dense_scattering.h"
+#include "solver/transport/scattering/dense_scattering.h"
 
 namespace etendue {
 namespace {

@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "solver/angle/direction_set.h"
-#include "solver/angle/harmonics.h"
+#include "solver/angular/harmonics/harmonics.h"
+#include "solver/angular/sets/direction_set.h"
 #include "solver/exact/exact_radiance.h"
 #include "solver/exact/quadratic_nodes.h"
-#include "solver/ordinates/angular_input.h"
-#include "solver/ordinates/scattering_plan.h"
 #include "solver/problem/problem.h"
+#include "solver/solution/angular_input.h"
+#include "solver/transport/scattering/scattering_plan.h"
 
 namespace etendue {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/base/vec3.h"
-#include "solver/expression/differentiable.h"
+#include "base/expression/differentiable.h"
+#include "base/vec3.h"
 
 namespace etendue {
 

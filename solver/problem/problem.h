@@ -7,17 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "mesh/base/errors.h"
+#include "base/angular_space.h"
+#include "base/errors.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
-#include "solver/problem/angular_formula.h"
-#include "solver/problem/angular_space.h"
+#include "solver/materials/kernels/directional_scattering.h"
+#include "solver/materials/media/angular_formula.h"
+#include "solver/materials/media/coefficient.h"
+#include "solver/materials/phase/phase_function.h"
+#include "solver/materials/surfaces/reflectance.h"
 #include "solver/problem/bands.h"
-#include "solver/problem/coefficient.h"
-#include "solver/problem/directional_scattering.h"
-#include "solver/problem/light.h"
-#include "solver/problem/phase_function.h"
+#include "solver/problem/lights/light.h"
 #include "solver/problem/scattering_choice.h"
-#include "solver/surfaces/reflectance.h"
 
 namespace etendue {
 

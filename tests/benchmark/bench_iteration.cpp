@@ -20,11 +20,11 @@
 #include <string>
 #include <vector>
 
-#include "mesh/geometry/arrangement.h"
-#include "mesh/tetrahedra/tetrahedralize.h"
-#include "solver/ordinates/solve.h"
-#include "tests/solver/ordinates/diffusive_slab.h"
-#include "tests/solver/ordinates/sample_problems.h"
+#include "mesh/geometry/arrangement/arrangement.h"
+#include "mesh/tetrahedra/generation/tetrahedralize.h"
+#include "solver/transport/solve/solve.h"
+#include "tests/solver/transport/diffusive_slab.h"
+#include "tests/solver/transport/sample_problems.h"
 
 namespace etendue {
 namespace {

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "solver/lights/light_setup.h"
-#include "solver/ordinates/source_iteration.h"
-#include "solver/ordinates/transport_sweep.h"
+#include "solver/transport/iteration/source_iteration.h"
+#include "solver/transport/sweep/transport_sweep.h"
+#include "solver/uncollided/lights/light_setup.h"
 #include "tests/benchmark/unit_cube.h"
 
 namespace etendue {

@@ -4,7 +4,7 @@
 // and multiplications in its widest registers. The roofs of scripts/draw_roofline.
 #include <benchmark/benchmark.h>
 
-#include "solver/ordinates/aligned_array.h"
+#include "solver/transport/state/aligned_array.h"
 
 namespace etendue {
 namespace {

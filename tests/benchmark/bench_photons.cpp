@@ -7,11 +7,11 @@
 
 #include <cstdlib>
 
-#include "mesh/geometry/arrangement.h"
-#include "mesh/tetrahedra/tetrahedralize.h"
-#include "solver/measure/balance.h"
-#include "solver/photons/photon_kernel.h"
-#include "solver/photons/solve_photons.h"
+#include "mesh/geometry/arrangement/arrangement.h"
+#include "mesh/tetrahedra/generation/tetrahedralize.h"
+#include "solver/photons/kernel/photon_kernel.h"
+#include "solver/photons/solve/solve_photons.h"
+#include "solver/solution/balance.h"
 
 namespace etendue {
 namespace {

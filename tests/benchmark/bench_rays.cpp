@@ -6,9 +6,9 @@
 
 #include <ctime>
 
-#include "mesh/geometry/arrangement.h"
-#include "mesh/tetrahedra/ray_mesh.h"
-#include "mesh/tetrahedra/tetrahedralize.h"
+#include "mesh/geometry/arrangement/arrangement.h"
+#include "mesh/tetrahedra/generation/tetrahedralize.h"
+#include "mesh/tetrahedra/search/ray_mesh.h"
 
 namespace etendue {
 namespace {

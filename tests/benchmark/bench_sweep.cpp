@@ -8,7 +8,7 @@
 #include <map>
 #include <memory>
 
-#include "solver/ordinates/transport_sweep.h"
+#include "solver/transport/sweep/transport_sweep.h"
 #include "tests/benchmark/hardware_counts.h"
 #include "tests/benchmark/unit_cube.h"
 

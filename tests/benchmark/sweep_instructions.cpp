@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "solver/ordinates/transport_sweep.h"
+#include "solver/transport/sweep/transport_sweep.h"
 #include "tests/benchmark/unit_cube.h"
 
 int main(int count, char** arguments) {

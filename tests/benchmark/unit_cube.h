@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "mesh/geometry/arrangement.h"
+#include "mesh/geometry/arrangement/arrangement.h"
+#include "mesh/tetrahedra/generation/tetrahedralize.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
-#include "mesh/tetrahedra/tetrahedralize.h"
 #include "solver/problem/problem.h"
 
 namespace etendue {

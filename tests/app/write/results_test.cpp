@@ -6,7 +6,7 @@
 
 #include <csignal>
 
-#include "mesh/base/errors.h"
+#include "base/errors.h"
 #include "tests/app/write/sample_run.h"
 
 namespace etendue {

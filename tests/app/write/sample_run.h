@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/write/run_result.h"
+#include "app/write/result/run_result.h"
 
 namespace etendue::test {
 

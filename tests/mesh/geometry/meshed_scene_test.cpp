@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "mesh/geometry/arrangement.h"
-#include "mesh/tetrahedra/tetrahedralize.h"
+#include "mesh/geometry/arrangement/arrangement.h"
+#include "mesh/tetrahedra/generation/tetrahedralize.h"
 #include "tests/mesh/geometry/scene.h"
 #include "tests/mesh/geometry/surface_measures.h"
 

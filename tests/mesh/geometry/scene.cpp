@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "tests/mesh/geometry/scene.h"
 
-#include "mesh/geometry/arrangement.h"
+#include "mesh/geometry/arrangement/arrangement.h"
 
 namespace etendue {
 namespace {

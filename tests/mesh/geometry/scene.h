@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "mesh/geometry/geometry.h"
+#include "mesh/geometry/primitives/geometry.h"
 
 namespace etendue {
 

@@ -4,12 +4,12 @@
 
 #include <map>
 
-#include "mesh/geometry/arrangement.h"
-#include "mesh/geometry/sheet_shape.h"
-#include "mesh/tetrahedra/flat_neighbours.h"
-#include "mesh/tetrahedra/red_refinement.h"
+#include "mesh/geometry/arrangement/arrangement.h"
+#include "mesh/geometry/primitives/sheet_shape.h"
+#include "mesh/tetrahedra/adjacency/flat_neighbours.h"
+#include "mesh/tetrahedra/generation/red_refinement.h"
+#include "mesh/tetrahedra/generation/tetrahedralize.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
-#include "mesh/tetrahedra/tetrahedralize.h"
 #include "tests/mesh/geometry/scene.h"
 
 namespace etendue {

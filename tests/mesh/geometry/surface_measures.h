@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "mesh/geometry/surface_complex.h"
+#include "mesh/geometry/primitives/surface_complex.h"
 
 namespace etendue {
 

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "mesh/geometry/arrangement.h"
+#include "mesh/geometry/arrangement/arrangement.h"
+#include "mesh/tetrahedra/generation/tetrahedralize.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
-#include "mesh/tetrahedra/tetrahedralize.h"
 #include "tests/mesh/geometry/scene.h"
 
 namespace etendue {

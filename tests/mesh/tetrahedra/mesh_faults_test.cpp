@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "mesh/base/errors.h"
+#include "base/errors.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/tetrahedra/tetrahedralize.h"
+#include "mesh/tetrahedra/generation/tetrahedralize.h"
 
 namespace etendue {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "mesh/geometry/surface_complex.h"
+#include "mesh/geometry/primitives/surface_complex.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 
 namespace etendue {

@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "base/quadrature/cell_rule.h"
 #include "solver/exact/exact_balance.h"
 #include "solver/exact/exact_comparison.h"
-#include "solver/ordinates/solve.h"
-#include "solver/problem/cell_rule.h"
-#include "tests/solver/ordinates/sample_problems.h"
+#include "solver/transport/solve/solve.h"
+#include "tests/solver/transport/sample_problems.h"
 
 namespace etendue {
 namespace {

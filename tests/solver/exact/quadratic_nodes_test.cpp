@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/problem/cell_rule.h"
-#include "tests/solver/ordinates/sample_problems.h"
+#include "base/quadrature/cell_rule.h"
+#include "tests/solver/transport/sample_problems.h"
 
 namespace etendue {
 namespace {

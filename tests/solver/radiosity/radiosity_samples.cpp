@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "radiosity_samples.h"
+#include "tests/solver/radiosity/radiosity_samples.h"
 
 #include <numbers>
 
-#include "mesh/geometry/arrangement.h"
-#include "mesh/tetrahedra/tetrahedralize.h"
+#include "mesh/geometry/arrangement/arrangement.h"
+#include "mesh/tetrahedra/generation/tetrahedralize.h"
 
 namespace etendue {
 

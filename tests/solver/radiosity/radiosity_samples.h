@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "solver/problem/problem.h"
-#include "solver/radiosity/solve_radiosity.h"
+#include "solver/radiosity/solve/solve_radiosity.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
 namespace etendue {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "reference_shapes.h"
+#include "tests/solver/radiosity/reference_shapes.h"
 
 #include <cmath>
 #include <fstream>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/radiosity/lambert.h"
+#include "solver/radiosity/form_factors/lambert.h"
 
 namespace etendue {
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "app/case/case.h"
+#include "app/case/keys/section.h"
+
+namespace etendue {
+
+/// What media are read with.
+struct MatterContext {
+  const Bands& bands;
+  AngularSpace space;
+  std::filesystem::path case_folder;
+  std::function<int()> ordinates;  ///< how many directions the case has; 0 where they are faulty
+};
+
+std::map<std::string, MediumCase> read_media(Section media, const MatterContext& context);
+std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands,
+                                           const std::filesystem::path& case_folder);
+
+}  // namespace etendue

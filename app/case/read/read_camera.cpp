@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read/read_camera.h"
+
+#include "app/case/read/read_false_color.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace etendue {
+namespace {
+
+// Of a view and `up` that are all but parallel rounding would decide what points up.
+constexpr double smallest_sine = 1e-6;
+
+const std::map<std::string, Tone> tones = {
+    {"linear", Tone::linear}, {"reinhard", Tone::reinhard}, {"aces", Tone::aces}};
+
+void read_view(Section& section, Camera& camera) {
+  const auto position = section.point_if("position"), look_at = section.point_if("look_at");
+  camera.up = to_vec3(section.value("up"));
+  if (!position || !look_at) return;
+  camera.position = *position;
+  camera.look_at = *look_at;
+  const Vec3 ahead = *look_at - *position;
+  if (ahead.norm() == 0) return section.fault("look_at", "is where the camera stands; use another point");
+  if (camera.up.norm() == 0) return section.fault("up", "has no direction; use a vector that is not zero");
+  if (ahead.cross(camera.up).norm() < smallest_sine * ahead.norm() * camera.up.norm())
+    section.fault("up",
+                  "points along the view (nothing says what is up in the picture); use a vector across it");
+}
+
+/// The name of the projection, which follows from the other keys where it is not given.
+std::string projection_of(Section& section) {
+  const bool has_height = section.has("orthographic");
+  const std::string name =
+      section.text_if("projection").value_or(has_height ? "orthographic" : "perspective");
+  if (name == "orthographic" && !has_height)
+    section.fault("projection", "needs the height that the picture shows; add orthographic = height");
+  if (name != "orthographic" && has_height) {
+    section.fault("orthographic", "beside projection = \"" + name + "\"; use one of them");
+    section.find("orthographic");
+  }
+  return name;
+}
+
+void read_lens(Section& section, Camera& camera) {
+  const std::string name = projection_of(section);
+  if (name == "orthographic") {
+    if (section.has("field_of_view")) section.fault("orthographic", "beside field_of_view; use one of them");
+    section.find("field_of_view");
+    camera.orthographic = section.number_if("orthographic");
+    return;
+  }
+  if (name == "fisheye") camera.projection = Projection::fisheye;
+  if (name == "fisheye-equisolid") camera.projection = Projection::fisheye_equisolid;
+  const bool is_fisheye = camera.projection != Projection::perspective;
+  camera.field_of_view = section.number_if("field_of_view").value_or(is_fisheye ? 180 : 50);
+  if (!is_fisheye && camera.field_of_view >= 180)
+    section.fault("field_of_view",
+                  "a perspective picture shows less than 180 degrees; use less, or "
+                  "projection = \"fisheye\"");
+}
+
+White read_white(Section& section) {
+  const TomlNode& node = section.value("white");
+  if (node.is_number()) return {White::Kind::black_body, node.number()};
+  return {node.text() == "D65" ? White::Kind::d65 : White::Kind::equal};
+}
+
+void read_pixels(Section& section, Camera& camera) {
+  const TomlArray& pixels = section.value("pixels").array();
+  const bool whole = std::ranges::all_of(
+      pixels, [](const auto& item) { return std::holds_alternative<std::int64_t>(item->value); });
+  if (pixels.size() != 2 || !whole)
+    return section.fault("pixels", "must be two whole numbers; use [across, down]");
+  camera.pixels = {static_cast<int>(pixels[0]->number()), static_cast<int>(pixels[1]->number())};
+}
+
+CameraCase read_camera(Section& section) {
+  CameraCase result;
+  result.origin = section.origin();
+  result.name = section.text_if("name").value_or("");
+  if (result.name.find('/') != std::string::npos || result.name.starts_with('.'))
+    section.fault("name", "cannot name a file; use letters, digits, - and _");
+  read_view(section, result.camera);
+  read_lens(section, result.camera);
+  read_pixels(section, result.camera);
+  result.camera.samples = section.integer("samples");
+  result.camera.shafts = section.integer("shafts");
+  result.camera.gather = section.integer("gather");
+  result.camera.glossy = section.integer("glossy");
+  result.camera.shadow_rays = section.integer("shadow_rays");
+  result.camera.errors = section.boolean("errors");
+  if (section.has("false_color")) result.false_color = read_false_color(section.section("false_color"));
+  result.exposure = section.number_if("exposure");
+  result.white = read_white(section);
+  if (const auto tone = tones.find(section.text("tone")); tone != tones.end()) result.tone = tone->second;
+  return result;
+}
+
+}  // namespace
+
+std::vector<CameraCase> read_cameras(Section& top) {
+  std::vector<CameraCase> cameras;
+  for (Section& section : top.list("camera")) {
+    CameraCase camera = read_camera(section);
+    if (!camera.name.empty() && std::ranges::count(cameras, camera.name, &CameraCase::name) > 0)
+      section.fault("name", "another camera has this name; give each its own");
+    cameras.push_back(std::move(camera));
+  }
+  return cameras;
+}
+
+}  // namespace etendue

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/build/build.h"
+#include "app/case/build/daylight.h"
+#include "app/case/build/mesh_names.h"
+#include "app/case/case.h"
+#include "app/case/keys/key_check.h"
+#include "app/case/keys/override.h"
+#include "app/case/keys/section.h"
+#include "app/case/read/eye_check.h"
+#include "app/case/read/lights/read_light.h"
+#include "app/case/read/materials/read_matter.h"
+#include "app/case/read/read_camera.h"
+#include "app/case/read/read_exact.h"
+#include "app/case/read/read_mesh.h"
+#include "app/case/read/read_report.h"
+#include "app/case/read/read_sensor.h"
+#include "app/case/read/read_solve.h"
+#include "app/case/read/seen_lights_check.h"
+#include "app/case/toml/render_toml.h"
+#include "app/case/toml/toml_document.h"
+#include "app/case/values/band_values.h"
+
+namespace etendue {
+namespace {
+
+Units read_units(Section units) {
+  return {.length = units.text("length"),
+          .power = units.text("power"),
+          .illuminance = units.text("illuminance"),
+          .luminous_exitance = units.text("luminous_exitance"),
+          .luminance = units.text("luminance"),
+          .luminous_flux = units.text("luminous_flux"),
+          .luminous_intensity = units.text("luminous_intensity"),
+          .luminous_energy = units.text("luminous_energy")};
+}
+
+/// 0 where the directions were refused already.
+int ordinate_count(const Case& input) {
+  try {
+    return build_directions(input).count();
+  } catch (const InputError&) {
+    return 0;
+  }
+}
+
+Case read_tables(Section& top, const std::filesystem::path& file) {
+  Case result;
+  result.file = file;
+  result.title = top.text("title");
+  result.units = read_units(top.section("units"));
+  result.mesh = read_mesh_section(top.section("mesh"), file.parent_path());
+  result.bands = read_bands(top.section("bands"));
+  read_directions(top.section("directions"), result);
+  result.media = read_media(top.section("media"), {result.bands, result.angular_space, file.parent_path(),
+                                                   [&result] { return ordinate_count(result); }});
+  result.walls = read_walls(top.section("walls"), result.bands, file.parent_path());
+  result.lights = read_lights(top, {result.bands, result.units, file.parent_path()});
+  for (const auto& [name, wall] : result.walls)
+    if (wall.beam) result.lights.push_back(*wall.beam);
+  read_space(top.section("space"), result.solve);
+  read_solve(top.section("solve"), file.parent_path(), result);
+  read_photon_map(top.section("photon_map"), result);
+  read_radiosity(top.section("radiosity"), top.section("solve").text("method") == "radiosity", result);
+  result.probes = read_probes(top);
+  result.cameras = read_cameras(top);
+  result.sensors = read_sensors(top);
+  if (top.has("exact")) read_exact(top.section("exact"), result);
+  result.output = read_output(top.section("output"), file);
+  result.solve.keep_ordinates = result.output.radiance_ordinates;
+  return result;
+}
+
+Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides& overrides) {
+  Faults faults;
+  for (const std::string& assignment : overrides) apply_override(root, assignment, faults);
+  check_keys(root, faults);
+  Section top(root, "", faults);
+  Case result = read_tables(top, file);
+  // Only a sound direction set can be counted, and only sound primitives have names.
+  if (faults.empty()) {
+    check_ordinates(top.section("output"), result);
+    check_rotations(top.section("directions"), top.section("output"), result);
+    check_first_collided(top.section("directions"), result);
+    check_possible_names(result, faults);
+    check_daylight_factors(result, faults);
+    check_seen_by_eye(result, faults);
+    check_sensors_see_lights(result, faults);
+  }
+  report_unused(root, faults);
+  if (!faults.empty()) throw InputError(std::move(faults));
+  result.resolved_toml = render_toml(root);
+  return result;
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_root(read_toml(file), file, overrides);
+}
+
+Case read_case_text(std::string_view text, const std::filesystem::path& file, const Overrides& overrides) {
+  return read_root(parse_toml(text, file.string()), file, overrides);
+}
+
+}  // namespace etendue

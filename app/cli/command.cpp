@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/cli/command.h"
+
+#include <exception>
+
+#include "app/case/keys/key_help.h"
+#include "app/case/keys/key_schema.h"
+#include "app/case/keys/keys.h"
+#include "app/request/command_line.h"
+#include "app/request/commands.h"
+#include "app/setup/fault_report.h"
+#include "base/errors.h"
+
+namespace etendue {
+namespace {
+
+/// Does what was asked.
+struct Dispatch {
+  std::ostream& out;
+  std::ostream& err;
+
+  ExitCode operator()(const RunRequest& request) const { return run_and_estimate(request, out, err); }
+  ExitCode operator()(const RenderRequest& request) const { return render_results(request, out, err); }
+  ExitCode operator()(const BakeRequest& request) const { return bake_results(request, out, err); }
+  ExitCode operator()(const StudyRequest& request) const { return study_case(request, out, err); }
+  ExitCode operator()(const CompareRequest& request) const { return compare_case(request, out, err); }
+  ExitCode operator()(const CheckRequest& request) const { return check_case(request, out, err); }
+  ExitCode operator()(const MeshRequest& request) const { return mesh_case(request, out, err); }
+  ExitCode operator()(const DirectionsRequest& request) const { return show_directions(request, out); }
+  ExitCode operator()(const NewRequest& request) const { return new_case(request, out); }
+  ExitCode operator()(const KeysRequest& request) const {
+    out << (request.schema ? key_schema() : request.path.empty() ? key_reference() : key_help(request.path));
+    return ExitCode::done;
+  }
+  ExitCode operator()(const ShowText& show) const {
+    out << show.text;
+    return ExitCode::done;
+  }
+};
+
+/// Results that could not be printed are lost: a full disk or a closed pipe is a fault.
+ExitCode checked(ExitCode code, std::ostream& out) {
+  out.flush();
+  if (!out) throw FileError("standard output", "cannot be written");
+  return code;
+}
+
+}  // namespace
+
+ExitCode run_command(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  try {
+    return checked(std::visit(Dispatch{out, err}, parse_command_line(arguments)), out);
+  } catch (const std::exception& fault) {
+    const FaultReport report = report_of(fault);
+    err << report.text << '\n';
+    return report.code;
+  }
+}
+
+}  // namespace etendue

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/progress/interruption.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <ctime>
+#include <limits>
+
+#include "app/request/exit_code.h"
+
+namespace etendue {
+namespace {
+
+// A signal handler reaches nothing but globals of such types.
+volatile std::sig_atomic_t signals_noted = 0;
+volatile std::sig_atomic_t signals_allowed = 0;  ///< so many are noted before one ends the program
+std::atomic<std::int64_t> first_noted = 0;       ///< when a signal was noted first
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler must not wait");
+constexpr std::int64_t nanoseconds_of_grace = 500'000'000;
+constexpr char nothing_written[] = "\ninterrupted: nothing was written\n";
+const char* volatile last_words = nothing_written;
+
+struct sigaction interrupt_before;
+struct sigaction terminate_before;
+struct sigaction pipe_before;
+
+constexpr std::sig_atomic_t any_number = std::numeric_limits<std::sig_atomic_t>::max();
+
+// May be called by a signal handler (signal-safety(7)).
+std::int64_t nanoseconds_now() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{1'000'000'000} * now.tv_sec + now.tv_nsec;
+}
+
+void on_signal(int) {
+  if (signals_noted >= signals_allowed) {
+    [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, last_words, std::strlen(last_words));
+    _exit(static_cast<int>(ExitCode::interrupted));
+  }
+  if (signals_noted == 0) first_noted = nanoseconds_now();
+  signals_noted = signals_noted + 1;
+}
+
+}  // namespace
+
+Interruption::Interruption(const char* words) : Interruption() {
+  last_words = words;
+  may_note_ = false;
+}
+
+Interruption::Interruption() {
+  last_words = nothing_written;
+  signals_noted = 0;
+  signals_allowed = 0;
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  action.sa_flags = SA_RESTART;  // writing must not fail because of a signal
+  sigaction(SIGINT, &action, &interrupt_before);
+  sigaction(SIGTERM, &action, &terminate_before);
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &action, &pipe_before);
+}
+
+Interruption::~Interruption() {
+  sigaction(SIGINT, &interrupt_before, nullptr);
+  sigaction(SIGTERM, &terminate_before, nullptr);
+  sigaction(SIGPIPE, &pipe_before, nullptr);
+}
+
+void Interruption::note_the_first() {
+  if (may_note_) signals_allowed = 1;
+}
+
+void Interruption::note_all() {
+  if (may_note_) signals_allowed = any_number;
+}
+
+bool Interruption::noted() const { return signals_noted > 0; }
+
+bool Interruption::is_overdue() const {
+  return signals_noted > 0 && nanoseconds_now() - first_noted > nanoseconds_of_grace;
+}
+
+}  // namespace etendue

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/case/case.h"
+#include "app/setup/run_options.h"
+#include "base/log.h"
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+RunMemory photon_run_memory(const Case& input, const Problem& problem);
+
+/// Memory of a run on this very mesh as a line. Throws InputError as the run does where this machine has not
+/// so much.
+std::string memory_text(const RunMemory& memory, const Problem& problem);
+
+/// The same for the cells that the case asks for, from what a run by ordinates or photons needs on the
+/// coarsest cells.
+std::string expected_memory_text(const RunMemory& memory, const Case& input, const Problem& coarse,
+                                 const Log& log);
+
+/// Cells of the mesh that a case asks for, about, from one with the coarsest cells.
+double expected_cells(const MeshCase& wanted, const TetrahedralMesh& coarse);
+
+}  // namespace etendue

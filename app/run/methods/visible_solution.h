@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <ostream>
+
+#include "app/case/case.h"
+#include "app/progress/interruption.h"
+#include "app/progress/stage_progress.h"
+#include "app/setup/run_directions.h"
+#include "solver/uncollided/first_collision/solve_rotated.h"
+
+namespace etendue {
+
+/// What a solution that is watched and may be interrupted takes.
+struct VisibleSolving {
+  const Case& input;
+  const Problem& problem;
+  const RunDirections& directions;
+  const SolveOptions& options;
+  const StageDisplay& stages;
+  std::ostream& err;
+  Interruption& interruption;
+};
+
+/// Solves, shows how it continues and writes checkpoints. Before the first sweep is done a signal ends the
+/// program at once. Later ones end the iteration after its sweep; where that or the last sweep takes more
+/// than half a second from then on, solution.vtu alone is written with the state so far, and nothing comes
+/// back.
+std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const VisibleSolving& solving,
+                                      const SetReader& reader);
+
+}  // namespace etendue

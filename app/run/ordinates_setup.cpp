@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/run/ordinates_setup.h"
+
+#include "app/readings/probes.h"
+#include "app/readings/sensors.h"
+#include "app/render/pictures.h"
+
+namespace etendue {
+namespace {
+
+const Problem& with_known_views(const Case& input, const Problem& problem) {
+  check_views(input.cameras, input.sensors, problem);
+  return problem;
+}
+
+}  // namespace
+
+OrdinatesSetup::OrdinatesSetup(const Case& input, const Problem& problem)
+    : lights(with_known_views(input, problem)),
+      directions(run_directions(input, problem, lights)),
+      locator(problem.mesh()) {
+  check_sensors(input.sensors, locator, problem);
+  options = run_options(input, set(), place_probes(input.probes, problem.mesh(), locator));
+  if (input.exact) options.angular_input = &exact.emplace(input, problem, set()).input;
+}
+
+}  // namespace etendue

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "solver/transport/cells/resolution.h"
+
+namespace etendue {
+
+/// Lines for the terminal before a run: the optical thickness of cells, and a caution with a remedy where
+/// cells at lights or directions are too coarse. Empty in a vacuum.
+std::string resolution_text(const Resolution& resolution);
+/// Whether that text has a caution: results are off by percents.
+bool is_coarse(const Resolution& resolution);
+
+}  // namespace etendue

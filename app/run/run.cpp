@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <optional>
+
+#include "app/case/build/build.h"
+#include "app/progress/progress.h"
+#include "app/progress/stage_progress.h"
+#include "app/readings/probes.h"
+#include "app/readings/sensors.h"
+#include "app/render/pictures.h"
+#include "app/request/verbose_log.h"
+#include "app/run/methods/visible_solution.h"
+#include "app/run/ordinates_setup.h"
+#include "app/run/report/field_text.h"
+#include "app/run/report/lamp_text.h"
+#include "app/run/report/phase_text.h"
+#include "app/run/report/resolution_text.h"
+#include "app/run/report/run_log.h"
+#include "app/run/report/run_report.h"
+#include "app/setup/begun_run.h"
+#include "app/setup/fault_report.h"
+#include "app/setup/memory.h"
+#include "app/write/csv/sensor_files.h"
+#include "app/write/result/output_folder.h"
+#include "app/write/result/program_version.h"
+#include "app/write/results.h"
+#include "app/write/vtk/solution_file.h"
+#include "base/errors.h"
+#include "solver/exact/exact_balance.h"
+#include "solver/uncollided/first_collision/solve_rotated.h"
+
+namespace etendue {
+namespace {
+
+/// Errors, and the powers that the exact radiance brings.
+void add_exact(const ExactSetup& exact, const DirectionSet& directions, RunResult& result) {
+  result.exact = compare_with_exact(result.problem, result.solution, exact.radiance, directions);
+  add_exact_powers(exact.input, result.walls, result.regions, result.balances);
+}
+
+/// Of a run that repeats another one, whose results are there.
+constexpr const char* last_words_of_repetition =
+    "\ninterrupted: the results are whole, but for the estimate of their errors\n";
+
+std::string mesh_line(const TetrahedralMesh& mesh) {
+  return fmt::format("mesh: {} cells, {} vertices, {} faces on walls (regions: {}, walls: {})\n",
+                     mesh.cell_count(), mesh.vertex_count(), mesh.boundary_face_count(),
+                     mesh.region_names().size(), mesh.wall_names().size());
+}
+
+/// Whether something looks along rays.
+bool need_rays(const Case& input, AngularSpace space) {
+  return !input.cameras.empty() || std::ranges::any_of(input.sensors, [&](const SensorCase& sensor) {
+    return !reads_ordinates(sensor, space);
+  });
+}
+
+/// Runs the case of a request whose style of progress is resolved. Tells the log where it belongs when all
+/// that the case names is read: a run that is refused before leaves no files.
+ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream& err,
+                    const ResultReader& reader, Interruption& interruption, RunLog& log) {
+  std::ostream nowhere(nullptr);
+  std::ostream& out = request.traces == RunTraces::all ? shown : nowhere;
+  Stopwatch watch;
+  RunSeconds seconds;
+  const Case input = case_of(request);
+  if (request.traces == RunTraces::all) check_output_directory(input.output.directory);
+  if (input.initial) check_initial(*input.initial, input);
+  seconds.read = watch.lap();
+  out << "etendue " << program_version() << ": "
+      << (input.title.empty() ? request.file.string() : input.title) << std::endl;
+
+  const ProgressStyle style = request.progress;
+  const std::function<bool()> interrupted = [&] { return interruption.noted(); };
+  const StageDisplay stages{style, shown, interrupted};
+  const TetrahedralMesh mesh = mesh_visibly(input, verbose_log(request, err), stages);
+  seconds.mesh = watch.lap();
+  out << mesh_line(mesh) << std::flush;
+  std::optional<ShownStage> setting_up(std::in_place, stages, "setting up");
+  const Problem problem = build_problem(input, mesh);
+  const std::vector<std::string> fields = field_texts(input, mesh);
+  setting_up.reset();
+  for (const std::string& field : fields) out << field << '\n';
+  out << std::flush;
+  seconds.setup = watch.lap();
+  out << lamp_text(problem, input) << std::flush;
+  if (input.photons || input.radiosity) log.belongs_in(input.output.directory);
+  if (input.photons)
+    return run_by_photons({request, input, problem, seconds, watch, interruption, shown}, out, err, reader);
+  if (input.radiosity)
+    return run_by_radiosity({request, input, problem, seconds, watch, interruption, shown}, out, err, reader);
+  setting_up.emplace(stages, "setting up");
+  OrdinatesSetup setup(input, problem);
+  const LightSetup& lights = setup.lights;
+  const RunDirections& all_directions = setup.directions;
+  const DirectionSet& directions = setup.set();
+  const CellLocator& locator = setup.locator;
+  SolveOptions& options = setup.options;
+  OrdinateBook ordinates(input.sensors, lights, locator);
+  SetReader keep_book;
+  if (need_all_ordinates(input.sensors, problem.space()))
+    keep_book = [&](const SweptLight& swept) {
+      Stopwatch reading;
+      ordinates.add(options, swept);
+      seconds.sensors += reading.lap();
+    };
+  setting_up.reset();
+  SavedState initial;
+  if (input.initial) {
+    initial = read_initial(*input.initial, input, mesh);
+    options.initial = &initial;
+    out << "starts from " << input.initial->path.string() << std::endl;
+  }
+  const RunMemory expected = setup.memory();
+  const std::string memory = check_memory(expected.solving, mesh, problem.band_count(), expected.matrices);
+  const Resolution resolution = resolution_of(problem, finest(all_directions), locator);
+  out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions), problem.band_count(),
+                     options.threads)
+      << refraction_caution(all_directions, problem) << resolution_text(resolution) << memory << std::flush;
+  for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
+
+  log.belongs_in(input.output.directory);
+  seconds.setup += watch.lap();
+  // A signal before the first sweep is done ends the program at once: there is nothing to keep.
+  std::optional<UncollidedLight> uncollided;
+  {
+    ShownStage stage(stages, "light before its first collision");
+    uncollided.emplace(lights, options, stage.observer());
+  }
+  const std::optional<Solution> solved = solve_visibly(
+      *uncollided, {input, problem, all_directions, options, stages, err, interruption}, keep_book);
+  if (!solved) return ExitCode::interrupted;
+  const Solution& solution = *solved;
+  interruption.note_all();
+  watch.lap();
+  std::optional<RayRadiance> scene;
+  if (need_rays(input, problem.space())) {
+    const ShownStage stage(stages, "what rays look at");
+    scene.emplace(lights, directions, options, solution.state, options.threads, WallValues::joined,
+                  uncollided->first_collisions());
+  }
+  uncollided.reset();
+  seconds.rays = watch.lap();
+  RunResult result{.input = input,
+                   .problem = problem,
+                   .solution = solution,
+                   .probes = {},
+                   .balances = balances(problem, solution),
+                   .walls = wall_powers(problem, solution),
+                   .regions = region_powers(problem, solution),
+                   .seconds = seconds,
+                   .threads = options.threads,
+                   .record = request.record,
+                   .is_coarse = is_coarse(resolution)};
+  if (setup.exact) add_exact(*setup.exact, directions, result);
+  result.seconds.measures = watch.lap();
+  result.probes = read_probes(input.probes, lights, solution, locator, options.threads,
+                              ShownStage(stages, "probes").observer());
+  result.seconds.probes = watch.lap();
+  result.sensors = read_sensors(input.sensors, {lights, ordinates, options, solution, scene, locator},
+                                ShownStage(stages, "sensors").observer());
+  result.seconds.sensors += watch.lap();
+  note_left_out(result);
+  result.seconds.total = watch.total();
+  if (request.traces == RunTraces::none) return conclude_without_traces(result, reader);
+  const WrittenResults written = write_visibly(result, stages);
+  out << convergence_text(result) << uncollided_text(result) << balance_text(result) << powers_text(result)
+      << probes_text(result) << sensors_text(result) << exact_text(result) << cautions_text(result)
+      << closing_text(result, written) << std::flush;
+  if (!input.cameras.empty()) {
+    const auto begun = std::chrono::steady_clock::now();
+    bool taken = false;
+    if (!interruption.noted()) {
+      const ErrorScenes errors(input.cameras, lights, directions, options, solution.state,
+                               solution.direction_error, scene->first_collisions());
+      taken = write_pictures(input, input.cameras, *scene, errors, options.threads, input.output.directory,
+                             style, out, interrupted, begun);
+    }
+    if (!taken) result.left_out.emplace_back("pictures");
+  }
+  if (reader) reader(result);
+  return conclude(result, interruption.noted(), err);
+}
+
+}  // namespace
+
+ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err,
+                  const ResultReader& reader) {
+  RunRequest recorded = request;
+  recorded.progress = resolved_style(request.progress, out);
+  recorded.record.begun = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  RunLog log(recorded.record);
+  std::optional<Interruption> handling;
+  if (request.traces == RunTraces::none)
+    return run_logged(recorded, out, err, reader, handling.emplace(last_words_of_repetition), log);
+  Interruption& interruption = handling.emplace();
+  try {
+    const ExitCode code = [&] {
+      LoggedStream logged_out(out, log), logged_err(err, log);
+      return run_logged(recorded, logged_out, logged_err, reader, interruption, log);
+    }();
+    log.save();
+    return code;
+  } catch (const InputError&) {
+    throw;  // a run that is refused leaves no files
+  } catch (const std::exception& fault) {
+    log.save_failed(report_of(fault).text);
+    throw;
+  }
+}
+
+}  // namespace etendue

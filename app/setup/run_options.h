@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/case/case.h"
+#include "app/setup/run_directions.h"
+#include "solver/angular/sets/direction_set.h"
+#include "solver/solution/solve_options.h"
+#include "solver/uncollided/lights/light_setup.h"
+
+namespace etendue {
+
+/// The solver's options as the case has them, with all that a run adds.
+SolveOptions run_options(const Case& input, const DirectionSet& directions,
+                         std::vector<IrradianceMeter> meters);
+
+/// Memory that a run needs to solve its case.
+struct RunMemory {
+  std::size_t solving = 0;  ///< [bytes]
+  std::string matrices;     ///< matrix_memory_text()
+};
+
+RunMemory memory_of(const LightSetup& lights, const RunDirections& directions, const SolveOptions& options);
+
+}  // namespace etendue

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "app/write/result/run_result.h"
+#include "mesh/files/mesh_file.h"
+#include "solver/angular/sets/direction_set.h"
+
+namespace etendue {
+
+/// fields.vtu: every cell with four points of its own, so that jumps between cells are seen. Point 4 c + i is
+/// vertex i of cell c. `path` is written, `shown` is named in a FileError.
+void write_fields(const RunResult& result, const std::filesystem::path& path,
+                  const std::filesystem::path& shown);
+
+/// walls.vtp: every boundary triangle with three points of its own, 3 f + i, seen from outside; where there
+/// are patches that are finer than faces, the same of their triangles, with the patch of each.
+void write_walls(const RunResult& result, const std::filesystem::path& path,
+                 const std::filesystem::path& shown);
+
+/// Encoding, title, program and units of the mesh file of a case.
+MeshFileOptions mesh_file_options(const Case& input);
+
+/// A direction set: its directions as points of the unit sphere, each with its ordinate and weight. Title and
+/// encoding are those of the case.
+void write_directions(const DirectionSet& set, const Case& input, const std::filesystem::path& path);
+
+}  // namespace etendue

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <Eigen/Geometry>
+#include <array>
+
+#include "app/write/result/unit_labels.h"
+#include "app/write/vtk/vtk_arrays.h"
+#include "app/write/vtk/vtk_files.h"
+#include "app/write/vtk/vtk_output.h"
+
+namespace etendue {
+namespace {
+
+/// Counterclockwise as seen from outside the domain.
+std::array<vtkIdType, 3> outward_order(const TetrahedralMesh& mesh, FaceIndex face) {
+  const auto& v = mesh.vertices(face);
+  const Vec3& origin = mesh.point(VertexIndex(v[0]));
+  const Vec3 a = mesh.point(VertexIndex(v[1])) - origin;
+  const Vec3 b = mesh.point(VertexIndex(v[2])) - origin;
+  if (a.cross(b).dot(mesh.area_normal(face)) > 0) return {0, 1, 2};
+  return {0, 2, 1};
+}
+
+std::vector<double> differences(std::span<const double> a, std::span<const double> b) {
+  std::vector<double> result(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] - b[i];
+  return result;
+}
+
+/// [triangle][3][3][band] values [triangle][3][band] times the unit normal of their triangle.
+std::vector<double> along_normals(std::span<const double> values, std::span<const Vec3> normals,
+                                  std::size_t bands) {
+  std::vector<double> vectors;
+  vectors.reserve(3 * values.size());
+  for (std::size_t at = 0; at < values.size(); at += bands)
+    for (const double component : normals[at / (3 * bands)])
+      for (const double value : values.subspan(at, bands)) vectors.push_back(component * value);
+  return vectors;
+}
+
+/// Triangles that share no points. `corners` are the numbers of the three within each [triangle].
+vtkSmartPointer<vtkPolyData> separate_triangles(const std::vector<double>& coordinates,
+                                                const std::vector<std::array<vtkIdType, 3>>& corners) {
+  const auto count = static_cast<vtkIdType>(corners.size());
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(count, 3 * count);
+  for (vtkIdType t = 0; t < count; ++t) {
+    std::array<vtkIdType, 3> points = corners[static_cast<std::size_t>(t)];
+    for (vtkIdType& point : points) point += 3 * t;
+    triangles->InsertNextCell(3, points.data());
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(vtk_array({"points", {}, {}}, 3, coordinates));
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  return surface.Get();
+}
+
+/// Light on triangles with three values of their own each.
+struct TriangleLight {
+  vtkSmartPointer<vtkPolyData> surface;
+  std::vector<std::int32_t> walls;
+  std::vector<double> irradiance, exitance;  ///< [triangle][3][band]
+  std::vector<double> areas;
+  std::vector<Vec3> normals;  ///< [triangle] unit, out of the domain
+};
+
+TriangleLight light_on_faces(const RunResult& result) {
+  const TetrahedralMesh& mesh = result.problem.mesh();
+  TriangleLight light;
+  std::vector<double> coordinates;
+  std::vector<std::array<vtkIdType, 3>> corners;
+  for (int f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    for (const std::int32_t v : mesh.vertices(face)) {
+      const Vec3& point = mesh.point(VertexIndex(v));
+      coordinates.insert(coordinates.end(), point.begin(), point.end());
+    }
+    corners.push_back(outward_order(mesh, face));
+    light.walls.push_back(mesh.wall(face));
+    light.areas.push_back(mesh.area(face));
+    light.normals.push_back(mesh.area_normal(face).normalized());
+  }
+  light.surface = separate_triangles(coordinates, corners);
+  light.irradiance = result.solution.irradiance;
+  light.exitance = result.solution.exitance;
+  return light;
+}
+
+TriangleLight light_on_triangles(const PatchLight& patches) {
+  TriangleLight light;
+  std::vector<double> coordinates;
+  for (const TriangleCorners& triangle : patches.triangles) {
+    for (const Vec3& corner : triangle) coordinates.insert(coordinates.end(), corner.begin(), corner.end());
+    const Vec3 area_normal = (triangle[2] - triangle[0]).cross(triangle[1] - triangle[0]) / 2;
+    light.areas.push_back(area_normal.norm());
+    light.normals.push_back(area_normal.normalized());
+  }
+  const std::size_t count = patches.triangles.size(), bands = patches.irradiance.size() / count;
+  const auto at_corners = [&](const std::vector<double>& values) {
+    std::vector<double> repeated;
+    for (std::size_t t = 0; t < count; ++t)
+      for (int i = 0; i < 3; ++i)
+        for (std::size_t b = 0; b < bands; ++b) repeated.push_back(values[t * bands + b]);
+    return repeated;
+  };
+  light.surface = separate_triangles(coordinates, {count, {0, 2, 1}});
+  light.surface->GetCellData()->AddArray(vtk_array({"patch", {}, {}}, patches.patches));
+  light.walls = patches.walls;
+  light.irradiance = at_corners(patches.irradiance);
+  light.exitance = at_corners(patches.exitance);
+  return light;
+}
+
+vtkSmartPointer<vtkPolyData> fields_of_walls(const RunResult& result) {
+  const TetrahedralMesh& mesh = result.problem.mesh();
+  const Bands& bands = result.problem.bands();
+  const std::string unit = UnitLabels(result.input.units).flux;
+  const TriangleLight light = result.patches ? light_on_triangles(*result.patches) : light_on_faces(result);
+  add_named_cells(*light.surface, "wall", light.walls, mesh.wall_names());
+  add_bands(*light.surface->GetFieldData(), bands);
+  const auto add = [&](const std::string& name, std::span<const double> values) {
+    light.surface->GetPointData()->AddArray(vtk_array({name, bands.names, unit}, bands.count(), values));
+  };
+  add("irradiance", light.irradiance);
+  if (result.errors) add("irradiance_error", result.errors->irradiance);
+  add("exitance", light.exitance);
+  const std::vector<double> net = differences(light.irradiance, light.exitance);
+  add("net_irradiance", net);
+  add_band_vectors(*light.surface->GetPointData(), {"net_flux", bands.names, unit},
+                   along_normals(net, light.normals, bands.names.size()));
+  light.surface->GetPointData()->AddArray(color_array(bands, light.exitance, light.areas, 3, unit));
+  return light.surface;
+}
+
+}  // namespace
+
+void write_walls(const RunResult& result, const std::filesystem::path& path,
+                 const std::filesystem::path& shown) {
+  const Case& input = result.input;
+  write_vtk(*fields_of_walls(result), {path, shown, input.output.encoding, input.title, input.units.length});
+}
+
+}  // namespace etendue

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/files/vtk/raw_mesh_bytes.h"
+
+#include <string>
+
+#include "base/array_bytes.h"
+
+namespace etendue {
+namespace {
+
+using Place = std::array<double, 3>;
+
+void write_names(std::FILE* file, const std::vector<std::string>& names) {
+  write_array(file, std::vector<std::size_t>{names.size()});
+  for (const std::string& name : names) write_array(file, std::vector<char>(name.begin(), name.end()));
+}
+
+std::vector<std::string> take_names(std::string_view& bytes) {
+  std::vector<std::string> names(take_array<std::size_t>(bytes).at(0));
+  for (std::string& name : names) {
+    const std::vector<char> letters = take_array<char>(bytes);
+    name.assign(letters.begin(), letters.end());
+  }
+  return names;
+}
+
+}  // namespace
+
+void write_raw_mesh(std::FILE* file, const RawMesh& mesh) {
+  std::vector<Place> places;
+  places.reserve(mesh.points.size());
+  for (const Vec3& point : mesh.points) places.push_back({point.x(), point.y(), point.z()});
+  write_array(file, places);
+  write_array(file, mesh.cells);
+  write_array(file, mesh.cell_regions);
+  write_array(file, mesh.triangles);
+  write_array(file, mesh.triangle_walls);
+  write_array(file, mesh.cell_numbers);
+  write_names(file, mesh.region_names);
+  write_names(file, mesh.wall_names);
+}
+
+RawMesh take_raw_mesh(std::string_view bytes) {
+  RawMesh mesh;
+  for (const auto& [x, y, z] : take_array<Place>(bytes)) mesh.points.emplace_back(x, y, z);
+  mesh.cells = take_array<std::array<int, 4>>(bytes);
+  mesh.cell_regions = take_array<int>(bytes);
+  mesh.triangles = take_array<std::array<int, 3>>(bytes);
+  mesh.triangle_walls = take_array<int>(bytes);
+  mesh.cell_numbers = take_array<std::int64_t>(bytes);
+  mesh.region_names = take_names(bytes);
+  mesh.wall_names = take_names(bytes);
+  return mesh;
+}
+
+}  // namespace etendue

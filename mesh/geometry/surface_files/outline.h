@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "mesh/geometry/primitives/enclosed_parts.h"
+#include "mesh/geometry/primitives/surface_complex.h"
+
+namespace etendue {
+
+/// Gives a facet of outlines its two sides. The first outline is the outer one; others are the rims of
+/// openings where an opening point lies in them, else lines inside the facet.
+SidedFacet sided_facet(const std::vector<Vec3>& points, const SurfaceFacet& facet);
+
+/// The same for a triangle.
+SidedFacet sided_facet(const std::vector<Vec3>& points, const std::array<int, 3>& triangle);
+
+}  // namespace etendue

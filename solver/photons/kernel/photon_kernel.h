@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "solver/photons/kernel/photon_scene.h"
+
+namespace etendue {
+
+/// Histories that follow each other.
+struct HistoryRange {
+  std::span<const PhotonStart> starts;
+  std::uint64_t first = 0;  ///< number of the first; the random numbers of each depend on its number alone
+  std::uint64_t seed = 1;
+  double roulette = 0;  ///< weight below which a photon plays for its life
+};
+
+/// Functions that walk histories, compiled for one instruction set. Absorption and walls take from the weight
+/// of a photon (implicit capture), scattering turns it, and it ends where nothing is left, by roulette, or
+/// where it leaves (Lux and Koblinger 1991, chapter 5).
+struct PhotonKernels {
+  const char* name;
+  /// From the light on: what the photons leave is added to the tally.
+  PhotonCounts (*follow)(const PhotonSceneView& scene, const HistoryRange& range, const PhotonTally& tally);
+  /// From the light on: hits are put into the rooms.
+  PhotonCounts (*record)(const PhotonSceneView& scene, const HistoryRange& range, HitRooms& rooms);
+  /// Against the light: starts travel the way that light came. score[i] becomes the radiance that history i
+  /// collects from media and walls, times its weight.
+  PhotonCounts (*collect)(const PhotonSceneView& scene, const HistoryRange& range, double* score);
+};
+
+/// The widest that this machine has, or what ETENDUE_ISA names (baseline, avx2, avx512): the same bits.
+PhotonKernels choose_photon_kernels();
+
+}  // namespace etendue

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+#include "solver/photons/kernel/photon_history.h"
+
+namespace etendue {
+
+// What histories leave on their way: each score is told of cells, collisions and walls.
+
+ETENDUE_PHOTON_INLINE void add(double* to, const Four& value) {
+  const Four sum = load(to) + value;
+  std::memcpy(to, &sum, sizeof sum);
+}
+
+ETENDUE_PHOTON_INLINE void fetch(const void* from, std::size_t bytes) {
+  for (std::size_t line = 0; line < bytes; line += 64)
+    __builtin_prefetch(static_cast<const char*>(from) + line);
+}
+
+/// What a wall does with light that meets it at an angle.
+struct Meeting {
+  double glossy;     ///< part that the lobe reflects
+  double mirrored;   ///< part
+  double by_angle;   ///< part that is reflected, in so far as it depends on the angle
+  double from_wall;  ///< radiance that the wall sends the other way [power/(length^2 sr)]
+};
+
+/// Sums in cells and on faces.
+struct Forward {
+  const PhotonTally& tally;
+
+  /// Fetches what the next step will need while other histories are walked.
+  ETENDUE_PHOTON_MEMBER void expect(const PhotonSceneView& scene, std::int32_t cell) {
+    fetch(scene.cells + cell, sizeof(PhotonCell));
+    fetch(tally.cells + 16 * static_cast<std::ptrdiff_t>(cell), 16 * sizeof(double));
+  }
+  ETENDUE_PHOTON_MEMBER void pass(const Photon& photon, const PhotonCell&, const Four& moments, double) {
+    double* sums = tally.cells + 16 * static_cast<std::ptrdiff_t>(photon.cell);
+    add(sums, moments);
+    add(sums + 4, moments * photon.w[0]);
+    add(sums + 8, moments * photon.w[1]);
+    add(sums + 12, moments * photon.w[2]);
+  }
+  ETENDUE_PHOTON_MEMBER void pass_emitter(const FormulaEmitter&, const Photon&, const Four&) {}
+  ETENDUE_PHOTON_MEMBER void absorb(std::int32_t cell, double power) { tally.absorbed[cell] += power; }
+  ETENDUE_PHOTON_MEMBER void collide(const Photon&, bool) {}
+  ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
+                                    const Four& coordinate, const Meeting& meeting) {
+    double* sums = tally.faces + 4 * static_cast<std::ptrdiff_t>(face);
+    const double a = coordinate[wall.corner[0]], b = coordinate[wall.corner[1]],
+                 c = coordinate[wall.corner[2]];
+    const double share = photon.weight / (a + b + c);
+    sums[0] += share * a;
+    sums[1] += share * b;
+    sums[2] += share * c;
+    sums[3] += photon.weight * meeting.by_angle;
+  }
+};
+
+/// Hits, for a photon map.
+struct Recording {
+  HitRooms& rooms;
+
+  ETENDUE_PHOTON_MEMBER void expect(const PhotonSceneView& scene, std::int32_t cell) {
+    fetch(scene.cells + cell, sizeof(PhotonCell));
+  }
+  ETENDUE_PHOTON_MEMBER void pass(const Photon&, const PhotonCell&, const Four&, double) {}
+  ETENDUE_PHOTON_MEMBER void pass_emitter(const FormulaEmitter&, const Photon&, const Four&) {}
+  ETENDUE_PHOTON_MEMBER void absorb(std::int32_t, double) {}
+  ETENDUE_PHOTON_MEMBER void collide(const Photon& photon, bool scatters) {
+    if (scatters) keep(photon, photon.cell, rooms.matter);
+  }
+  ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
+                                    const Four&, const Meeting& meeting) {
+    if (wall.diffuse + wall.transmittance + meeting.glossy > 0) keep(photon, face, rooms.walls);
+  }
+  ETENDUE_PHOTON_MEMBER static void keep(const Photon& photon, std::int32_t place, HitRoom& room) {
+    if (room.count++ >= room.room) return;
+    PhotonHit& hit = room.hits[room.count - 1];
+    for (int axis = 0; axis < 3; ++axis) {
+      hit.position[axis] = photon.x[axis];
+      hit.direction[axis] = static_cast<float>(photon.w[axis]);
+    }
+    hit.weight = static_cast<float>(photon.weight);
+    hit.place = place;
+  }
+};
+
+/// What a history that goes back collects.
+struct Backward {
+  double score = 0;
+
+  ETENDUE_PHOTON_MEMBER void expect(const PhotonSceneView& scene, std::int32_t cell) {
+    fetch(scene.cells + cell, sizeof(PhotonCell));
+  }
+  ETENDUE_PHOTON_MEMBER void pass(const Photon&, const PhotonCell& cell, const Four&, double weighted) {
+    score += cell.emission * weighted;
+  }
+  ETENDUE_PHOTON_MEMBER void pass_emitter(const FormulaEmitter& emitter, const Photon& photon,
+                                          const Four& moments) {
+    const double parts[4] = {moments[0], moments[1], moments[2], moments[3]};
+    score += emission_along(emitter, photon.cell, photon.w, parts);
+  }
+  ETENDUE_PHOTON_MEMBER void absorb(std::int32_t, double) {}
+  ETENDUE_PHOTON_MEMBER void collide(const Photon&, bool) {}
+  ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
+                                    const Four& coordinate, const Meeting& meeting) {
+    score += meeting.from_wall * photon.weight;
+    if (wall.sent == nullptr) return;
+    const double parts[3] = {coordinate[wall.corner[0]], coordinate[wall.corner[1]],
+                             coordinate[wall.corner[2]]};
+    score += photon.weight * radiance_along(*wall.sent, face, photon.w, parts);
+  }
+};
+
+}  // namespace etendue

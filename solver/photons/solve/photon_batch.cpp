@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/photons/solve/photon_batch.h"
+
+#include <algorithm>
+#include <ctime>
+
+namespace etendue {
+namespace {
+
+// Relative to the weight at the start. Survivors weigh ten times as much.
+constexpr double roulette = 1e-3;
+// Of a photon map: hits of even weight say more than as many of which most weigh little (Jensen 2001).
+constexpr double roulette_of_hits = 0.1;
+// Starts that are made at a time.
+constexpr std::size_t chunk = 4096;
+
+double processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
+PhotonBatches::PhotonBatches(const Problem& problem, const CellLocator& locator, std::uint64_t seed)
+    : problem_(problem), seed_(seed), kernels_(choose_photon_kernels()), input_(problem) {
+  for (int b = 0; b < problem.band_count(); ++b)
+    bands_.push_back(std::make_unique<Band>(problem, input_, locator, b));
+}
+
+PhotonBatches::Outcome PhotonBatches::walk(std::uint64_t first, std::size_t count) const {
+  Outcome outcome{empty_fields(problem_), {}, 0};
+  TallySums sums(problem_.mesh());
+  const double start = processor_seconds();
+  for (int b = 0; b < problem_.band_count(); ++b) {
+    const Band& band = *bands_[static_cast<std::size_t>(b)];
+    if (band.sources.power() == 0) continue;
+    sums.clear();
+    for (std::size_t done = 0; done < count; done += chunk) {
+      const std::vector<PhotonStart> starts =
+          band.sources.starts(seed_, {first, count}, done, std::min(chunk, count - done));
+      const PhotonCounts counts =
+          kernels_.follow(band.mesh.view(), {starts, first + done, seed_, roulette}, sums.view());
+      outcome.counts.segments += counts.segments;
+      outcome.counts.collisions += counts.collisions;
+      outcome.counts.lost += counts.lost;
+    }
+    sums.to_fields(problem_, b, band.sources.power() / static_cast<double>(count), outcome.fields);
+  }
+  complete_fields(problem_, outcome.fields);
+  input_.emission.add_to(outcome.fields);
+  outcome.seconds = processor_seconds() - start;
+  return outcome;
+}
+
+PhotonBatches::Hits PhotonBatches::hits(int number, std::uint64_t first, std::size_t count) const {
+  const Band& band = *bands_[static_cast<std::size_t>(number)];
+  Hits hits;
+  if (band.sources.power() == 0) return hits;
+  std::size_t walls = 4 * chunk, matter = 4 * chunk;
+  for (std::size_t done = 0; done < count;) {
+    const std::size_t now = std::min(chunk, count - done), old_walls = hits.walls.size(),
+                      old_matter = hits.matter.size();
+    hits.walls.resize(old_walls + walls);
+    hits.matter.resize(old_matter + matter);
+    HitRooms rooms{{hits.walls.data() + old_walls, walls, 0}, {hits.matter.data() + old_matter, matter, 0}};
+    const std::vector<PhotonStart> starts = band.sources.starts(seed_, {first, count}, done, now);
+    kernels_.record(band.mesh.view(), {starts, first + done, seed_, roulette_of_hits}, rooms);
+    const bool fits = rooms.walls.count <= walls && rooms.matter.count <= matter;
+    hits.walls.resize(old_walls + (fits ? rooms.walls.count : 0));
+    hits.matter.resize(old_matter + (fits ? rooms.matter.count : 0));
+    walls = std::max(walls, rooms.walls.count);
+    matter = std::max(matter, rooms.matter.count);
+    // Else they are walked again, with room enough.
+    if (fits) done += now;
+  }
+  return hits;
+}
+
+}  // namespace etendue

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solver/photons/kernel/photon_kernel.h"
+#include "solver/photons/solve/photon_mesh.h"
+#include "solver/photons/solve/photon_sources.h"
+#include "solver/photons/solve/photon_tally.h"
+
+namespace etendue {
+
+/// What all batches of a problem have in common.
+class PhotonBatches {
+ public:
+  /// The arguments must outlive it.
+  PhotonBatches(const Problem& problem, const CellLocator& locator, std::uint64_t seed);
+
+  struct Outcome {
+    Solution fields;  ///< what this batch alone estimates
+    PhotonCounts counts;
+    double seconds = 0;  ///< of the processor
+  };
+  /// Walks the histories `first` … `first + count - 1` of every band. Bands share their random numbers: where
+  /// they are alike, so is their noise. May be called by several threads at a time.
+  Outcome walk(std::uint64_t first, std::size_t count) const;
+
+  /// Where the same histories of one band met walls that scatter light, and where they were scattered. May be
+  /// called by several threads at a time.
+  struct Hits {
+    std::vector<PhotonHit> walls;
+    std::vector<PhotonHit> matter;
+  };
+  Hits hits(int band, std::uint64_t first, std::size_t count) const;
+
+  /// Of draws from kernels the part that was beyond what they were taken to be at most.
+  double beyond_bounds() const { return input_.media.beyond_bounds(); }
+  /// Adds what complete_fields() does not know: emission by formulas.
+  void add_emission(Solution& fields) const { input_.emission.add_to(fields); }
+
+  double power(int band) const { return bands_[static_cast<std::size_t>(band)]->sources.power(); }
+
+ private:
+  struct Band {
+    PhotonMesh mesh;
+    PhotonSources sources;
+    Band(const Problem& problem, const DirectionalInput& input, const CellLocator& locator, int band)
+        : mesh(problem, input, band), sources(problem, mesh, locator, band) {}
+  };
+  const Problem& problem_;
+  std::uint64_t seed_;
+  PhotonKernels kernels_;
+  DirectionalInput input_;
+  std::vector<std::unique_ptr<Band>> bands_;
+};
+
+}  // namespace etendue

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/photons/solve/probe_histories.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/parallel/parallel_for.h"
+#include "base/random/random_stream.h"
+#include "solver/photons/kernel/photon_kernel.h"
+#include "solver/photons/kernel/photon_turns.h"
+#include "solver/photons/solve/batch_statistics.h"
+#include "solver/photons/solve/photon_mesh.h"
+
+namespace etendue {
+namespace {
+
+constexpr int batches = 32;
+// Relative to the weight at the start. Nothing is tallied on the way, so few light photons are followed.
+constexpr double roulette = 1e-3;
+
+/// Directions that fill the sphere evenly, shifted by two random numbers: a lattice of two irrational steps
+/// (Roberts 2018, after Cranley and Patterson 1976).
+Vec3 direction_of(std::size_t i, const std::array<double, 2>& shift, bool in_plane) {
+  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
+  const double n = static_cast<double>(i);
+  const double u = shift[0] + n * first, v = shift[1] + n * second;
+  const double azimuth = 2 * 3.14159265358979323846 * (v - std::floor(v));
+  if (in_plane) return {std::cos(azimuth), std::sin(azimuth), 0};
+  const double mu = 2 * (u - std::floor(u)) - 1, sine = std::sqrt(std::max(0.0, 1 - mu * mu));
+  return {sine * std::cos(azimuth), sine * std::sin(azimuth), mu};
+}
+
+/// The walk back from one probe in one band.
+class Walk {
+ public:
+  Walk(const PhotonMesh& mesh, const PhotonProbe& probe, const CellLocator& locator, double range)
+      : mesh_(mesh), probe_(probe), cells_(locator.find(probe.point)), range_(range) {}
+
+  ProbeEstimate estimate(const PhotonKernels& kernels, const ProbeOptions& options, std::uint64_t number,
+                         StageCounter& counter) const {
+    const auto size = static_cast<std::size_t>(std::max(1.0, options.histories / batches));
+    BatchStatistics statistics;
+    for (int batch = 0; batch < batches && !counter.stopped(); ++batch) {
+      const std::uint64_t first = (number * batches + static_cast<std::uint64_t>(batch)) * size;
+      statistics.add(walk_batch(kernels, options.seed, first, size), static_cast<double>(size));
+      counter.add();
+    }
+    if (counter.stopped()) return {};
+    const auto value = [&](std::size_t i) { return Estimate{statistics.mean(i), statistics.error(i)}; };
+    ProbeEstimate estimate{value(0), {value(1), value(2), value(3)}, {}};
+    if (probe_.normal) estimate.irradiance = value(4);
+    return estimate;
+  }
+
+ private:
+  std::vector<double> walk_batch(const PhotonKernels& kernels, std::uint64_t seed, std::uint64_t first,
+                                 std::size_t size) const {
+    RandomStream random(seed, first, RandomUse::lattice);
+    std::uint32_t word[4];
+    random.next(word);
+    const std::array shift = {uniform(word[0]), uniform(word[1])};
+    std::vector<PhotonStart> starts;
+    for (std::size_t i = 0; i < size; ++i)
+      starts.push_back(start_towards(direction_of(i, shift, mesh_.view().in_plane)));
+    std::vector<double> score(size);
+    kernels.collect(mesh_.view(), {starts, first, seed, roulette}, score.data());
+    std::vector<double> sums(5, 0);
+    for (std::size_t i = 0; i < size; ++i) {
+      const double part = range_ * score[i] / static_cast<double>(size);
+      const Vec3 light = -Vec3(starts[i].direction[0], starts[i].direction[1], starts[i].direction[2]);
+      sums[0] += part;
+      for (int axis = 0; axis < 3; ++axis) sums[1 + static_cast<std::size_t>(axis)] += part * light[axis];
+      if (probe_.normal) sums[4] += part * std::max(0.0, -probe_.normal->dot(light));
+    }
+    return sums;
+  }
+
+  /// In the cell, of those that hold the point, through which the way is longest.
+  PhotonStart start_towards(const Vec3& direction) const {
+    PhotonStart start{{}, {}, 1, 0, -1};
+    std::copy(probe_.point.begin(), probe_.point.end(), start.position);
+    std::copy(direction.begin(), direction.end(), start.direction);
+    double longest = -HUGE_VAL;
+    for (const CellPoint& place : cells_)
+      if (const double way = mesh_.way_through(place.cell, probe_.point, direction); way > longest) {
+        longest = way;
+        start.cell = place.cell.value();
+      }
+    return start;
+  }
+
+  const PhotonMesh& mesh_;
+  const PhotonProbe& probe_;
+  std::vector<CellPoint> cells_;
+  double range_;  ///< [sr] of all directions
+};
+
+}  // namespace
+
+std::vector<std::vector<ProbeEstimate>> walk_back_from(const std::vector<PhotonProbe>& probes,
+                                                       const Problem& problem, const CellLocator& locator,
+                                                       const ProbeOptions& options,
+                                                       const StageObserver& observer) {
+  if (!problem.lights().empty() || !is_reciprocal(problem)) return {};
+  const PhotonKernels kernels = choose_photon_kernels();
+  const DirectionalInput input(problem);
+  std::vector<std::vector<ProbeEstimate>> found(
+      probes.size(), std::vector<ProbeEstimate>(static_cast<std::size_t>(problem.band_count())));
+  const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
+  StageCounter counter(probes.size() * batches * static_cast<std::size_t>(problem.band_count()), observer);
+  for (int band = 0; band < problem.band_count(); ++band) {
+    const PhotonMesh mesh(problem, input, band);
+    const bool whole = parallel_for(probes.size(), threads, 1, [&](std::size_t i) {
+      const Walk walk(mesh, probes[i], locator, full_range(problem.space()));
+      found[i][static_cast<std::size_t>(band)] = walk.estimate(kernels, options, i, counter);
+      return !counter.stopped();
+    });
+    if (!whole) return {};
+  }
+  return found;
+}
+
+}  // namespace etendue

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/solution/probe.h"
+
+#include <cstddef>
+
+namespace etendue {
+namespace {
+
+/// A fluence and its net flux, as a solution has them.
+struct Field {
+  const std::vector<double>& fluence;
+  const std::vector<double>& net_flux;
+};
+
+/// Adds the P1 field of one cell at a point, times a factor.
+void add_cell(std::vector<ProbeValue>& values, const Field& field, const CellPoint& point, double factor) {
+  const std::size_t bands = values.size();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t node = point.cell.at() * 4 + i;
+    const double weight = factor * point.barycentric[i];
+    for (std::size_t band = 0; band < bands; ++band) {
+      values[band].fluence += weight * field.fluence[node * bands + band];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        values[band].net_flux[axis] += weight * field.net_flux[(node * 3 + axis) * bands + band];
+    }
+  }
+}
+
+std::vector<ProbeValue> probe_field(const Problem& problem, const Field& field, const CellLocator& locator,
+                                    const Vec3& point) {
+  const std::vector<CellPoint> cells = locator.find(point);
+  if (cells.empty()) return {};
+  double volume = 0;
+  for (const CellPoint& cell : cells) volume += problem.mesh().volume(cell.cell);
+  std::vector<ProbeValue> values(problem.bands().names.size());
+  for (const CellPoint& cell : cells)
+    add_cell(values, field, cell, problem.mesh().volume(cell.cell) / volume);
+  return values;
+}
+
+}  // namespace
+
+std::vector<ProbeValue> probe(const Problem& problem, const Solution& solution, const CellLocator& locator,
+                              const Vec3& point) {
+  return probe_field(problem, {solution.fluence, solution.net_flux}, locator, point);
+}
+
+std::vector<ProbeValue> probe_uncollided(const Problem& problem, const Solution& solution,
+                                         const CellLocator& locator, const Vec3& point) {
+  return probe_field(problem, {solution.lights.fluence, solution.lights.net_flux}, locator, point);
+}
+
+}  // namespace etendue

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "base/vec3.h"
+#include "mesh/tetrahedra/search/cell_locator.h"
+
+namespace etendue {
+
+/// Polynomial degree of the discontinuous Galerkin space.
+enum class SpaceOrder { constant = 0, linear = 1 };
+
+/// How the equations are iterated; automatic: GMRES.
+enum class Method { automatic, gmres, source_iteration };
+
+/// The numbers that sweeps compute with. Mixed: float within the cycles of GMRES, double where they begin and
+/// end, so that the residual that is judged, and the solution, are those of double.
+enum class Precision { full, mixed };
+
+/// What speeds the iteration up; automatic: diffusion with GMRES where it pays. With none diffusion still
+/// judges the error where residuals could not.
+enum class Acceleration { automatic, diffusion, none };
+
+/// Which diffusion coefficient the acceleration takes; automatic: non-local where a void is present or
+/// extinctions differ by more than a factor of 100.
+enum class DiffusionLength { automatic, local, nonlocal };
+
+/// Lumping of the mass matrix: in no cell, in all, or where extinction times cell size exceeds 2.
+enum class Lumping { none, mass, automatic };
+
+/// Whether negative radiance is taken out of every cell, keeping its balance: by setting it to zero and
+/// rescaling the rest, or by the nearest values that are not negative. A stage after the linear solution.
+enum class Positivity { none, rescale, quadratic };
+
+/// An irradiance meter at a point inside: light that falls on the side its normal points to (w.n < 0).
+struct IrradianceMeter {
+  std::vector<CellPoint> cells;  ///< where the point lies, from CellLocator::find; values are volume-weighted
+  Vec3 normal = Vec3::UnitZ();   ///< unit
+};
+
+class AngularInput;
+struct SavedState;
+
+struct SolveOptions {
+  SpaceOrder order = SpaceOrder::linear;
+  Lumping lumping = Lumping::automatic;
+  Positivity positivity = Positivity::none;
+  Method method = Method::automatic;
+  Precision precision = Precision::full;  ///< of GMRES; other methods know only full
+  Acceleration acceleration = Acceleration::automatic;
+  DiffusionLength diffusion_length = DiffusionLength::automatic;
+  double tolerance = 1e-6;  ///< estimated relative error of the iteration, per band
+  int max_sweeps = 500;
+  int threads = 0;                                  ///< 0: all cores
+  std::size_t order_memory = std::size_t{2} << 30;  ///< bytes that sweep orders may take; beyond, recomputed
+  /// What a third-level cache may hold of a sweep [bytes]; with more, neighbouring ordinates go through the
+  /// mesh together, tile by tile.
+  std::size_t cache_bytes = std::size_t{16} << 20;
+  std::vector<int> keep_ordinates;      ///< whose radiance the solution keeps
+  std::vector<IrradianceMeter> meters;  ///< read while sweeping: the angular solution is not kept
+  /// Source and inflow by direction on top of the problem's; must outlive the solution. Null: none.
+  const AngularInput* angular_input = nullptr;
+  /// Where the iteration starts; must outlive the call. Null: from darkness.
+  const SavedState* initial = nullptr;
+  /// Whether to end at once, within a sweep: asked by all threads, often. Then SolveStopped is thrown.
+  std::function<bool()> stops = {};
+};
+
+}  // namespace etendue

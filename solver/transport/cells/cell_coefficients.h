@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "solver/solution/solve_options.h"
+#include "solver/transport/kernel/sweep_kernel.h"
+#include "solver/transport/state/aligned_array.h"
+
+namespace etendue {
+
+/// What the cell balance needs of each cell, whatever the direction.
+class CellCoefficients {
+ public:
+  /// `extinction` is [cell][band] [1/length]; it need not be that of the problem (a time step adds to it).
+  /// The mesh must outlive it.
+  CellCoefficients(const TetrahedralMesh& mesh, std::span<const double> extinction, int bands, Basis basis,
+                   Lumping lumping, Scalar scalar = Scalar::double_precision);
+
+  Basis basis() const { return basis_; }
+  int bands() const { return bands_; }
+  int stride() const { return stride_; }
+  int nodes() const { return nodes_per_cell(basis_); }
+  int face_nodes() const { return nodes_per_face(basis_); }
+  /// Numbers of one cell's, and of one face's, nodal values.
+  std::size_t cell_length() const {
+    return static_cast<std::size_t>(nodes()) * static_cast<std::size_t>(stride_);
+  }
+  std::size_t trace_length() const {
+    return static_cast<std::size_t>(face_nodes()) * static_cast<std::size_t>(stride_);
+  }
+  RecordLayout layout() const { return record_layout(basis_, stride_, scalar_); }
+  /// The records that sweeps read, [cell + 1][layout().length], with no source yet. The last is the idle
+  /// cell's. All of a record is divided by one factor (see scale()), which changes no radiance.
+  template <class Real>
+  AlignedArrayOf<Real> make_records() const;
+
+  /// Factors (sum, own) of the right-hand side of a source s in one cell and band:
+  /// right_i = sum (s_0 + s_1 + s_2 + s_3) + own s_i.
+  struct SourceFactors {
+    double sum = 0;
+    double own = 0;
+  };
+  SourceFactors source_factors(CellIndex cell, int band) const;
+  /// Factors of a source whose integrals with the basis functions are kept, whatever the mass of the cell.
+  SourceFactors projected_source_factors(CellIndex cell) const;
+  /// What the normals, the mass and the source of a cell are divided by: 1 in double precision; in single
+  /// precision, where products of four areas could leave the range of numbers, a power of two near the area
+  /// of the largest face.
+  double scale(CellIndex cell) const { return scales_.empty() ? 1 : scales_[cell.at()]; }
+  bool is_lumped(CellIndex cell, int band) const;
+  /// As the record holds it (cell_record.h).
+  double mass(CellIndex cell, int band) const;
+  /// The same for an extinction that depends on the ordinate. Lumping and source factors stay those of the
+  /// mean ordinate.
+  double mass(CellIndex cell, int band, double extinction) const;
+  /// Pairs of a cell and a band whose mass is lumped.
+  long lumped_count() const;
+
+ private:
+  Basis basis_;
+  int bands_;
+  int stride_;
+  Scalar scalar_;
+  const TetrahedralMesh& mesh_;
+  std::span<const double> volumes_;
+  std::vector<double> extinction_;  ///< [cell][band] [1/length]
+  std::vector<char> lumped_;        ///< [cell][band]
+  std::vector<double> scales_;      ///< [cell]; empty: 1
+};
+
+/// Edge of the regular tetrahedron of this volume: the size of a cell in "extinction times cell size".
+double cell_size(double volume);
+
+}  // namespace etendue

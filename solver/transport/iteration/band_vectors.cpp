@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/transport/iteration/band_vectors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "solver/transport/state/safe_squares.h"
+
+namespace etendue {
+namespace {
+
+/// Rows of one partial sum. It decides the order of sums, so it must not depend on the number of threads.
+constexpr std::size_t block_rows = 4096;
+
+void append(std::vector<double>& weights, std::size_t count, double weight) {
+  weights.insert(weights.end(), count, weight);
+}
+
+}  // namespace
+
+BandVectors::BandVectors(const TetrahedralMesh& mesh, const TransportSweep& sweep)
+    : bands_(static_cast<std::size_t>(sweep.cells().bands())),
+      stride_(static_cast<std::size_t>(sweep.cells().stride())),
+      threads_(sweep.threads()) {
+  const StateLayout layout = sweep.layout();
+  const auto nodes = static_cast<std::size_t>(sweep.cells().nodes());
+  const auto face_nodes = static_cast<std::size_t>(sweep.cells().face_nodes());
+  const double volume = std::accumulate(mesh.volumes().begin(), mesh.volumes().end(), 0.0);
+  double area = 0;
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) area += mesh.area(FaceIndex(f));
+  weights_.reserve(layout.total() / stride_);
+  for (const double cell : mesh.volumes())
+    append(weights_, nodes, cell / volume / static_cast<double>(nodes));
+  for (const std::int32_t cell : sweep.scattering().angular_cells())
+    append(weights_, nodes * static_cast<std::size_t>(sweep.scattering().moment_count()),
+           mesh.volume(CellIndex(cell)) / volume / static_cast<double>(nodes));
+  // Radiances weigh what the moments that they make would weigh all together: full range times w.
+  const DenseScattering& dense = sweep.dense_scattering();
+  for (std::int32_t m = 0; !dense.empty() && m < sweep.directions().count(); ++m)
+    for (const std::int32_t cell : dense.cells())
+      append(weights_, nodes,
+             full_range(sweep.space()) * sweep.directions().weight(OrdinateIndex(m)) *
+                 mesh.volume(CellIndex(cell)) / volume / static_cast<double>(nodes));
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    append(weights_, face_nodes, mesh.area(FaceIndex(f)) / area / static_cast<double>(face_nodes));
+  // Radiance on mirrors and lagged faces: as large as the fluence it makes, shared out evenly.
+  const std::size_t traces = (layout.mirrors + layout.lagged) / stride_;
+  const double range = full_range(sweep.space());
+  append(weights_, traces, range * range / static_cast<double>(std::max<std::size_t>(traces, 1)));
+}
+
+BandScalars BandVectors::dot(const TransportState& a, const TransportState& b) const {
+  return dot(a, b, BandScalars(bands_, 1));
+}
+
+BandScalars BandVectors::dot(const TransportState& a, const TransportState& b,
+                             const BandScalars& factor) const {
+  const std::size_t rows = weights_.size();
+  const std::size_t blocks = (rows + block_rows - 1) / block_rows;
+  std::vector<double> partial(blocks * bands_, 0);
+  const double* left = a.values().data();
+  const double* right = b.values().data();
+#pragma omp parallel for schedule(static) num_threads(threads_)
+  for (std::size_t block = 0; block < blocks; ++block) {
+    double* sum = &partial[block * bands_];
+    const std::size_t end = std::min(rows, (block + 1) * block_rows);
+    for (std::size_t row = block * block_rows; row < end; ++row)
+      for (std::size_t band = 0; band < bands_; ++band)
+        sum[band] += weights_[row] * (factor[band] * left[row * stride_ + band]) *
+                     (factor[band] * right[row * stride_ + band]);
+  }
+  BandScalars result(bands_, 0);
+  for (std::size_t i = 0; i < partial.size(); ++i) result[i % bands_] += partial[i];
+  return result;
+}
+
+BandScalars BandVectors::norm(const TransportState& a) const {
+  BandScalars result = dot(a, a), unit(bands_, 1);
+  if (!std::ranges::all_of(result, is_safe_sum_of_squares)) {
+    unit = units(a);
+    result = dot(a, a, unit);
+  }
+  for (std::size_t band = 0; band < bands_; ++band) result[band] = std::sqrt(result[band]) / unit[band];
+  return result;
+}
+
+BandScalars BandVectors::units(const TransportState& a) const {
+  const std::size_t rows = weights_.size(), blocks = (rows + block_rows - 1) / block_rows;
+  std::vector<double> largest(blocks * bands_, 0);
+  const double* values = a.values().data();
+#pragma omp parallel for schedule(static) num_threads(threads_)
+  for (std::size_t block = 0; block < blocks; ++block)
+    for (std::size_t row = block * block_rows; row < std::min(rows, (block + 1) * block_rows); ++row)
+      for (std::size_t band = 0; band < bands_; ++band)
+        largest[block * bands_ + band] =
+            std::max(largest[block * bands_ + band], std::abs(values[row * stride_ + band]));
+  BandScalars result(bands_, 0);
+  for (std::size_t i = 0; i < largest.size(); ++i)
+    result[i % bands_] = std::max(result[i % bands_], largest[i]);
+  for (double& value : result) value = unit_for_squares(value);
+  return result;
+}
+
+void BandVectors::add(TransportState& to, const BandScalars& factor, const TransportState& from) const {
+  double* sum = to.values().data();
+  const double* values = from.values().data();
+#pragma omp parallel for schedule(static) num_threads(threads_)
+  for (std::size_t row = 0; row < weights_.size(); ++row)
+    for (std::size_t band = 0; band < bands_; ++band)
+      sum[row * stride_ + band] += factor[band] * values[row * stride_ + band];
+}
+
+void BandVectors::scale(TransportState& a, const BandScalars& factor) const {
+  double* values = a.values().data();
+#pragma omp parallel for schedule(static) num_threads(threads_)
+  for (std::size_t row = 0; row < weights_.size(); ++row)
+    for (std::size_t band = 0; band < bands_; ++band) values[row * stride_ + band] *= factor[band];
+}
+
+}  // namespace etendue

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/solution/solution.h"
+#include "solver/solution/solve_observer.h"
+#include "solver/transport/state/transport_state.h"
+#include "solver/transport/sweep/transport_sweep.h"
+
+namespace etendue {
+
+class DiffusionAcceleration;
+
+struct IterationOptions {
+  double tolerance = 1e-6;  ///< estimated relative error, per band
+  int max_sweeps = 500;
+  DiffusionAcceleration* acceleration = nullptr;  ///< null: none
+  /// What estimates the error where nothing is accelerated; null: what the iteration itself can tell, which
+  /// in thick media is too little.
+  DiffusionAcceleration* judge = nullptr;
+  /// The same sweep in single precision, for the cycles of GMRES. Null: none.
+  SingleTransportSweep* single = nullptr;
+  /// Filled, where it is not null, by a sweep that is expected to be the last (IterationResult::recorded).
+  SweepRecord* record = nullptr;
+};
+
+/// How an iteration ended.
+struct IterationResult {
+  std::vector<BandConvergence> bands;
+  std::vector<HistoryEntry> history;  ///< of the bands that took part in each sweep
+  std::vector<std::string> notes;     ///< what the user has to know of how it went
+  int sweeps = 0;                     ///< over all bands; those of a band end when it is done
+  bool interrupted = false;
+  bool recorded = false;  ///< the record belongs to the last sweep, which gave the state
+};
+
+/// A way to the fixed point of the sweep.
+class Iteration {
+ public:
+  virtual ~Iteration() = default;
+  virtual const char* name() const = 0;
+  /// Whether it fills IterationOptions::record.
+  virtual bool records() const { return false; }
+  /// Improves `state` until the tolerance is met, the sweeps are used up or the observer stops it. Where a
+  /// sweep throws SweepStopped, so does this, and `state` is the best so far.
+  virtual IterationResult run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
+                              const SolveObserver& observer) = 0;
+};
+
+}  // namespace etendue

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "solver/transport/kernel/kernel_inline.h"
+
+namespace etendue {
+
+// Upwind discontinuous Galerkin on one straight tetrahedron (docs/theory.md), linear basis. All equations are
+// multiplied by 12. Face f lies opposite vertex f; a_f = w . (A_f n_f) is its area seen along the direction,
+// positive where light leaves. The four a_f sum to zero.
+//
+// With p_f = max(a_f, 0), n_f = max(-a_f, 0), P = sum of p_f = sum of n_f, the matrix of the four nodal
+// values is
+//
+//     alpha I + beta 1 1^T - n 1^T - 1 p^T,    alpha = P + alpha_mass,  beta = P + beta_mass,
+//
+// the identity plus rank two. The mass is consistent with alpha_mass = beta_mass = 0.6 sigma_t V, and lumped
+// with alpha_mass = 3 sigma_t V, beta_mass = 0. Both keep the column sums, so both keep the cell's balance.
+
+//
+// T is a number, or a packet of them (packet.h).
+
+/// The areas of the four faces seen along one direction [length^2].
+template <class T>
+struct FaceFlows {
+  T leaving[4];   ///< p_f
+  T entering[4];  ///< n_f
+  T total;        ///< P
+};
+
+template <class T>
+ETENDUE_KERNEL_INLINE FaceFlows<T> face_flows(const T (&a)[4]) {
+  FaceFlows<T> flows;
+  ETENDUE_UNROLL
+  for (int f = 0; f < 4; ++f) {
+    flows.leaving[f] = a[f] > 0 ? a[f] : T{};
+    flows.entering[f] = flows.leaving[f] - a[f];
+  }
+  flows.total = (flows.leaving[0] + flows.leaving[1]) + (flows.leaving[2] + flows.leaving[3]);
+  return flows;
+}
+
+/// Adds to the right-hand side what enters through face f with the nodal values u[0 … 2] at its vertices:
+/// 12 times n_f times the face's mass matrix, n_f (sum of u + u_i).
+template <class T>
+ETENDUE_KERNEL_INLINE void add_inflow(const FaceFlows<T>& flows, int f, const T* u, T (&right)[4]) {
+  const T sum = flows.entering[f] * (u[0] + u[1] + u[2]);
+  int corner = 0;
+  ETENDUE_UNROLL
+  for (int i = 0; i < 4; ++i) {
+    if (i == f) continue;
+    right[i] += sum + flows.entering[f] * u[corner++];
+  }
+}
+
+/// What the nodal values need of the matrix: the only division, which takes long, and no light. So it is
+/// begun before the light that enters is read.
+template <class T>
+struct CellInverse {
+  T alpha_mass;
+  T beta;
+  T first;  ///< alpha + 4 beta - P
+  T beta_total;
+  T by_alpha;
+  T by_determinant;
+};
+
+template <class T>
+ETENDUE_KERNEL_INLINE CellInverse<T> invert_cell(const FaceFlows<T>& flows, const T& alpha_mass,
+                                                 const T& beta_mass) {
+  CellInverse<T> cell;
+  cell.alpha_mass = alpha_mass;
+  cell.beta = beta_mass + flows.total;
+  cell.first = alpha_mass + 4.0 * cell.beta;
+  cell.beta_total = cell.beta * flows.total;
+  const T alpha = alpha_mass + flows.total;
+  const T determinant = cell.first * alpha_mass + 4.0 * cell.beta_total;
+  // One division serves both the determinant and alpha.
+  const T inverse = 1.0 / (determinant * alpha);
+  cell.by_determinant = inverse * alpha;
+  cell.by_alpha = inverse * determinant;
+  return cell;
+}
+
+/// The nodal values from 12 times the right-hand side, in closed form: with S the sum of the values and
+/// T = p . u, two equations in two unknowns whose determinant is positive, in vacuum too.
+template <class T>
+ETENDUE_KERNEL_INLINE void solve_cell(const FaceFlows<T>& flows, const CellInverse<T>& cell,
+                                      const T (&right)[4], T (&u)[4]) {
+  const T sum_right = (right[0] + right[1]) + (right[2] + right[3]);
+  const T weighted_right = (flows.leaving[0] * right[0] + flows.leaving[1] * right[1]) +
+                           (flows.leaving[2] * right[2] + flows.leaving[3] * right[3]);
+  const T sum = (cell.alpha_mass * sum_right + 4.0 * weighted_right) * cell.by_determinant;
+  const T weighted = (cell.first * weighted_right - cell.beta_total * sum_right) * cell.by_determinant;
+  const T common = weighted - cell.beta * sum;
+  ETENDUE_UNROLL
+  for (int i = 0; i < 4; ++i) u[i] = (right[i] + common + flows.entering[i] * sum) * cell.by_alpha;
+}
+
+}  // namespace etendue

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/angular/harmonics/spherical_harmonics.h"
+#include "solver/angular/kernels/kernel_places.h"
+#include "solver/problem/mirror.h"
+#include "solver/transport/iteration/gmres.h"
+#include "solver/transport/iteration/positive_iteration.h"
+#include "solver/transport/scattering/scattering_plan.h"
+#include "solver/transport/solve/solve.h"
+#include "solver/transport/source/directional_emission.h"
+#include "solver/transport/sweep/transport_sweep.h"
+
+namespace etendue {
+namespace {
+
+/// Numbers of things, as doubles: products of them overflow integers exactly where the answer matters.
+struct Sizes {
+  double cells = 0;
+  double faces = 0;  ///< on the boundary
+  double ordinates = 0;
+  double cell_length = 0;    ///< doubles
+  double trace_length = 0;   ///< doubles
+  double record_length = 0;  ///< doubles
+  double stride = 0;
+  double angular_cells = 0;
+  double dense_cells = 0;
+  double absorptions = 0;  ///< of cells and bands that depend on the direction
+  double matrices = 0;
+  double moments = 1;
+  double mirrors = 0;  ///< faces
+  GlossyWalls::Size glossy;
+};
+
+bool scatters(const Problem& problem, CellIndex cell) {
+  for (int band = 0; band < problem.band_count(); ++band)
+    if (problem.scattering(cell, band) > 0) return true;
+  return false;
+}
+
+/// One, or where the kernel differs from cell to cell one for each place, which all bands share.
+double matrices_of(const Problem& problem, std::size_t of_plan) {
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  const auto region = static_cast<int>(of_plan / bands);
+  const auto places = kernel_places(problem, region, static_cast<int>(of_plan % bands)).size();
+  if (places == 0) return 1;
+  return of_plan % bands == 0 ? static_cast<double>(places) : 0;
+}
+
+Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const SolveOptions& options) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  const Basis basis = options.order == SpaceOrder::linear ? Basis::linear : Basis::constant;
+  Sizes sizes;
+  sizes.cells = mesh.cell_count();
+  sizes.faces = mesh.boundary_face_count();
+  sizes.ordinates = directions.count();
+  sizes.stride = lane_stride(problem.band_count());
+  sizes.cell_length = nodes_per_cell(basis) * sizes.stride;
+  sizes.trace_length = nodes_per_face(basis) * sizes.stride;
+  sizes.record_length = static_cast<double>(record_layout(basis, lane_stride(problem.band_count())).length);
+  const std::vector<ScatteringTreatment> plan = plan_scattering(problem, directions);
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  std::vector<int> degrees(problem.media().size(), 0);
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    degrees[i / bands] = std::max(degrees[i / bands], plan[i].degree);
+    if (plan[i].is_dense()) sizes.matrices += matrices_of(problem, i);
+  }
+  sizes.dense_cells = static_cast<double>(dense_cells(problem, plan).size());
+  sizes.angular_cells = sizes.dense_cells;
+  int highest = 0;
+  const AngularInput* input = options.angular_input;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const int degree = degrees[static_cast<std::size_t>(mesh.region(CellIndex(c)))];
+    const bool scatters_so = degree > 0 && scatters(problem, CellIndex(c));
+    const bool emits_so = DirectionalEmission::emits(problem.medium(mesh.region(CellIndex(c))));
+    for (int band = 0; band < problem.band_count(); ++band)
+      if (problem.medium(mesh.region(CellIndex(c))).absorbs_by_direction(band)) sizes.absorptions += 1;
+    if (scatters_so || emits_so || (input != nullptr && input->depends_on_direction(CellIndex(c))))
+      sizes.angular_cells += 1;
+    if (scatters_so) highest = std::max(highest, degree);
+  }
+  sizes.angular_cells = std::min(sizes.angular_cells, sizes.cells);
+  sizes.moments = harmonic_count(directions.space(), highest);
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    if (is_mirror(problem.wall(mesh.wall(FaceIndex(f))))) sizes.mirrors += 1;
+  sizes.glossy = GlossyWalls::size_of(problem, directions);
+  sizes.mirrors += sizes.glossy.faces;
+  return sizes;
+}
+
+}  // namespace
+
+std::size_t estimate_memory(const Problem& problem, const DirectionSet& directions,
+                            const SolveOptions& options) {
+  const Sizes s = sizes_of(problem, directions, options);
+  const double fields = s.cells * s.cell_length;
+  const double moments = s.angular_cells * s.moments * s.cell_length;
+  const double radiance = s.dense_cells * s.ordinates * s.cell_length;
+  const double state =
+      fields + moments + radiance + s.faces * s.trace_length + s.mirrors * s.ordinates / 2 * s.trace_length;
+  // Two changes for each step of the past, the image, its residual and their last ones, the best state.
+  const double positive =
+      options.positivity == Positivity::none ? 0 : 2.0 * static_cast<double>(anderson_memory(state)) + 7;
+  // Source iteration: what is corrected, those bands that are left, and F(0).
+  const double basis = options.method == Method::source_iteration
+                           ? 3
+                           : std::clamp(static_cast<double>(krylov_memory) / (8 * state),
+                                        static_cast<double>(shortest_krylov_basis),
+                                        static_cast<double>(longest_krylov_basis) + 1);
+  const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
+  // Cells at the boundary keep their slots; besides, a front through the mesh is live at a time.
+  const double slots = (2 * s.faces + 8 * std::pow(s.cells, 2.0 / 3)) * s.cell_length;
+  const double batch = OrdinateSchedule(problem, directions, Batches::of_neighbours).batch();
+  const bool is_tiled =
+      8 * s.cells * (s.record_length + s.cell_length) > static_cast<double>(options.cache_bytes);
+  const double workspaces = std::min<double>(threads, std::ceil(s.ordinates / batch)) *
+                            ((is_tiled ? largest_group : 1) * slots + 4 * fields +
+                             2 * s.faces * s.trace_length + batch * s.angular_cells * s.cell_length);
+  const double records =
+      s.cells * static_cast<double>(s.record_length) * (s.dense_cells > 0 ? 1 + threads : 1) +
+      2 * s.matrices * s.ordinates * s.ordinates + DirectionalEmission::table_size(problem, directions) +
+      s.absorptions * s.ordinates + s.glossy.matrices + s.glossy.faces * s.ordinates / 2 * s.trace_length;
+  // Sources of moments and matrices, the record of the last sweep, and the solution: fluence, three
+  // components of flux, the state.
+  const double results = moments + radiance + 3 * fields + 16 * s.cells * s.stride + state;
+  const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
+  // Five blocks of 16 and an inverse for each cell and band, the levels on vertices and a few vectors.
+  // They judge even where they do not accelerate.
+  const double low_order = s.cells * problem.band_count() * 150;
+  // A sweep of fewer bands, once others are done: half the lanes at most, and two states.
+  const double narrower =
+      problem.band_count() > 1 ? (workspaces + records + moments + radiance) / 2 + state : 0;
+  // The same sweep in single precision, but for what its matrices scatter.
+  const double single =
+      options.precision == Precision::mixed ? (workspaces + records) / 2 + moments + radiance : 0;
+  const double orders =
+      std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * sizeof(SweepVisit));
+  return static_cast<std::size_t>(8 * ((2 + std::max(basis, positive)) * state + workspaces + records +
+                                       results + kept + low_order + narrower + single) +
+                                  orders);
+}
+
+}  // namespace etendue

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "solver/angular/sets/direction_set.h"
+#include "solver/problem/problem.h"
+#include "solver/solution/solution.h"
+#include "solver/solution/solve_observer.h"
+#include "solver/solution/solve_options.h"
+
+namespace etendue {
+
+/// Bytes that solve() may take at its peak, the solution and all Krylov vectors included: an upper estimate.
+std::size_t estimate_memory(const Problem& problem, const DirectionSet& directions,
+                            const SolveOptions& options);
+
+/// Solves by discrete ordinates with upwind discontinuous Galerkin elements. Not converging is a result,
+/// marked in the solution. Throws InputError where a mirror has no partner ordinates.
+Solution solve(const Problem& problem, const DirectionSet& directions, const SolveOptions& options,
+               const SolveObserver& observer = {});
+
+}  // namespace etendue

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solver/angular/sets/direction_set.h"
+#include "solver/problem/problem.h"
+#include "solver/transport/order/ordinate_schedule.h"
+#include "solver/transport/order/sweep_slots.h"
+#include "solver/transport/state/transport_state.h"
+#include "solver/transport/walls/glossy_walls.h"
+
+namespace etendue {
+
+/// Whether a sweep takes up what arrives at all walls or only at those that reflect.
+enum class TakeUp { reflecting, all };
+
+/// What the walls send in and take up, direction by direction:
+///
+///     u_in = radiance + (diffuse / pi_h) E + (transmittance / pi_h) E(behind) + specular u_out(mirrored)
+///            + f_r by a matrix (GlossyWalls),    pi_h = sum of w |w.n| over w.n < 0,
+///
+/// with the discrete half range pi_h in place of pi, so that a wall gives back exactly what it reflects.
+/// Where a wall refracts Fresnel's reflectance r of the ordinate stands for `specular` and n^2 (1 - r) before
+/// `radiance`.
+/// Walls across z that no direction of the plane reaches take no part.
+class WallExchange {
+ public:
+  /// Throws InputError where a mirror's partner ordinate is not in the set. The arguments must outlive it.
+  WallExchange(const Problem& problem, const DirectionSet& directions, const OrdinateSchedule& schedule,
+               const WallSlots& wall_slots, int stride, int face_nodes);
+
+  std::size_t irradiance_size() const;
+  /// Of what the mirrors reflect in the next sweep, and of what they reflect within the same.
+  std::size_t mirror_size() const { return glossy_.size() + mirror_rows(Turn::next_sweep) * row_size(); }
+  std::size_t passing_size() const { return mirror_rows(Turn::this_sweep) * row_size(); }
+  /// Whether the next sweep brings back some of what arrives at a wall.
+  bool feeds_back() const { return feeds_back_; }
+  /// Of what arrives at a face, the part that the next sweep brings back to this side.
+  double fed_back(FaceIndex face, std::size_t band) const;
+  /// [boundary face] [sr]
+  const std::vector<double>& half_range() const { return half_range_; }
+  /// [boundary face] what a radiance of 1 of its wall sends in [sr]: the half range but where it refracts
+  std::vector<double> emission_range() const;
+  const GlossyWalls& glossy() const { return glossy_; }
+  /// Boundary faces whose walls reflect or transmit in some band.
+  bool reflects(FaceIndex face) const {
+    return wall_reflects_[static_cast<std::size_t>(mesh_.wall(face))] != 0;
+  }
+
+  /// What every direction brings in, from the last state: the walls' own radiance and what they reflect or
+  /// transmit diffusely, [boundary face][face node][stride]. What is glossy is reflected too, and kept.
+  void form_inflow(const TransportState& last, Emission emission, int threads, std::span<double> inflow);
+  /// Writes all inflow slots. They keep their values until they are written again.
+  template <class Real>
+  void fill(std::span<const double> inflow, const SweepSlotsOf<Real>& slots) const;
+  /// Writes the inflow slots of mirrors and glossy walls along ordinate m: `inflow` and what they reflect of
+  /// the last state or, where the schedule allows it, of this sweep (`passing`).
+  template <class Real>
+  void reflect(OrdinateIndex m, const TransportState& last, std::span<const double> passing,
+               std::span<const double> inflow, const SweepSlotsOf<Real>& slots) const;
+  /// Adds what the inflow slots send along ordinate m to `exitance` [boundary face][face node][stride].
+  template <class Real>
+  void add_exitance(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<double> exitance) const;
+
+  /// Takes up what left along ordinate m, from the radiance of the cells at the walls: adds to `irradiance`,
+  /// and writes the mirrors' part of `next`, or `passing`. What black walls receive matters for nothing but
+  /// the results.
+  template <class Real>
+  void receive(OrdinateIndex m, const SweepSlotsOf<Real>& slots, TakeUp what, std::span<double> irradiance,
+               std::span<double> mirrors, std::span<double> passing) const;
+
+  /// Adds radiance that brings the irradiance `after` - `before` to one face, the same in all directions, to
+  /// what leaves along the ordinates there, in one band. Does nothing where the face is neither glossy nor a
+  /// mirror of the next sweep.
+  void add_leaving(FaceIndex face, std::size_t band, std::span<const double> before,
+                   std::span<const double> after, std::span<double> mirrors) const;
+
+ private:
+  struct Face {
+    Vec3 area_normal;      ///< out of the domain [length^2]
+    double by_area;        ///< 1 / area
+    double by_half_range;  ///< 1 / half range; 0 where no ordinate passes
+    std::size_t wall;
+  };
+
+  /// When a mirror sends back what arrives.
+  enum class Turn { this_sweep, next_sweep };
+
+  struct MirrorPlane {
+    Vec3 normal;
+    double refractive_index;  ///< 1: that of a mirror
+    Turn turn;
+    std::vector<std::int32_t> partner;  ///< [ordinate]
+    std::vector<double> reflected;      ///< [ordinate] where it refracts
+  };
+
+  /// A face that is a mirror.
+  struct Mirror {
+    std::size_t plane;
+    std::size_t row;  ///< among those of its turn
+  };
+
+  void find_mirrors(const OrdinateSchedule& schedule);
+  /// Of linear elements with as many bands as `LinearBands` says, or 0 for any.
+  template <std::size_t LinearBands, class Real>
+  void add_irradiance(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<const std::int32_t> faces,
+                      std::span<double> irradiance) const;
+  const Mirror* mirror(FaceIndex face) const {
+    const std::int32_t at = mirror_of_[face.at()];
+    return at < 0 ? nullptr : &mirrors_[static_cast<std::size_t>(at)];
+  }
+  std::size_t row_size() const;
+  std::size_t mirror_rows(Turn turn) const { return rows_[static_cast<std::size_t>(turn)]; }
+  MirrorPlane mirror_plane(FaceIndex face, const OrdinateSchedule& schedule) const;
+  std::size_t mirror_at(std::size_t row, std::int32_t ordinate) const;
+
+  const TetrahedralMesh& mesh_;
+  const Problem& problem_;
+  const DirectionSet& directions_;
+  const WallSlots& wall_slots_;
+  std::size_t stride_;
+  std::size_t face_length_;          ///< face nodes times stride
+  std::vector<double> half_range_;   ///< [boundary face]
+  std::vector<double> radiance_;     ///< [wall][stride]
+  std::vector<double> diffuse_;      ///< [wall][stride]
+  std::vector<double> specular_;     ///< [wall][stride]
+  std::vector<double> transmitted_;  ///< [wall][stride]
+  std::vector<std::int32_t>
+      behind_;  ///< [boundary face] other side of a sheet, -1: none; empty: no wall transmits
+  GlossyWalls glossy_;
+  std::vector<char> wall_reflects_;      ///< [wall]
+  std::vector<std::int32_t> mirror_of_;  ///< [boundary face] its mirror, -1 where it is none
+  std::vector<Mirror> mirrors_;
+  std::vector<MirrorPlane> planes_;
+  std::array<std::size_t, 2> rows_{};  ///< [turn]
+  std::vector<Face> faces_;
+  std::vector<std::int32_t> all_;           ///< boundary faces
+  std::vector<std::int32_t> reflecting_;    ///< boundary faces
+  std::vector<std::int32_t> mirror_faces_;  ///< boundary faces
+  bool feeds_back_ = false;
+};
+
+}  // namespace etendue

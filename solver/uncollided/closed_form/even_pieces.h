@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/vec3.h"
+#include "solver/uncollided/closed_form/emitter_tree.h"
+
+namespace etendue {
+
+/// Triangles in one plane that shine alike from the same side.
+struct EvenPiece {
+  Vec3 normal;                   ///< unit, to the side that shines
+  double offset;                 ///< normal . x in the plane
+  std::vector<double> radiance;  ///< [band] [power/(length^2 sr)]
+  std::vector<std::array<Vec3, 3>> triangles;
+};
+
+/// The pieces that a light's triangles make up; nothing where they are more than `most`.
+std::optional<std::vector<EvenPiece>> even_pieces(std::span<const EmitterPart> triangles, std::size_t most);
+
+/// Whether a triangle shines towards an eye; not where that lies in its plane but for rounding.
+bool shines_to(const EmitterPart& triangle, const Vec3& eye);
+
+/// The same light in as few triangles as its pieces' outlines need, where these are convex and flat but for
+/// rounding: faces of a mesh are far more.
+std::vector<EmitterPart> few_triangles(std::span<const EmitterPart> triangles);
+
+}  // namespace etendue

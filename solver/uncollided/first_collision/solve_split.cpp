@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/uncollided/first_collision/solve_split.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numbers>
+#include <utility>
+
+#include "base/parallel/parallel_for.h"
+#include "solver/problem/lights/beam_pieces.h"
+#include "solver/solution/node_means.h"
+#include "solver/transport/solve/solve.h"
+#include "solver/uncollided/first_collision/first_collision.h"
+#include "solver/uncollided/first_collision/once_collided.h"
+#include "solver/uncollided/sources/beam_source.h"
+#include "solver/uncollided/sources/sky_source.h"
+
+namespace etendue {
+namespace {
+
+int thread_count(const SolveOptions& options) {
+  return options.threads > 0 ? options.threads : omp_get_num_procs();
+}
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void add(std::vector<double>& to, const std::vector<double>& from) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
+}
+
+/// What lights on walls send in, and mirrors send on, added to the exitance; the powers of the lights.
+void add_exitance(const LightSetup& lights, const UncollidedField& field, Solution& solution) {
+  const Problem& problem = lights.problem();
+  const TetrahedralMesh& mesh = problem.mesh();
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  // What is swept is in them already.
+  solution.lights.from_walls.resize(problem.walls().size(), std::vector<double>(bands, 0));
+  solution.lights.inside.resize(bands, 0);
+  std::vector<const BeamLight*> beams;
+  for (const auto& source : lights.sources()) {
+    if (const auto* beam = dynamic_cast<const BeamSource*>(source.get())) beams.push_back(&beam->light());
+    if (const auto* sky = dynamic_cast<const SkySource*>(source.get()))
+      for (const BeamLight& part : sky->parts()) beams.push_back(&part);
+  }
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const int w = mesh.wall(face);
+    const Wall& wall = problem.wall(w);
+    std::vector<double> sent(bands, 0);
+    for (std::size_t b = 0; b < bands && lights.has_wall(w); ++b)
+      sent[b] = std::numbers::pi * wall.radiance[b];
+    for (const BeamLight* beam : beams)
+      if (std::count(beam->walls.begin(), beam->walls.end(), w) > 0) {
+        const double seen = entering_area(*beam, mesh, face) / mesh.area(face);
+        for (std::size_t b = 0; b < bands; ++b) sent[b] += seen * beam->irradiance[b];
+      }
+    for (std::size_t b = 0; b < bands; ++b) {
+      solution.lights.from_walls[static_cast<std::size_t>(w)][b] += sent[b] * mesh.area(face);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t node = (face.at() * 3 + i) * bands + b;
+        solution.exitance[node] += sent[b] + wall.specular[b] * field.irradiance[node];
+      }
+    }
+  }
+}
+
+/// [cell][band] absorption times the mean fluence [power/length^3].
+std::vector<double> absorbed_power(const Problem& problem, const std::vector<double>& fluence) {
+  std::vector<double> absorbed = node_means(fluence, 4, static_cast<std::size_t>(problem.band_count()));
+  for (std::size_t i = 0; i < absorbed.size(); ++i) absorbed[i] *= problem.absorption()[i];
+  return absorbed;
+}
+
+/// What a cell absorbs and scatters where something depends on the direction or varies in it.
+void add_cell(const UncollidedField& field, const TetrahedralMesh& mesh, CellIndex cell, std::size_t band,
+              UncollidedBalance& balance) {
+  const std::size_t bands = field.absorbed.size() / mesh.volumes().size();
+  balance.absorbed += mesh.volume(cell) * field.absorbed[cell.at() * bands + band];
+  for (std::size_t i = 0; i < 4; ++i)
+    balance.collided += mesh.volume(cell) * field.collided[(cell.at() * 4 + i) * bands + band] / 4;
+}
+
+/// Powers of the uncollided light.
+std::vector<UncollidedBalance> balance_of(const LightSetup& lights, const UncollidedField& field) {
+  const Problem& problem = lights.problem();
+  const TetrahedralMesh& mesh = problem.mesh();
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  std::vector<UncollidedBalance> balances(bands);
+  for (std::size_t b = 0; b < bands; ++b) {
+    UncollidedBalance& balance = balances[b];
+    for (const auto& source : lights.sources()) balance.sent += source->power()[b];
+    for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+      double fluence = 0;
+      if (!field.absorbed.empty()) {
+        add_cell(field, mesh, CellIndex(c), b, balance);
+        continue;
+      }
+      for (std::size_t i = 0; i < 4; ++i)
+        fluence += field.fluence[(static_cast<std::size_t>(c) * 4 + i) * bands + b] / 4;
+      fluence *= mesh.volume(CellIndex(c));
+      balance.absorbed += problem.absorption(CellIndex(c), static_cast<int>(b)) * fluence;
+      balance.collided += problem.scattering(CellIndex(c), static_cast<int>(b)) * fluence;
+    }
+    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+      const Wall& wall = problem.wall(mesh.wall(FaceIndex(f)));
+      const std::int32_t glossy = field.glossy.place_of(FaceIndex(f));
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double arrived =
+            field.irradiance[(static_cast<std::size_t>(f) * 3 + i) * bands + b] / 3 * mesh.area(FaceIndex(f));
+        const double lobe =
+            glossy < 0 ? 0 : field.glossy.albedo(problem, static_cast<std::size_t>(glossy), i, b);
+        balance.reflected += (wall.diffuse[b] + wall.transmitted(b) + lobe) * arrived;
+        balance.kept += (1 - wall.diffuse[b] - wall.transmitted(b) - lobe - wall.specular[b]) * arrived;
+      }
+    }
+    const double found = balance.absorbed + balance.collided + balance.reflected + balance.kept;
+    balance.residual = balance.sent > 0 ? (balance.sent - found) / balance.sent : 0;
+  }
+  return balances;
+}
+
+/// Lights that are neither walls nor media, nor beams or a sky that walls let in. They are the first of the
+/// sources.
+void add_lights_inside(const LightSetup& lights, Solution& solution) {
+  std::size_t source = 0;
+  for (const Light& light : lights.problem().lights()) {
+    if (light.uncollided == Uncollided::no) continue;
+    for (std::size_t b = 0;
+         b < solution.lights.inside.size() && !std::holds_alternative<BeamLight>(light.kind); ++b)
+      solution.lights.inside[b] += lights.sources()[source]->power()[b];
+    ++source;
+  }
+}
+
+void add_meters(const LightSetup& lights, const SolveOptions& options, int threads, Solution& solution) {
+  const TetrahedralMesh& mesh = lights.problem().mesh();
+  const std::size_t bands = lights.paths().bands();
+  parallel_for(options.meters.size(), threads, 1, [&](std::size_t i) {
+    const CellPoint& place = options.meters[i].cells.front();
+    Vec3 position = Vec3::Zero();
+    for (std::size_t k = 0; k < 4; ++k)
+      position += place.barycentric[k] * mesh.point(VertexIndex(mesh.vertices(place.cell)[k]));
+    const LightAtPoint light = lights.at({place.cell, position}, options.meters[i].normal);
+    for (std::size_t b = 0; b < bands; ++b) solution.meters[i * bands + b] += light.irradiance[b];
+    return true;
+  });
+}
+
+}  // namespace
+
+UncollidedLight::UncollidedLight(const LightSetup& lights, const SolveOptions& options,
+                                 const StageObserver& observer)
+    : lights_(lights), threads_(thread_count(options)) {
+  if (lights.empty()) return;
+  const auto start = Clock::now();
+  field_ = uncollided_field(lights.paths(), lights.sources(), threads_, observer);
+  seconds_ = seconds_since(start);
+}
+
+// The first collisions are a source of the one sweep or of the other.
+Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const DirectionSet* first_collided,
+                                     const SolveOptions& options, const SolveObserver& observer,
+                                     const SetReader& reader) const {
+  const Problem remaining = lights_.remaining();
+  SolveOptions with_input = options;
+  if (first_collided != nullptr) {
+    const OnceCollided once(lights_, field_, remaining, *first_collided, directions, options, threads_);
+    with_input.angular_input = &once;
+    Solution solution = solve(remaining, directions, with_input, observer);
+    if (reader) {
+      const SweptLight finer = once.swept();
+      reader({directions, solution, &once, &finer});
+    }
+    once.add_to(solution);
+    return solution;
+  }
+  const auto start = Clock::now();
+  const FirstCollision input(lights_, field_, directions, threads_);
+  const double seconds = seconds_since(start);
+  with_input.angular_input = &input;
+  Solution solution = solve(remaining, directions, with_input, observer);
+  solution.seconds.lights = seconds;
+  if (reader) reader({directions, solution, &input});
+  return solution;
+}
+
+Solution UncollidedLight::solve_rest(const DirectionSet& directions, const DirectionSet* first_collided,
+                                     const SolveOptions& options, const SolveObserver& observer,
+                                     const SetReader& reader) const {
+  if (lights_.empty()) {
+    Solution whole = solve(lights_.problem(), directions, options, observer);
+    whole.notes.insert(whole.notes.begin(), lights_.notes().begin(), lights_.notes().end());
+    if (reader) reader({directions, whole, options.angular_input});
+    return whole;
+  }
+  Solution solution = sweep_rest(directions, first_collided, options, observer, reader);
+  const auto swept = Clock::now();
+  solution.notes.insert(solution.notes.begin(), lights_.notes().begin(), lights_.notes().end());
+  solution.lights.balance = balance_of(lights_, field_);
+  add_exitance(lights_, field_, solution);
+  add_lights_inside(lights_, solution);
+  for (std::size_t w = 0; w < lights_.problem().walls().size(); ++w)
+    solution.lights.exact_walls.push_back(lights_.has_wall(static_cast<int>(w)));
+  if (!field_.absorbed.empty()) {
+    if (solution.absorbed.empty()) solution.absorbed = absorbed_power(lights_.problem(), solution.fluence);
+    add(solution.absorbed, field_.absorbed);
+  }
+  add(solution.fluence, field_.fluence);
+  add(solution.net_flux, field_.net_flux);
+  add(solution.irradiance, field_.irradiance);
+  add_meters(lights_, options, threads_, solution);
+  solution.negative = negative_census(solution.fluence, lights_.paths().bands());
+  solution.seconds.lights += seconds_since(swept);
+  return solution;
+}
+
+void UncollidedLight::finish(Solution& solution) {
+  solution.seconds.lights += seconds_;
+  solution.lights.fluence = field_.fluence;
+  solution.lights.net_flux = std::move(field_.net_flux);
+  first_collisions_ = std::make_shared<const FirstCollisions>(
+      first_collisions_of(lights_.problem(), std::exchange(field_, {})));
+}
+
+Solution solve_split(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
+                     const SolveObserver& observer, const DirectionSet* first_collided,
+                     const SetReader& reader) {
+  UncollidedLight uncollided(lights, options);
+  Solution solution = uncollided.solve_rest(directions, first_collided, options, observer, reader);
+  uncollided.finish(solution);
+  return solution;
+}
+
+std::size_t estimate_split_memory(const LightSetup& lights, const DirectionSet& directions,
+                                  const SolveOptions& options, const DirectionSet* first_collided) {
+  const std::size_t rest = estimate_memory(lights.problem(), directions, options);
+  if (lights.empty()) return rest;
+  if (first_collided == nullptr) return rest + FirstCollision::memory(lights, directions);
+  SolveOptions once = options;
+  once.method = Method::source_iteration;
+  once.acceleration = Acceleration::none;
+  const std::size_t field = FirstCollision::memory(lights, *first_collided);
+  return std::max(rest + OnceCollided::memory(lights.problem(), directions, *first_collided, options),
+                  estimate_memory(lights.problem(), *first_collided, once)) +
+         field;
+}
+
+}  // namespace etendue

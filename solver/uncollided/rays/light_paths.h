@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/tetrahedra/search/ray_mesh.h"
+#include "solver/angular/media/ray_matter.h"
+#include "solver/problem/problem.h"
+#include "solver/uncollided/rays/mirror_images.h"
+
+namespace etendue {
+
+/// A point of a cell, on its surface too.
+struct PointInCell {
+  CellIndex cell;
+  Vec3 position;
+};
+
+/// Where a way back to the light left the domain.
+struct WayOut {
+  FaceIndex face;
+  Vec3 direction;  ///< of the ray there
+  Vec3 point;
+};
+
+/// Ways that uncollided light takes, walked from the point that it reaches back to the light. May be used by
+/// several threads at a time.
+class LightPaths {
+ public:
+  /// The problem must outlive it.
+  explicit LightPaths(const Problem& problem);
+
+  const Problem& problem() const { return problem_; }
+  const MirrorPlanes& mirrors() const { return mirrors_; }
+  const RayMesh& rays() const { return rays_; }
+  std::size_t bands() const { return bands_; }
+  /// What depends on the direction.
+  const RayMatter& matter() const { return matter_; }
+  /// In the mean over directions [1/length].
+  double extinction(CellIndex cell, std::size_t band) const { return extinction_[cell.at() * bands_ + band]; }
+  double largest_extinction(CellIndex cell) const;
+  /// Of light that travels as a view of matter() says [1/length].
+  double extinction(CellIndex cell, std::size_t band, const RayMatter::View& light) const {
+    return matter_.empty() ? extinction(cell, band) : matter_.at(cell, band, light).extinction();
+  }
+
+  /// Transmittance [band] of the way from a point along a unit direction of this length, reflected by exactly
+  /// these mirrors, their reflectances included. False where something opaque stands before its end; a wall
+  /// at its end does not, to 1e-9 of the length.
+  bool transmit(const PointInCell& from, const Vec3& direction, double length, MirrorSet mirrors,
+                std::span<double> transmittance) const;
+
+  /// The same until the ray leaves the domain by a wall that does not mirror; empty where it never does.
+  std::optional<WayOut> leave(const PointInCell& from, const Vec3& direction,
+                              std::span<double> transmittance) const;
+
+ private:
+  RayEnd walk(const PointInCell& from, const Vec3& direction, double length, std::span<double> depth) const;
+  void reflect(FaceIndex face, std::span<double> factor) const;
+
+  const Problem& problem_;
+  std::size_t bands_;
+  RayMesh rays_;
+  MirrorPlanes mirrors_;
+  RayMatter matter_;
+  std::vector<double> extinction_;  ///< [cell][band] [1/length]
+};
+
+}  // namespace etendue

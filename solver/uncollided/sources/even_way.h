@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "solver/uncollided/rays/attenuation.h"
+#include "solver/uncollided/rays/light_beams.h"
+
+namespace etendue {
+
+/// What even matter leaves of a beam.
+struct EvenWay {
+  double transmittance;
+  double mean;  ///< way of what is left [length]
+};
+
+inline EvenWay even_way(const BeamWay& way, double extinction) {
+  const double before = std::exp(-extinction * way.distance);
+  if (way.length == 0) return {before, way.distance};
+  const AttenuatedWay inside = attenuated_way(extinction, way.length);
+  return {before * inside.constant / way.length, way.distance + inside.linear / inside.constant};
+}
+
+}  // namespace etendue

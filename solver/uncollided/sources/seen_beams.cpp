@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "solver/uncollided/sources/extended_source.h"
+
+namespace etendue {
+namespace {
+
+/// A piece is looked at in parts where what arrives from its points differs from what even matter would
+/// leave, in all, by more than this part of what the whole light brings; parts of it by the next number.
+constexpr std::array<double, 1> uneven_triangle = {0.01};
+constexpr std::array<double, 2> uneven_volume = {0.005, 0.01};
+/// Its logarithm is a number.
+constexpr double least_transmittance = std::numeric_limits<double>::min();
+
+/// Optical depth of the way up to the light, mirrors left out.
+double depth(const SeenBeams& beams, std::size_t i, std::size_t band, double reflectance) {
+  if (!(reflectance > 0)) return 0;
+  return -std::log(std::max(beams.passed[i * beams.clear.bands() + band] / reflectance, least_transmittance));
+}
+
+/// Of even matter that takes in the mean as much from these beams, as far as they are open [1/length].
+double mean_extinction(const SeenBeams& beams, std::size_t first, std::size_t last, std::size_t band,
+                       double reflectance) {
+  double depths = 0, ways = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    if (!beams.is_open(i) || !(beams.clear.way(i).distance > 0)) continue;
+    depths += beams.clear.fluence(i)[band] * depth(beams, i, band, reflectance);
+    ways += beams.clear.fluence(i)[band] * beams.clear.way(i).distance;
+  }
+  return ways > 0 ? depths / ways : 0;
+}
+
+/// What arrives from these points through even matter that takes as much from them in the mean, in all, and
+/// by how much what comes from each differs from it.
+struct EvenPart {
+  double extinction = 0;  ///< of that matter [1/length]
+  double arriving = 0;
+  double difference = 0;
+
+  EvenPart(const SeenBeams& beams, std::size_t first, std::size_t last, std::size_t band, double reflectance)
+      : extinction(mean_extinction(beams, first, last, band, reflectance)) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (!beams.is_open(i)) continue;
+      const double arrives = beams.arriving[i * beams.clear.bands() + band];
+      const double distance = beams.clear.way(i).distance;
+      const double even = distance > 0
+                              ? arrives * std::exp(depth(beams, i, band, reflectance) - extinction * distance)
+                              : arrives;
+      arriving += even;
+      difference += std::abs(arrives - even);
+    }
+  }
+};
+
+}  // namespace
+
+void SeenBeams::append(const SeenBeams& other, std::size_t first, std::size_t last) {
+  const std::size_t bands = clear.bands();
+  for (std::size_t i = first; i < last; ++i)
+    std::ranges::copy(other.clear.fluence(i),
+                      clear.add(other.clear.direction(i), other.clear.way(i)).begin());
+  const auto add = [&](const std::vector<double>& from, std::vector<double>& to) {
+    to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(first * bands),
+              from.begin() + static_cast<std::ptrdiff_t>(last * bands));
+  };
+  add(other.passed, passed);
+  add(other.arriving, arriving);
+}
+
+/// Looks at pieces from one place.
+class ExtendedSource::Looker {
+ public:
+  Looker(const ExtendedSource& source, const PointInCell& at, SeenBeams& beams)
+      : source_(source), at_(at), beams_(beams), whole_(beams.clear.bands(), 0) {
+    if (source.tree_.shape() == EmitterShape::triangles)
+      uneven_ = uneven_triangle;
+    else
+      uneven_ = uneven_volume;
+  }
+
+  void add(std::span<const LightPiece> pieces) {
+    SeenBeams first_look(beams_.clear.bands());
+    std::vector<std::size_t> ends;
+    for (const LightPiece& piece : pieces) {
+      look(piece, first_look);
+      ends.push_back(first_look.clear.size());
+    }
+    for (std::size_t i = 0; i < first_look.arriving.size(); ++i)
+      whole_[i % whole_.size()] += first_look.arriving[i];
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      keep_or_cut(pieces[i], first_look, i == 0 ? 0 : ends[i - 1], ends[i], uneven_);
+  }
+
+ private:
+  double reflectance(const LightPiece& piece, std::size_t band) const {
+    return source_.paths_.mirrors().reflectance(piece.view.mirrors, band);
+  }
+
+  void look(const LightPiece& piece, SeenBeams& beams) const {
+    source_.add_clear(piece, beams.clear);
+    const std::size_t bands = beams.clear.bands();
+    for (const LightPoint& point : source_.points_of(piece)) {
+      const Vec3 direction = source_.paths_.mirrors().image_direction(piece.view.mirrors, point.looking);
+      beams.passed.resize(beams.passed.size() + bands);
+      const std::span<double> passed = std::span(beams.passed).last(bands);
+      const bool open = source_.pass(at_, piece, point, direction, passed);
+      beams.arriving.insert(beams.arriving.end(), passed.begin(), passed.end());
+      const std::span<double> arriving = std::span(beams.arriving).last(bands);
+      if (open) {
+        source_.scale(piece, point, arriving);
+      } else {
+        std::ranges::fill(passed, -1.0);
+        std::ranges::fill(arriving, 0.0);
+      }
+    }
+  }
+
+  void keep_or_cut(const LightPiece& piece, const SeenBeams& seen, std::size_t first, std::size_t last,
+                   std::span<const double> uneven) {
+    bool even = true;
+    for (std::size_t b = 0; b < whole_.size() && !uneven.empty(); ++b)
+      even =
+          even && EvenPart(seen, first, last, b, reflectance(piece, b)).difference <= uneven[0] * whole_[b];
+    if (even) return keep(piece, seen, first, last);
+    for (const LightPiece& part : source_.parts_of(piece)) {
+      SeenBeams closer(whole_.size());
+      look(part, closer);
+      keep_or_cut(part, closer, 0, closer.clear.size(), uneven.subspan(1));
+    }
+  }
+
+  // What a thick volume takes of its own light needs no rays, and so is integrated more finely, behind even
+  // matter that takes as much as rays say: where that is the volume's own, the points are as good as others.
+  void keep(const LightPiece& piece, const SeenBeams& seen, std::size_t first, std::size_t last) {
+    bool open = true;
+    for (std::size_t i = first; i < last; ++i) open = open && seen.is_open(i);
+    if (!open || piece.group >= 0 || piece.rule != TriangleRule::three_points ||
+        source_.tree_.shape() == EmitterShape::triangles)
+      return beams_.append(seen, first, last);
+    const std::size_t bands = whole_.size();
+    std::vector<double> extinction(bands), left(bands);
+    for (std::size_t b = 0; b < bands; ++b) {
+      const EvenPart even(seen, first, last, b, reflectance(piece, b));
+      double arriving = 0;
+      for (std::size_t i = first; i < last; ++i) arriving += seen.arriving[i * bands + b];
+      extinction[b] = even.extinction;
+      left[b] = reflectance(piece, b) * (even.arriving > 0 ? arriving / even.arriving : 1);
+    }
+    LightPiece finer = piece;
+    finer.rule = TriangleRule::seven_points;
+    source_.add_clear(finer, beams_.clear);
+    for (const LightPoint& point : source_.points_of(finer)) {
+      for (std::size_t b = 0; b < bands; ++b)
+        beams_.passed.push_back(left[b] * std::exp(-extinction[b] * point.distance));
+      const std::span<const double> passed = std::span(beams_.passed).last(bands);
+      beams_.arriving.insert(beams_.arriving.end(), passed.begin(), passed.end());
+      source_.scale(finer, point, std::span(beams_.arriving).last(bands));
+    }
+  }
+
+  const ExtendedSource& source_;
+  const PointInCell& at_;
+  SeenBeams& beams_;
+  std::vector<double> whole_;       ///< [band] what arrives by the first look
+  std::span<const double> uneven_;  ///< [cut]
+};
+
+void ExtendedSource::look(const PointInCell& at, LightDetail detail, SeenBeams& beams) const {
+  Looker(*this, at, beams).add(cut(at.position, detail));
+}
+
+std::vector<LightPiece> ExtendedSource::parts_of(const LightPiece& piece) const {
+  std::vector<LightPiece> parts;
+  if (piece.group < 0) {
+    for (const SphericalTriangle& directions : quarters(piece.wedge.directions)) {
+      parts.push_back(piece);
+      parts.back().wedge.directions = directions;
+    }
+    return parts;
+  }
+  const EmitterTree::Node& node = tree_.node(piece.group);
+  if (node.part < 0) {
+    LightDetail detail = coarse_light;
+    detail.single = 0;
+    for (const int child : node.children) cut_node(piece.view, detail, child, parts);
+  } else if (tree_.shape() == EmitterShape::triangles) {
+    cut_triangle(piece.view, coarse_light, tree_.part(node.part), {}, parts);
+  } else {
+    cut_tetrahedron(piece.view, coarse_light, tree_.part(node.part), parts);
+  }
+  return parts;
+}
+
+}  // namespace etendue

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/uncollided/visibility/way_loss.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/uncollided/sources/even_way.h"
+
+namespace etendue {
+namespace {
+
+/// Less than that is nothing, but its logarithm is a number.
+constexpr double least_transmittance = 1e-300;
+/// Newton's steps end where they change the optical depth by less than that.
+constexpr double last_step = 1e-13;
+constexpr int most_steps = 50;
+
+/// Beams in one band as they would arrive through even matter.
+struct BeamSum {
+  double fluence = 0;
+  Vec3 flux = Vec3::Zero();
+  double way = 0;  ///< fluence times length
+
+  BeamSum(const LightBeams& beams, std::size_t band, double extinction = 0) {
+    for (std::size_t i = 0; i < beams.size(); ++i) {
+      const EvenWay left = even_way(beams.way(i), extinction);
+      const double value = beams.fluence(i)[band] * left.transmittance;
+      fluence += value;
+      flux += value * beams.direction(i);
+      way += value * left.mean;
+    }
+  }
+};
+
+/// The extinction through which this much of clear beams is left. The logarithm of what is left falls and is
+/// convex, so Newton's steps from the left never overshoot; the mean way begins there (Jensen's inequality).
+double even_extinction(const LightBeams& clear, std::size_t band, double left) {
+  BeamSum sum(clear, band);
+  double extinction = std::log(sum.fluence / left) * sum.fluence / sum.way;
+  for (int i = 0; i < most_steps; ++i) {
+    sum = BeamSum(clear, band, extinction);
+    const double step = std::log(sum.fluence / left) * sum.fluence / sum.way;
+    if (!(sum.fluence > 0) || !(step > 0)) break;
+    extinction += step;
+    if (step * sum.way < last_step * sum.fluence) break;
+  }
+  return extinction;
+}
+
+}  // namespace
+
+Seen look(const ExtendedSource& source, const PointInCell& here, LightDetail detail, LightBeams& beams,
+          std::span<WayLoss> loss) {
+  SeenBeams seen(loss.size());
+  source.look(here, detail, seen);
+  const LightBeams& clear = seen.clear;
+  LightBeams open(loss.size());
+  beams.clear();
+  for (std::size_t i = 0; i < clear.size(); ++i) {
+    if (!seen.is_open(i)) continue;
+    std::ranges::copy(clear.fluence(i), open.add(clear.direction(i), clear.way(i)).begin());
+    std::copy_n(&seen.arriving[i * loss.size()], loss.size(), beams.add(clear.direction(i)).begin());
+  }
+  bool any_light = false;
+  for (std::size_t b = 0; b < loss.size(); ++b) {
+    loss[b] = {};
+    const BeamSum all(clear, b), visible(open, b), arrived(beams, b);
+    any_light = any_light || all.fluence > 0;
+    if (all.fluence > 0) loss[b].visible = visible.fluence / all.fluence;
+    if (!(visible.fluence > 0)) continue;
+    loss[b].way = visible.way / visible.fluence;
+    loss[b].extinction =
+        even_extinction(open, b, std::max(arrived.fluence, least_transmittance * visible.fluence));
+    const BeamSum even(clear, b, loss[b].extinction);
+    if (!(even.fluence > 0)) continue;
+    if (open.size() < clear.size())
+      loss[b].visible = BeamSum(open, b, loss[b].extinction).fluence / even.fluence;
+    if (arrived.fluence > 0) loss[b].turn = arrived.flux / arrived.fluence - even.flux / even.fluence;
+  }
+  if (!any_light) return Seen::behind;
+  return open.size() == 0 ? Seen::nothing : open.size() < clear.size() ? Seen::part : Seen::all;
+}
+
+}  // namespace etendue

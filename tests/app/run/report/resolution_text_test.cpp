@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/run/report/resolution_text.h"
+
+#include <gtest/gtest.h>
+
+namespace etendue {
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(ResolutionText, SaysNothingOfAVacuum) { EXPECT_EQ(resolution_text({}), ""); }
+
+TEST(ResolutionText, CautionsOnlyOfCellsAndDirectionsThatAreTooCoarse) {
+  Resolution fine;
+  fine.median_thickness = 0.5;
+  fine.largest_thickness = 2;
+  fine.transport_thickness_at_lights = 0.4;
+  fine.direction_spacing = 0.2;
+  fine.narrowest = {"tissue", 0.08};
+  EXPECT_EQ(resolution_text(fine), "cells: 0.5 mean free paths thick (median), 2 at most\n");
+
+  Resolution thick = fine;
+  thick.transport_thickness_at_lights = 2.3;
+  EXPECT_TRUE(
+      has(resolution_text(thick), "caution: cells at lights are 2.3 transport mean free paths thick"));
+  EXPECT_TRUE(has(resolution_text(thick), "mesh.max_volume"));
+
+  Resolution wide = fine;
+  wide.direction_spacing = 0.36;
+  EXPECT_TRUE(has(resolution_text(wide), "caution: directions are 21 degrees apart"));
+  EXPECT_TRUE(has(resolution_text(wide), "tissue"));
+  EXPECT_TRUE(has(resolution_text(wide), "use 406 directions or more"));
+  wide.narrowest->half_width = 0.001;
+  EXPECT_FALSE(has(resolution_text(wide), "directions or more"));
+  EXPECT_TRUE(has(resolution_text(wide), "photons"));
+}
+
+}  // namespace
+}  // namespace etendue

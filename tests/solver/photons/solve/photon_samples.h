@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "mesh/tetrahedra/search/cell_locator.h"
+#include "solver/photons/solve/solve_photons.h"
+
+namespace etendue {
+
+inline PhotonSolution solved(const Problem& problem, double photons, const BatchReader& reader = {},
+                             int threads = 2) {
+  const CellLocator locator(problem.mesh());
+  PhotonOptions options;
+  options.photons = photons;
+  options.threads = threads;
+  return solve_photons(problem, locator, options, {}, reader);
+}
+
+/// Mean square of what the means of cells are off one radiance everywhere, in their errors.
+inline double mean_square_off(const PhotonSolution& found, double radiance) {
+  double square = 0;
+  const auto& means = found.sums.cell_means;
+  for (std::size_t c = 0; c < means.size(); ++c)
+    square += std::pow((means.mean(c) - 4 * std::numbers::pi * radiance) / means.error(c), 2);
+  return square / static_cast<double>(means.size());
+}
+
+/// What a run of it is refused with; empty: it is not.
+inline std::string refusal_of(const Problem& problem) {
+  try {
+    solved(problem, 100);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace etendue

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// A solution that is ended within a sweep.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "solver/solution/solve_observer.h"
+#include "tests/solver/transport/sample_problems.h"
+
+namespace etendue {
+namespace {
+
+Problem scattering_problem(const TetrahedralMesh& mesh) {
+  return uniform_problem(mesh, uniform_medium(1, 0.1, 2, 0.2), uniform_wall(1, 0.3, 0.5, 0));
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double error = 0, norm = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    error += std::pow(a[i] - b[i], 2);
+    norm += std::pow(b[i], 2);
+  }
+  return std::sqrt(error / norm);
+}
+
+/// Solves, and stops within the sweep after `whole` ones.
+SavedState stopped_after(int whole, const Problem& problem, const DirectionSet& directions,
+                         SolveOptions options) {
+  std::atomic<int> sweeps = 0, asked = 0;
+  // Not at the first time that the sweep asks, but in its midst.
+  options.stops = [&] { return sweeps >= whole && ++asked > 2; };
+  try {
+    solve(problem, directions, options, [&](const SweepProgress& progress) {
+      sweeps = progress.sweep;
+      return SolveControl::proceed;
+    });
+  } catch (const SolveStopped& stopped) {
+    EXPECT_EQ(sweeps, whole);
+    return stopped.state;
+  }
+  ADD_FAILURE() << "the solution was not stopped";
+  return {};
+}
+
+class SweepStop : public testing::TestWithParam<Method> {};
+
+TEST_P(SweepStop, LeavesTheStateOfTheLastWholeSweepToGoOnFrom) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const Problem problem = scattering_problem(mesh);
+  const DirectionSet directions = directions_product(4);
+  SolveOptions options = tight_options();
+  options.method = GetParam();
+  options.acceleration = Acceleration::none;
+  options.threads = 2;
+  const Solution whole = solve(problem, directions, options);
+  const SavedState state = stopped_after(4, problem, directions, options);
+  ASSERT_EQ(state.fluence.size(), whole.state.fluence.size());
+  // Four sweeps have come closer than darkness is, and are not all.
+  EXPECT_LT(difference(state.fluence, whole.state.fluence), 0.5);
+  EXPECT_GT(difference(state.fluence, whole.state.fluence), options.tolerance);
+  options.initial = &state;
+  EXPECT_LT(difference(solve(problem, directions, options).fluence, whole.fluence), 100 * options.tolerance);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, SweepStop, testing::Values(Method::gmres, Method::source_iteration));
+
+TEST(SolveStopped, EndsTheSweepThatMeasures) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const Problem problem = scattering_problem(mesh);
+  const DirectionSet directions = directions_product(2);
+  SolveOptions options = tight_options();
+  options.max_sweeps = 1;  // none but the one that measures
+  options.stops = [] { return true; };
+  EXPECT_THROW(solve(problem, directions, options), SolveStopped);
+}
+
+}  // namespace
+}  // namespace etendue
