@@ -2,8 +2,9 @@
 //
 // How many sweeps the iteration takes: GMRES with diffusion to 1e-8, the measured spectral radius of source
 // iteration with diffusion, the share of time of the low-order solve, its set-up (once) in sweeps, and plain
-// source iteration beside it. Unit cubes by TetGen, 96 directions, one thread. docs/iteration.md holds the
-// table. Then the diffusion limit: errors of a slab of five cells against the exact solution of diffusion.
+// source iteration beside it. Unit cubes by TetGen, 96 directions, one thread. docs/measurements/iteration.md
+// has the table. Then the diffusion limit: errors of a slab of five cells against the exact solution of
+// diffusion.
 //
 //     bench_iteration [CELLS [FILTER [brief]]]
 //

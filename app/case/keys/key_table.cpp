@@ -34,7 +34,7 @@ std::vector<TableDeclaration> make_tables() {
       {.path = field_table,
        .help =
            "A value from a file, in the place of a number or formula: `absorption = { file = \"gas.vtu\", "
-           "array = \"kappa\" }`; for every key of that type, radiance of walls too (docs/fields.md)."},
+           "array = \"kappa\" }`; for every key of that type, radiance of walls too (docs/user/fields.md)."},
       {.path = "media.NAME.phase",
        .form = table_or_list,
        .help = "How light turns when it scatters: one table, or a list with one for each band; without it "
@@ -58,7 +58,7 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "light",
        .form = list,
        .help = "A light whose uncollided part is integrated along rays. Which keys it takes depends on its "
-               "kind (docs/lights.md)."},
+               "kind (docs/user/lights.md)."},
       {.path = "light.sun_position",
        .help = "Where the sun of a sun or a sky stands, z being up: `altitude` and `azimuth`, or a date, "
                "time and place."},
@@ -71,8 +71,9 @@ std::vector<TableDeclaration> make_tables() {
            "of its own, finer than that of the rest: less of ray effects for the price of one sweep."},
       {.path = "space", .help = "The discretisation in space."},
       {.path = "solve", .help = "The iteration."},
-      {.path = "photon_map", .help = "What the cameras of solve.method = \"photons\" see (docs/photons.md)."},
-      {.path = "radiosity", .help = "Of solve.method = \"radiosity\" (docs/radiosity.md)."},
+      {.path = "photon_map",
+       .help = "What the cameras of solve.method = \"photons\" see (docs/user/photons.md)."},
+      {.path = "radiosity", .help = "Of solve.method = \"radiosity\" (docs/user/radiosity.md)."},
       {.path = "exact",
        .help = "What the answer is: the source and what enters at the walls follow from it. Nothing else may "
                "emit, "
@@ -81,7 +82,7 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "probe.line", .help = "Points at equal distances instead of `points`."},
       {.path = "camera",
        .form = list,
-       .help = "A picture: NAME.exr, linear, and NAME.png (docs/pictures.md)."},
+       .help = "A picture: NAME.exr, linear, and NAME.png (docs/user/pictures.md)."},
       {.path = "camera.false_color",
        .help = "NAME.false.png: the picture in the colors of a scale (viridis), which is drawn beside it "
                "with its "
@@ -89,7 +90,7 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "sensor",
        .form = list,
        .help = "An instrument, anywhere in the domain or on a wall; its numbers go into `sensors.csv` "
-               "(docs/radiometry.md)."},
+               "(docs/user/radiometry.md)."},
       {.path = "output", .help = "What is written, and where."},
   };
 }

@@ -165,7 +165,7 @@ std::vector<KeyDeclaration> light_keys() {
         .range = positive,
         .help = "Of a point or a spot, in place of `power`: divided among the bands as `color_temperature` "
                 "says, by "
-                "the luminous efficacies of the bands that sensors see by (docs/radiometry.md)."}},
+                "the luminous efficacies of the bands that sensors see by (docs/user/radiometry.md)."}},
       {"light",
        "color_temperature",
        number,

@@ -268,7 +268,7 @@ std::vector<KeyDeclaration> run_keys() {
        "family",
        text,
        {.choices = exact_family_names(),
-        .help = "In place of a formula one whose errors are known beforehand (docs/studies.md)."}},
+        .help = "In place of a formula one whose errors are known beforehand (docs/user/studies.md)."}},
       {"exact",
        "degree",
        integer,

@@ -125,7 +125,7 @@ std::string negative_text(const RunResult& result) {
   if (text.empty()) return "";
   return text + "    " + weight_of_negative(largest) +
          "\n    what helps: smaller cells there, or space.positivity = \"rescale\" where no value may be "
-         "negative (docs/positivity.md)\n";
+         "negative (docs/user/positivity.md)\n";
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace etendue {
 
 /// Scattering between the ordinates of a set as a matrix. Light that scatters from an ordinate into itself
 /// goes on as it was: it is no collision. So the matrix has no diagonal, and the extinction counts only what
-/// leaves an ordinate for the others (docs/scattering.md):
+/// leaves an ordinate for the others (docs/theory/scattering.md):
 ///
 ///     w_m.grad u_m + (sigma_a + leaving_m) u_m = sum over n != m of rate(m, n) w_n u_n + q.
 struct DenseKernel {

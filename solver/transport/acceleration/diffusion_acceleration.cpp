@@ -270,7 +270,7 @@ double DiffusionAcceleration::reflectance_seen(FaceIndex face, std::size_t band)
 // What scatters for the first time, sigma_s r, and the part beta that walls send back for the first time:
 // with the partial currents J of diffusion J_in = alpha J_out + beta r_E, so -D dn phi = 2 a
 // (1-alpha)/(1+alpha) phi
-// - 2 beta/(1+alpha) r_E (docs/iteration.md, D4).
+// - 2 beta/(1+alpha) r_E (docs/theory/iteration.md, D4).
 NodalVector DiffusionAcceleration::right_side(std::size_t band, const TransportState& residual) const {
   const TetrahedralMesh& mesh = problem_.mesh();
   const auto stride = static_cast<std::size_t>(sweep_.cells().stride());

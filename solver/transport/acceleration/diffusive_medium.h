@@ -15,8 +15,9 @@ namespace etendue {
 ///
 /// with the mean free path of the mean ordinate, and the moments of the transport equation on omega give
 /// slope = B^-1 A and the diffusion tensor path A B^-1 A, where A = sum of w omega omega^T / 4 pi and
-/// B = sum of w omega (extinction - scattering) omega^T / 4 pi for a mean extinction of 1 (docs/iteration.md,
-/// D11). Of a phase function slope = 1/(1 - albedo g), and isotropic scattering has 1 and 1/3.
+/// B = sum of w omega (extinction - scattering) omega^T / 4 pi for a mean extinction of 1
+/// (docs/theory/iteration.md, D11). Of a phase function slope = 1/(1 - albedo g), and isotropic scattering
+/// has 1 and 1/3.
 struct DiffusiveMedium {
   Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d diffusion = Eigen::Matrix3d::Identity() / 3;

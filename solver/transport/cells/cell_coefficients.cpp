@@ -7,7 +7,7 @@
 namespace etendue {
 namespace {
 
-/// Cells thicker than this oscillate with the consistent mass where light enters (docs/theory.md).
+/// Cells thicker than this oscillate with the consistent mass where light enters (docs/theory/theory.md).
 constexpr double lumping_thickness = 2;
 
 /// Outward area normals of faces 0, 1 and 2.

@@ -7,7 +7,7 @@ namespace etendue {
 namespace {
 
 /// Penalty constant C. With 2, the usual value for diffusion, the accelerated iteration diverges on
-/// tetrahedra (docs/iteration.md).
+/// tetrahedra (docs/theory/iteration.md).
 constexpr double penalty = 4;
 
 /// Of isotropic light of fluence 1 through a face, one way.

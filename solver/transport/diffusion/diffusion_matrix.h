@@ -41,8 +41,8 @@ using CellMatrices = std::vector<Eigen::Matrix4d>;
 CellMatrices cell_matrices(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients);
 
 /// The modified interior penalty form of diffusion on discontinuous linear elements (Wang and Ragusa 2010;
-/// Turcksin and Ragusa 2014; docs/iteration.md): symmetric, positive definite where something absorbs or
-/// leaves.
+/// Turcksin and Ragusa 2014; docs/theory/iteration.md): symmetric, positive definite where something absorbs
+/// or leaves.
 BlockMatrix diffusion_matrix(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients);
 /// The same where the matrices of the cells are known.
 BlockMatrix diffusion_matrix(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients,

@@ -5,9 +5,9 @@
 
 namespace etendue {
 
-// Upwind discontinuous Galerkin on one straight tetrahedron (docs/theory.md), linear basis. All equations are
-// multiplied by 12. Face f lies opposite vertex f; a_f = w . (A_f n_f) is its area seen along the direction,
-// positive where light leaves. The four a_f sum to zero.
+// Upwind discontinuous Galerkin on one straight tetrahedron (docs/theory/theory.md), linear basis. All
+// equations are multiplied by 12. Face f lies opposite vertex f; a_f = w . (A_f n_f) is its area seen along
+// the direction, positive where light leaves. The four a_f sum to zero.
 //
 // With p_f = max(a_f, 0), n_f = max(-a_f, 0), P = sum of p_f = sum of n_f, the matrix of the four nodal
 // values is

@@ -10,7 +10,8 @@ namespace etendue {
 namespace {
 
 /// Divisions of the grid's octahedron: so many times the width 1 - |g| of the narrowest phase function,
-/// within these bounds. A multiple of 4, so that coarser grids are parts of it. docs/lights.md has the study.
+/// within these bounds. A multiple of 4, so that coarser grids are parts of it
+/// (docs/user/lights.md, First collisions).
 constexpr double divisions_per_width = 6;
 constexpr int fewest_divisions = 32, most_divisions = 48;
 

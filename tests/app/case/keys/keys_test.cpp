@@ -57,9 +57,9 @@ TEST(Range, SaysWhatItHolds) {
   EXPECT_EQ(Range{}.text(), "");
 }
 
-// Renew it with: etendue keys > docs/keys.md
+// Renew it with: etendue keys > docs/user/keys.md
 TEST(KeyReference, IsTheCommittedPage) {
-  std::ifstream page(ETENDUE_SOURCE_DIR "/docs/keys.md");
+  std::ifstream page(ETENDUE_SOURCE_DIR "/docs/user/keys.md");
   const std::string committed((std::istreambuf_iterator<char>(page)), std::istreambuf_iterator<char>());
   EXPECT_TRUE(key_reference() == committed);
 }

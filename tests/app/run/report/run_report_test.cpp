@@ -71,7 +71,7 @@ TEST(RunReport, CautionsOnlyWhereThereIsReason) {
   EXPECT_TRUE(has(text, fmt::format("at ({:.4g}, {:.4g}, {:.4g})", place.x(), place.y(), place.z()))) << text;
   EXPECT_TRUE(has(text, "WARNING: that is much")) << text;
   EXPECT_TRUE(has(text, "space.positivity = \"rescale\"")) << text;
-  EXPECT_TRUE(has(text, "docs/positivity.md")) << text;
+  EXPECT_TRUE(has(text, "docs/user/positivity.md")) << text;
 }
 
 TEST(RunReport, SaysThatALittleNegativeFluenceDoesNotMatter) {

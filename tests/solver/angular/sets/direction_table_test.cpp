@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Every row of the table in docs/directions.md: what a set is, to the digits that are printed there.
+// Every row of the table in docs/user/directions.md: what a set is, to the digits that are printed there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::string trimmed(const std::string& text) {
 }
 
 std::vector<Row> documented_rows() {
-  std::ifstream file(ETENDUE_SOURCE_DIR "/docs/directions.md");
+  std::ifstream file(ETENDUE_SOURCE_DIR "/docs/user/directions.md");
   std::vector<Row> rows;
   bool inside = false;
   for (std::string line; std::getline(file, line);) {

@@ -9,7 +9,7 @@
 namespace etendue {
 namespace {
 
-/// The four equations as docs/theory.md writes them, times 12.
+/// The four equations as docs/theory/theory.md writes them, times 12.
 Eigen::Matrix4d matrix(const double (&a)[4], double volume_extinction, bool lumped) {
   Eigen::Matrix4d result;
   for (int i = 0; i < 4; ++i)
