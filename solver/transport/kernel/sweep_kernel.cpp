@@ -8,11 +8,11 @@
 
 #include "solver/transport/kernel/block_flows.h"
 #include "solver/transport/kernel/cell_balance.h"
+#include "solver/transport/kernel/flush_denormals.h"
 #include "solver/transport/kernel/moment_kernel.h"
 #include "solver/transport/kernel/packet.h"
 #include "solver/transport/kernel/positivity_fixup.h"
 #include "solver/transport/kernel/product_kernel.h"
-#include "solver/transport/kernel/tiny_as_zero.h"
 #include "solver/transport/kernel/visited_cells.h"
 
 namespace etendue {
@@ -229,7 +229,7 @@ ETENDUE_KERNEL_INLINE void sweep_cells(SweepTaskOf<Real> task) {
 
 template <Basis basis, int C, int B, int Bands, Sign sign>
 void sweep(const SweepTaskOf<Real>& task) {
-  [[maybe_unused]] const TinyAsZero<Real> mode;
+  [[maybe_unused]] const FlushDenormals<Real> mode;
   const bool angular = task.angular_index != nullptr;
   const bool flux = task.net_flux != nullptr;
   if (angular && flux) {
