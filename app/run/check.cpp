@@ -16,7 +16,7 @@
 #include "app/run/report/field_text.h"
 #include "app/run/report/lamp_text.h"
 #include "app/run/report/phase_text.h"
-#include "app/setup/begun_run.h"
+#include "app/setup/run_context.h"
 #include "app/write/vtk/solution_file.h"
 #include "mesh/tetrahedra/mesh_report.h"
 

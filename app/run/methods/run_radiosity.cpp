@@ -7,8 +7,8 @@
 #include <cmath>
 #include <optional>
 
-#include "app/setup/begun_run.h"
 #include "app/setup/method_checks.h"
+#include "app/setup/run_context.h"
 #include "base/errors.h"
 #include "base/parallel/parallel_for.h"
 

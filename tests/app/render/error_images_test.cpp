@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "app/render/error_scenes.h"
+#include "app/render/error_images.h"
 
 #include <gtest/gtest.h>
 
@@ -104,7 +104,7 @@ SpaceError space_error(double max_volume) {
   const SolveOptions options = tight_options();
   const SavedState state = elements_of(mesh);
   const RayRadiance scene(lights, directions, options, state, 1);
-  const ErrorScenes errors(cameras(), lights, directions, options, state, {});
+  const ErrorImages errors(cameras(), lights, directions, options, state, {});
   EXPECT_EQ(errors.of_directions(), nullptr) << "nothing is known of them";
   // The exact picture is that of a very fine sum along the rays.
   return compare(scene, *errors.of_cells(), [](const Vec3& start, const Vec3& direction) {
@@ -122,7 +122,7 @@ SpaceError space_error(double max_volume) {
 
 // The layer of cells falls at the order of linear elements, as what it estimates does, and is that but for
 // what falls faster.
-TEST(ErrorScenes, ErrorOfCellsFollowsTheTrueOneAtOrderTwo) {
+TEST(ErrorImages, ErrorOfCellsFollowsTheTrueOneAtOrderTwo) {
   const SpaceError coarse = space_error(2e-2), middle = space_error(2e-2 / 8), fine = space_error(2e-2 / 64);
   for (const SpaceError& error : {coarse, middle, fine}) {
     EXPECT_NEAR(error.estimated, error.true_one, 0.1 * error.true_one);
@@ -152,7 +152,7 @@ SpaceError wall_error(double max_volume) {
                                  slope(middle).dot(mesh.point(VertexIndex(vertex)) - middle));
     }
   const RayRadiance scene(lights, directions, options, state, 1);
-  const ErrorScenes errors(cameras(), lights, directions, options, state, {});
+  const ErrorImages errors(cameras(), lights, directions, options, state, {});
   return compare(scene, *errors.of_cells(), [&](const Vec3& start, const Vec3& direction) {
     const Vec3 end = start + way_through(start, direction) * direction;
     Vec3 outwards = Vec3::Zero();
@@ -163,7 +163,7 @@ SpaceError wall_error(double max_volume) {
 }
 
 // Walls show what is joined, which differs from the linear elements as much as from the light.
-TEST(ErrorScenes, ErrorOfWallsFollowsTheTrueOneAtOrderTwo) {
+TEST(ErrorImages, ErrorOfWallsFollowsTheTrueOneAtOrderTwo) {
   const SpaceError coarse = wall_error(2e-2), middle = wall_error(2e-2 / 8), fine = wall_error(2e-2 / 64);
   for (const SpaceError& error : {coarse, middle, fine})
     EXPECT_NEAR(error.estimated, error.true_one, 0.2 * error.true_one);
@@ -172,7 +172,7 @@ TEST(ErrorScenes, ErrorOfWallsFollowsTheTrueOneAtOrderTwo) {
 
 // The layer of directions is what pictures of the rotated sets differ by, as a standard error, or more: it
 // adds up along a ray what differs in the mean over each cell. It is zero where all sets agree.
-TEST(ErrorScenes, ErrorOfDirectionsTracksTheSpreadOfRotations) {
+TEST(ErrorImages, ErrorOfDirectionsTracksTheSpreadOfRotations) {
   const TetrahedralMesh mesh = cube_mesh(5e-3);
   std::vector<Wall> walls;
   for (const std::string& name : mesh.wall_names()) {
@@ -188,7 +188,7 @@ TEST(ErrorScenes, ErrorOfDirectionsTracksTheSpreadOfRotations) {
   const auto reader = [&](const SweptLight& found) { states.push_back(found.solution.state); };
   const Solution mean = solve_rotated(lights, sets, options, {}, {}, reader);
   const RayRadiance scene(lights, sets.front(), options, mean.state, 1);
-  const ErrorScenes errors(cameras(), lights, sets.front(), options, mean.state, mean.direction_error);
+  const ErrorImages errors(cameras(), lights, sets.front(), options, mean.state, mean.direction_error);
   const std::vector<double> bound = layer(*errors.of_directions(), scene);
   std::vector<double> sum(bound.size(), 0), squares(bound.size(), 0);
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -217,7 +217,7 @@ TEST(ErrorScenes, ErrorOfDirectionsTracksTheSpreadOfRotations) {
   const SolveOptions plain = tight_options();
   const Solution constant = solve_rotated(none, {sets[0], sets[1]}, plain);
   const RayRadiance hot(none, sets.front(), plain, constant.state, 1);
-  const ErrorScenes zero(cameras(), none, sets.front(), plain, constant.state, constant.direction_error);
+  const ErrorImages zero(cameras(), none, sets.front(), plain, constant.state, constant.direction_error);
   EXPECT_LT(root_mean_square(layer(*zero.of_directions(), hot)), 1e-8);
 }
 

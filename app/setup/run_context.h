@@ -32,8 +32,8 @@ class Stopwatch {
   Clock::time_point lap_ = start_;
 };
 
-/// A run up to where the methods part: case, mesh and problem are there.
-struct BegunRun {
+/// Inputs that all methods of a run share: its request, case, problem and progress.
+struct RunContext {
   const RunRequest& request;
   const Case& input;
   const Problem& problem;
@@ -58,7 +58,8 @@ int thread_count(const Case& input);
 
 /// What a run by another method than directions came to, so far as all methods have it. `solution` must
 /// outlive the result.
-RunResult result_of(const BegunRun& run, const Solution& solution, std::vector<ProbeRow> probes, int threads);
+RunResult result_of(const RunContext& run, const Solution& solution, std::vector<ProbeRow> probes,
+                    int threads);
 
 /// Notes the probes and sensors of the case that a result has not: a signal left them out.
 void note_left_out(RunResult& result);
@@ -70,9 +71,9 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err);
 ExitCode conclude_without_traces(const RunResult& result, const ResultReader& reader);
 
 // The runs that do without directions. Results are written and described; `reader` is given them.
-ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& err,
+ExitCode run_by_photons(const RunContext& run, std::ostream& out, std::ostream& err,
                         const ResultReader& reader);
-ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& err,
+ExitCode run_by_radiosity(const RunContext& run, std::ostream& out, std::ostream& err,
                           const ResultReader& reader);
 
 }  // namespace etendue

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "app/setup/begun_run.h"
+#include "app/setup/run_context.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -53,7 +53,7 @@ void note_left_out(RunResult& result) {
     result.left_out.push_back(fmt::format("{} of {} sensors", sensors - result.sensors.size(), sensors));
 }
 
-RunResult result_of(const BegunRun& run, const Solution& solution, std::vector<ProbeRow> probes,
+RunResult result_of(const RunContext& run, const Solution& solution, std::vector<ProbeRow> probes,
                     int threads) {
   RunResult result{.input = run.input,
                    .problem = run.problem,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "app/readings/ordinate_book.h"
+#include "app/readings/ordinate_sensor_tally.h"
 
 #include <algorithm>
 
@@ -50,12 +50,12 @@ AccountScope scope_of(const SensorCase& sensor, const TetrahedralMesh& mesh) {
           travel_of(sensor)};
 }
 
-void OrdinateBook::start() {
+void OrdinateSensorTally::start() {
   const std::vector<double> nothing(lights_.paths().bands(), 0);
   sums_.assign(sensors_.size(), {RegionAccount(nothing.size()), {nothing, nothing}});
 }
 
-void OrdinateBook::add(const SolveOptions& options, const SweptLight& swept) {
+void OrdinateSensorTally::add(const SolveOptions& options, const SweptLight& swept) {
   if (sets_ == 0) start();
   const TetrahedralMesh& mesh = lights_.problem().mesh();
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
@@ -73,13 +73,13 @@ void OrdinateBook::add(const SolveOptions& options, const SweptLight& swept) {
   ++sets_;
 }
 
-RegionAccount OrdinateBook::account(std::size_t sensor) const {
+RegionAccount OrdinateSensorTally::account(std::size_t sensor) const {
   RegionAccount mean(lights_.paths().bands());
   mean.add(sums_.at(sensor).account, 1.0 / sets_);
   return mean;
 }
 
-OrdinatesAtPoint OrdinateBook::at_point(std::size_t sensor) const {
+OrdinatesAtPoint OrdinateSensorTally::at_point(std::size_t sensor) const {
   const std::vector<double> nothing(lights_.paths().bands(), 0);
   OrdinatesAtPoint mean{nothing, nothing};
   add_to(mean.irradiance, sums_.at(sensor).point.irradiance, 1.0 / sets_);

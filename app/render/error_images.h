@@ -11,18 +11,18 @@
 
 namespace etendue {
 
-/// Scenes that differ from a solution by its estimated errors, for cameras that ask for those: pictures of
-/// them differ from the picture by what the errors make of a pixel.
-class ErrorScenes {
+/// Sources of the images of estimated errors, for the cameras that ask for these: radiances of the solution
+/// changed by its estimated errors. Their difference from the picture is the error of each pixel.
+class ErrorImages {
  public:
   /// `direction_error` is that of the solution, empty where it is not known; `first` as in RayRadiance. The
   /// arguments must outlive it.
-  ErrorScenes(const std::vector<CameraCase>& cameras, const LightSetup& lights,
+  ErrorImages(const std::vector<CameraCase>& cameras, const LightSetup& lights,
               const DirectionSet& directions, const SolveOptions& options, const SavedState& state,
               std::span<const double> direction_error,
               const std::shared_ptr<const FirstCollisions>& first = nullptr);
-  ErrorScenes(const ErrorScenes&) = delete;
-  ErrorScenes& operator=(const ErrorScenes&) = delete;
+  ErrorImages(const ErrorImages&) = delete;
+  ErrorImages& operator=(const ErrorImages&) = delete;
 
   /// With quadratics for the fluence and moments of each cell (bent_state), and what walls receive as the
   /// solution has it in each face, not joined. Null where no camera asks, with

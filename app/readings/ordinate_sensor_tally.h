@@ -19,11 +19,13 @@ bool need_all_ordinates(const std::vector<SensorCase>& sensors, AngularSpace spa
 /// of the mesh.
 AccountScope scope_of(const SensorCase& sensor, const TetrahedralMesh& mesh);
 
-/// What sensors read of ordinates while a run is solved: the mean over its rotated sets.
-class OrdinateBook {
+/// Tally of the quantities that sensors read from the ordinates during a solve: their means over the rotated
+/// sets.
+class OrdinateSensorTally {
  public:
   /// The arguments must outlive it.
-  OrdinateBook(const std::vector<SensorCase>& sensors, const LightSetup& lights, const CellLocator& locator)
+  OrdinateSensorTally(const std::vector<SensorCase>& sensors, const LightSetup& lights,
+                      const CellLocator& locator)
       : sensors_(sensors), lights_(lights), locator_(locator) {}
 
   /// Adds what was found on a set of directions.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "app/render/error_scenes.h"
+#include "app/render/error_images.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace etendue {
 
-ErrorScenes::ErrorScenes(const std::vector<CameraCase>& cameras, const LightSetup& lights,
+ErrorImages::ErrorImages(const std::vector<CameraCase>& cameras, const LightSetup& lights,
                          const DirectionSet& directions, const SolveOptions& options, const SavedState& state,
                          std::span<const double> direction_error,
                          const std::shared_ptr<const FirstCollisions>& first) {
