@@ -60,13 +60,13 @@ class MapRadiance {
   double along(const PointInCell& start, const Vec3& direction, int band, Workspace& work) const;
 
  private:
-  struct Stretch;
+  struct RaySegment;
   /// Sum of share(hit) over the hits on an area around a point, over the area.
   template <class Share>
   Estimate on_wall(FaceIndex face, const Vec3& point, int band, Workspace& work, const Share& share) const;
-  void add_matter(const Stretch& stretch, Workspace& work, double& radiance, double& left) const;
-  double add_flat_lights(const Stretch& stretch, double length, const Workspace& work) const;
-  double march(const Stretch& stretch, std::size_t first, std::size_t last, double begin,
+  void add_matter(const RaySegment& segment, Workspace& work, double& radiance, double& left) const;
+  double add_flat_lights(const RaySegment& segment, double length, const Workspace& work) const;
+  double march(const RaySegment& segment, std::size_t first, std::size_t last, double begin,
                Workspace& work) const;
   /// What a wall sends by itself at a point of a face.
   double emitted(FaceIndex face, const Vec3& point, const Vec3& travel, int band) const;

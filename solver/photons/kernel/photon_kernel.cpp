@@ -184,8 +184,8 @@ PhotonCounts follow_all(const PhotonSceneView& scene, const HistoryRange& range,
   return walk_in_turn(scene, range, RandomUse::flight, [&](std::uint64_t) -> Forward& { return score; });
 }
 
-PhotonCounts record_all(const PhotonSceneView& scene, const HistoryRange& range, HitRooms& rooms) {
-  Recording score{rooms};
+PhotonCounts record_all(const PhotonSceneView& scene, const HistoryRange& range, HitBuffers& buffers) {
+  Recording score{buffers};
   return walk_in_turn(scene, range, RandomUse::flight, [&](std::uint64_t) -> Recording& { return score; });
 }
 

@@ -120,15 +120,15 @@ struct PhotonHit {
   std::int32_t place;  ///< boundary face or cell
 };
 
-/// Where hits are kept; those that find no room are counted too.
-struct HitRoom {
+/// Buffer for the hits of a walk. `count` includes the hits beyond the capacity.
+struct HitBuffer {
   PhotonHit* hits = nullptr;
-  std::size_t room = 0;
+  std::size_t capacity = 0;
   std::size_t count = 0;
 };
-struct HitRooms {
-  HitRoom walls;   ///< those walls that reflect otherwise than as mirrors, or transmit
-  HitRoom matter;  ///< where light is scattered
+struct HitBuffers {
+  HitBuffer walls;   ///< those walls that reflect otherwise than as mirrors, or transmit
+  HitBuffer matter;  ///< where light is scattered
 };
 
 struct PhotonCounts {

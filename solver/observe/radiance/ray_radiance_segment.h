@@ -5,8 +5,8 @@
 
 namespace etendue {
 
-/// A straight part of a ray, between mirrors.
-struct RayRadiance::Stretch {
+/// Straight segment of a ray between mirrors.
+struct RayRadiance::RaySegment {
   Vec3 from;
   Vec3 direction;
   const RayView& view;
