@@ -11,11 +11,11 @@
 
 #include "base/parallel/processor_timer.h"
 #include "solver/solution/saved_state.h"
-#include "solver/transport/sweep/narrow_sweep.h"
+#include "solver/transport/sweep/active_band_sweep.h"
 #include "solver/transport/sweep/sweep_workspace.h"
+#include "solver/transport/sweep/transport_sweep_active_bands.h"
 #include "solver/transport/sweep/transport_sweep_by_direction.h"
 #include "solver/transport/sweep/transport_sweep_group.h"
-#include "solver/transport/sweep/transport_sweep_narrow.h"
 
 namespace etendue {
 namespace {

@@ -10,10 +10,10 @@
 // Part of TransportSweep, for its source files alone.
 namespace etendue {
 
-/// A sweep of some bands, and its states.
+/// Sweep of a subset of the bands, with its states.
 template <class Real>
-struct TransportSweepOf<Real>::Narrow {
-  Narrow(const TransportSweepOf& wide, std::vector<int> wanted)
+struct TransportSweepOf<Real>::ActiveBandSweep {
+  ActiveBandSweep(const TransportSweepOf& wide, std::vector<int> wanted)
       : bands(std::move(wanted)),
         problem(wide.problem_.of_bands(bands)),
         extinction(select_bands(wide.extinction_, static_cast<std::size_t>(wide.cells_.bands()), bands)),

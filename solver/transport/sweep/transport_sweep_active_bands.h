@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-// Sweeps of those bands alone that are still iterated.
+// Sweeps of the active bands: those that are still iterated.
 // Part of TransportSweep, for its source file alone.
 #include <algorithm>
 #include <utility>
 
-#include "solver/transport/sweep/narrow_sweep.h"
+#include "solver/transport/sweep/active_band_sweep.h"
 
 namespace etendue {
 
@@ -31,32 +31,34 @@ std::vector<int> list(std::span<const char> active) {
 
 template <class Real>
 int TransportSweepOf<Real>::lanes() const {
-  return narrow_ ? narrow_->sweep.cells_.stride() : cells_.stride();
+  return active_band_sweep_ ? active_band_sweep_->sweep.cells_.stride() : cells_.stride();
 }
 
 template <class Real>
-typename TransportSweepOf<Real>::Narrow* TransportSweepOf<Real>::narrow(std::span<const char> active) {
+typename TransportSweepOf<Real>::ActiveBandSweep* TransportSweepOf<Real>::active_band_sweep(
+    std::span<const char> active) {
   std::vector<int> bands = list(active);
   const int lanes = lane_stride(static_cast<int>(bands.size()));
-  if (!may_narrow_ || bands.empty() || lanes >= cells_.stride()) return nullptr;
-  // One that is as narrow goes on when bands leave it.
-  if (narrow_ && narrow_->sweep.cells_.stride() <= lanes &&
-      std::includes(narrow_->bands.begin(), narrow_->bands.end(), bands.begin(), bands.end()))
-    return narrow_.get();
-  narrow_.reset();
-  narrow_ = std::make_unique<Narrow>(*this, std::move(bands));
-  may_narrow_ = same_rows(layout(), static_cast<std::size_t>(cells_.stride()), narrow_->sweep.layout(),
-                          narrow_->stride());
-  if (!may_narrow_) narrow_.reset();
-  return narrow_.get();
+  if (!can_sweep_active_bands_ || bands.empty() || lanes >= cells_.stride()) return nullptr;
+  // The current sweep continues where bands leave it without saving lanes.
+  if (active_band_sweep_ && active_band_sweep_->sweep.cells_.stride() <= lanes &&
+      std::includes(active_band_sweep_->bands.begin(), active_band_sweep_->bands.end(), bands.begin(),
+                    bands.end()))
+    return active_band_sweep_.get();
+  active_band_sweep_.reset();
+  active_band_sweep_ = std::make_unique<ActiveBandSweep>(*this, std::move(bands));
+  can_sweep_active_bands_ = same_rows(layout(), static_cast<std::size_t>(cells_.stride()),
+                                      active_band_sweep_->sweep.layout(), active_band_sweep_->stride());
+  if (!can_sweep_active_bands_) active_band_sweep_.reset();
+  return active_band_sweep_.get();
 }
 
 template <class Real>
 void TransportSweepOf<Real>::apply_linear(const TransportState& last, TransportState& next,
                                           std::span<const char> active) {
-  Narrow* some = narrow(active);
+  ActiveBandSweep* some = active_band_sweep(active);
   if (some == nullptr) {
-    narrow_.reset();
+    active_band_sweep_.reset();
     apply_linear(last, next);
     return;
   }

@@ -79,13 +79,13 @@ void expect_fewer_lanes_and_the_same_values(const Problem& problem) {
   }
 }
 
-TEST(NarrowSweep, GivesTheSameInFewerLanes) {
+TEST(ActiveBandSweep, GivesTheSameInFewerLanes) {
   const TetrahedralMesh mesh = cube_mesh(2e-2);
   expect_fewer_lanes_and_the_same_values(
       varied_problem(mesh, std::vector<PhaseFunction>(bands, PhaseIsotropic{})));
 }
 
-TEST(NarrowSweep, GivesTheSameWithMomentsAndMatrices) {
+TEST(ActiveBandSweep, GivesTheSameWithMomentsAndMatrices) {
   const TetrahedralMesh mesh = cube_mesh(4e-2);
   std::vector<PhaseFunction> phase;
   for (int b = 0; b < bands; ++b) phase.emplace_back(PhaseHenyeyGreenstein{0.5 + 0.05 * b});
@@ -93,7 +93,7 @@ TEST(NarrowSweep, GivesTheSameWithMomentsAndMatrices) {
     expect_fewer_lanes_and_the_same_values(varied_problem(mesh, phase, backend));
 }
 
-TEST(NarrowSweep, GivesTheSameAcrossLaggedFaces) {
+TEST(ActiveBandSweep, GivesTheSameAcrossLaggedFaces) {
   // Turned so that an ordinate of the set lies along the ring's axis.
   const DirectionSet directions = directions_product(4);
   const TetrahedralMesh mesh = moved_mesh(cyclic_ring(), [&](const Vec3& p) -> Vec3 {
@@ -104,7 +104,7 @@ TEST(NarrowSweep, GivesTheSameAcrossLaggedFaces) {
   expect_fewer_lanes_and_the_same_values(problem);
 }
 
-TEST(NarrowSweep, StaysWideWhereBandsHandOnLess) {
+TEST(ActiveBandSweep, StaysWideWhereBandsHandOnLess) {
   const TetrahedralMesh mesh = cube_mesh(4e-2);
   std::vector<PhaseFunction> phase(bands, PhaseIsotropic{});
   phase[0] = PhaseHenyeyGreenstein{0.5};
@@ -115,7 +115,7 @@ TEST(NarrowSweep, StaysWideWhereBandsHandOnLess) {
   EXPECT_EQ(swept.sweep.lanes(), 8);
 }
 
-TEST(NarrowSweep, CountsOnlyTheBandsThatItSweeps) {
+TEST(ActiveBandSweep, CountsOnlyTheBandsThatItSweeps) {
   const TetrahedralMesh mesh = cube_mesh(4e-2);
   const Problem problem = varied_problem(mesh, std::vector<PhaseFunction>(bands, PhaseIsotropic{}));
   const DirectionSet directions = directions_product(4);
