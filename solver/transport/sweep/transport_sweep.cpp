@@ -222,8 +222,8 @@ template <class Real>
 void TransportSweepOf<Real>::apply(const TransportState& last, TransportState& next, SweepRecord* record) {
   emission_ = Emission::included;
   sweep_all(last, next, record);
-  if (options_.angular_input != nullptr && options_.angular_input->found_elsewhere() != nullptr)
-    add_saved(*options_.angular_input->found_elsewhere(), cells_.bands(), next);
+  if (options_.angular_input != nullptr && options_.angular_input->prescribed_state() != nullptr)
+    add_saved(*options_.angular_input->prescribed_state(), cells_.bands(), next);
 }
 
 template <class Real>

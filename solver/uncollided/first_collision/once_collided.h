@@ -34,7 +34,7 @@ class OnceCollided : public AngularInput {
   bool depends_on_direction(CellIndex cell) const override { return input_->depends_on_direction(cell); }
   void add_source(OrdinateIndex, CellIndex, std::span<double>) const override {}
   void add_inflow(OrdinateIndex, FaceIndex, std::span<double>) const override {}
-  const SavedState* found_elsewhere() const override { return &once_.state; }
+  const SavedState* prescribed_state() const override { return &once_.state; }
 
   /// As it was swept, to be read beside the rest.
   SweptLight swept() const { return {finer_, once_, &*input_}; }
