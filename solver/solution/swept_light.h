@@ -15,10 +15,10 @@ struct SweptLight {
   const DirectionSet& directions;
   const Solution& solution;
   const AngularInput* input = nullptr;  ///< of the sweeps; null without one
-  /// Light that has collided once where that was swept on a set of its own, which nothing but its input
-  /// feeds; null where it is in `solution`. The fluence and moments of `solution` hold it, its radiance and
-  /// flux do not.
-  const SweptLight* once = nullptr;
+  /// First-collided light where it has its own set of directions, with its input as the only source; null
+  /// where `solution` holds it. The fluence and moments of `solution` include it, its radiance and flux do
+  /// not.
+  const SweptLight* first_collided = nullptr;
 };
 
 /// Looks at what was found on each set of directions that a run sweeps.

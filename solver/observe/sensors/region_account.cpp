@@ -251,9 +251,9 @@ RegionAccount region_account(const LightSetup& lights, const SolveOptions& optio
   const Problem problem = lights.remaining();
   const CollidedSource sources(lights, swept.directions, options, swept.solution.state);
   RegionAccount account = Bookkeeping(problem, sources, swept, scope, FedBy::everything).account();
-  if (swept.once == nullptr) return account;
+  if (swept.first_collided == nullptr) return account;
   const double solid_angle = account.solid_angle;
-  account.add(Bookkeeping(problem, sources, *swept.once, scope, FedBy::input).account(), 1);
+  account.add(Bookkeeping(problem, sources, *swept.first_collided, scope, FedBy::input).account(), 1);
   account.solid_angle = solid_angle;
   return account;
 }

@@ -12,7 +12,7 @@
 
 namespace etendue {
 
-/// Light that has collided once, or was reflected diffusely once, swept on a set of directions of its own,
+/// First-collided light, scattered or diffusely reflected once, solved on its own set of directions,
 ///
 ///     w.grad u_1 + sigma_t u_1 = S u_0,
 ///
@@ -22,22 +22,22 @@ namespace etendue {
 ///
 /// which takes a coarser set: what still shows rays is light scattered twice (Hauck and McClarren 2013 split
 /// so by collisions). Both equations conserve, so their sum does.
-class OnceCollided : public AngularInput {
+class FirstCollidedSolution : public AngularInput {
  public:
   /// `remaining` is LightSetup::remaining(), `directions` the set of the rest. `field` and `finer` must
   /// outlive it. Where the options keep the radiance of all ordinates, so does it. Throws InputError where
   /// that scatters by a matrix or the finer set has other moments.
-  OnceCollided(const LightSetup& lights, const UncollidedField& field, const Problem& remaining,
-               const DirectionSet& finer, const DirectionSet& directions, const SolveOptions& options,
-               int threads);
+  FirstCollidedSolution(const LightSetup& lights, const UncollidedField& field, const Problem& remaining,
+                        const DirectionSet& finer, const DirectionSet& directions,
+                        const SolveOptions& options, int threads);
 
   bool depends_on_direction(CellIndex cell) const override { return input_->depends_on_direction(cell); }
   void add_source(OrdinateIndex, CellIndex, std::span<double>) const override {}
   void add_inflow(OrdinateIndex, FaceIndex, std::span<double>) const override {}
-  const SavedState* prescribed_state() const override { return &once_.state; }
+  const SavedState* prescribed_state() const override { return &solution_.state; }
 
   /// As it was swept, to be read beside the rest.
-  SweptLight swept() const { return {finer_, once_, &*input_}; }
+  SweptLight swept() const { return {finer_, solution_, &*input_}; }
   /// Adds to the solution of the rest what its state does not hold.
   void add_to(Solution& rest) const;
   /// Upper estimate of the bytes that are kept beside the solution of the rest and FirstCollision.
@@ -49,7 +49,7 @@ class OnceCollided : public AngularInput {
 
   const DirectionSet& finer_;
   std::optional<FirstCollision> input_;  ///< empty while the options are checked
-  Solution once_;
+  Solution solution_;
   int sweeps_ = 0;
   double seconds_ = 0;  ///< of the first collisions
 };

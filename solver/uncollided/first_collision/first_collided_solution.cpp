@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/uncollided/first_collision/once_collided.h"
+#include "solver/uncollided/first_collision/first_collided_solution.h"
 
 #include <fmt/format.h>
 
@@ -102,9 +102,10 @@ double change(const std::vector<double>& before, const std::vector<double>& afte
 
 }  // namespace
 
-OnceCollided::OnceCollided(const LightSetup& lights, const UncollidedField& field, const Problem& remaining,
-                           const DirectionSet& finer, const DirectionSet& directions,
-                           const SolveOptions& options, int threads)
+FirstCollidedSolution::FirstCollidedSolution(const LightSetup& lights, const UncollidedField& field,
+                                             const Problem& remaining, const DirectionSet& finer,
+                                             const DirectionSet& directions, const SolveOptions& options,
+                                             int threads)
     : finer_(finer) {
   const Plan plan = plan_scattering(remaining, directions);
   require_moments(remaining, plan);
@@ -113,52 +114,53 @@ OnceCollided::OnceCollided(const LightSetup& lights, const UncollidedField& fiel
   const auto start = std::chrono::steady_clock::now();
   input_.emplace(lights, field, finer, threads);
   seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  SolveOptions once = options;
-  once.angular_input = &*input_;
-  once.keep_ordinates.clear();
-  for (int m = 0; m < finer.count() && keeps_all(options, directions); ++m) once.keep_ordinates.push_back(m);
-  sweep(dark, once);
+  SolveOptions with_input = options;
+  with_input.angular_input = &*input_;
+  with_input.keep_ordinates.clear();
+  for (int m = 0; m < finer.count() && keeps_all(options, directions); ++m)
+    with_input.keep_ordinates.push_back(m);
+  sweep(dark, with_input);
 }
 
 // Where mirrors or lagged faces hand light to the next sweep, as many as that takes: nothing else is.
-void OnceCollided::sweep(const Problem& problem, const SolveOptions& options) {
-  SolveOptions once = options;
-  once.method = Method::source_iteration;
-  once.acceleration = Acceleration::none;
-  once.max_sweeps = 1;
-  once.initial = nullptr;
+void FirstCollidedSolution::sweep(const Problem& problem, const SolveOptions& options) {
+  SolveOptions one_sweep = options;
+  one_sweep.method = Method::source_iteration;
+  one_sweep.acceleration = Acceleration::none;
+  one_sweep.max_sweeps = 1;
+  one_sweep.initial = nullptr;
   SavedState traces;
   std::vector<double> before;
   SolveSeconds seconds;
   do {
-    before = std::move(once_.fluence);
-    once_ = solve(problem, finer_, once);
-    seconds.orders += once_.seconds.orders;
-    seconds.sweep += once_.seconds.sweep;
-    seconds.setup += once_.seconds.setup;
+    before = std::move(solution_.fluence);
+    solution_ = solve(problem, finer_, one_sweep);
+    seconds.orders += solution_.seconds.orders;
+    seconds.sweep += solution_.seconds.sweep;
+    seconds.setup += solution_.seconds.setup;
     ++sweeps_;
-    traces = traces_of(once_.state);
-    once.initial = &traces;
+    traces = traces_of(solution_.state);
+    one_sweep.initial = &traces;
   } while ((!traces.mirrors.empty() || !traces.lagged.empty()) && sweeps_ < options.max_sweeps &&
-           change(before, once_.fluence) > options.tolerance);
-  once_.seconds = seconds;
+           change(before, solution_.fluence) > options.tolerance);
+  solution_.seconds = seconds;
 }
 
-void OnceCollided::add_to(Solution& rest) const {
-  add(rest.net_flux, once_.net_flux);
-  add(rest.exitance, once_.exitance);
-  add(rest.meters, once_.meters);
-  rest.seconds.orders += once_.seconds.orders;
-  rest.seconds.sweep += once_.seconds.sweep;
-  rest.seconds.setup += once_.seconds.setup;
+void FirstCollidedSolution::add_to(Solution& rest) const {
+  add(rest.net_flux, solution_.net_flux);
+  add(rest.exitance, solution_.exitance);
+  add(rest.meters, solution_.meters);
+  rest.seconds.orders += solution_.seconds.orders;
+  rest.seconds.sweep += solution_.seconds.sweep;
+  rest.seconds.setup += solution_.seconds.setup;
   rest.seconds.lights += seconds_;
   rest.notes.insert(rest.notes.begin(),
                     fmt::format("light that collided once: {} {} of {} directions", sweeps_,
-                                sweeps_ == 1 ? "sweep" : "sweeps", once_.directions));
+                                sweeps_ == 1 ? "sweep" : "sweeps", solution_.directions));
 }
 
-std::size_t OnceCollided::memory(const Problem& problem, const DirectionSet& directions,
-                                 const DirectionSet& finer, const SolveOptions& options) {
+std::size_t FirstCollidedSolution::memory(const Problem& problem, const DirectionSet& directions,
+                                          const DirectionSet& finer, const SolveOptions& options) {
   const auto values = static_cast<std::size_t>(problem.mesh().cell_count()) * 4 *
                       static_cast<std::size_t>(problem.band_count());
   // Fluence and net flux, and the fluence of the state; and radiance.

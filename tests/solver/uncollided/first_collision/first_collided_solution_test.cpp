@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/uncollided/first_collision/once_collided.h"
+#include "solver/uncollided/first_collision/first_collided_solution.h"
 
 #include <gtest/gtest.h>
 
@@ -70,13 +70,13 @@ void expect_no_change_on_the_same_set(const Problem& problem, const SolveOptions
   expect_the_same(solve_split(lights, set, options, {}, &set), solve_split(lights, set, options));
 }
 
-TEST(OnceCollided, OnTheSameSetChangesNothing) {
+TEST(FirstCollidedSolution, OnTheSameSetChangesNothing) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   expect_no_change_on_the_same_set(lit(mesh, uniform_medium(1, 0.3, 2, 0), uniform_wall(1, 0, 0.5, 0)),
                                    options_with_meter(mesh));
 }
 
-TEST(OnceCollided, OnTheSameSetChangesNothingWithMomentsBandsAndEmission) {
+TEST(FirstCollidedSolution, OnTheSameSetChangesNothingWithMomentsBandsAndEmission) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   Medium haze = uniform_medium(3, 0.3, 2, 0.1, PhaseHenyeyGreenstein{0.5});
   haze.scattering[1] = Coefficient(0.5);
@@ -84,7 +84,7 @@ TEST(OnceCollided, OnTheSameSetChangesNothingWithMomentsBandsAndEmission) {
   expect_no_change_on_the_same_set(lit(mesh, haze, uniform_wall(3, 0.2, 0.4, 0)), options_with_meter(mesh));
 }
 
-TEST(OnceCollided, OnTheSameSetChangesNothingWhereThePeakIsLeftOut) {
+TEST(FirstCollidedSolution, OnTheSameSetChangesNothingWhereThePeakIsLeftOut) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   Medium haze = uniform_medium(1, 0.3, 2, 0, PhaseHenyeyGreenstein{0.8});
   haze.choice = {{ScatteringBackend::moments, 3, ForwardPeak::delta_m}};
@@ -92,7 +92,7 @@ TEST(OnceCollided, OnTheSameSetChangesNothingWhereThePeakIsLeftOut) {
 }
 
 // One mirror reflects within a sweep; of two that face each other one hands on to the next.
-TEST(OnceCollided, OnTheSameSetChangesNothingWithMirrors) {
+TEST(FirstCollidedSolution, OnTheSameSetChangesNothingWithMirrors) {
   const TetrahedralMesh mesh = cube_mesh(0.05);
   std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));
   for (std::size_t i = 0; i < walls.size(); ++i) walls[i].name = mesh.wall_names()[i];
@@ -116,7 +116,7 @@ TEST(OnceCollided, OnTheSameSetChangesNothingWithMirrors) {
   expect_the_same(ladder, solve_split(lights, set, options));
 }
 
-TEST(OnceCollided, Balances) {
+TEST(FirstCollidedSolution, Balances) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   for (const PhaseFunction& phase :
        {PhaseFunction(PhaseIsotropic{}), PhaseFunction(PhaseHenyeyGreenstein{0.5})}) {
@@ -132,7 +132,7 @@ TEST(OnceCollided, Balances) {
 
 // Where light scatters once in a hundred the rest is a hundredth of it, and so is what a coarse set does to
 // the whole.
-TEST(OnceCollided, BringsAThinMediumToTheAnswerOfTheFinerSet) {
+TEST(FirstCollidedSolution, BringsAThinMediumToTheAnswerOfTheFinerSet) {
   const TetrahedralMesh mesh = cube_mesh(0.005);
   const Problem problem = lit(mesh, uniform_medium(1, 0.01, 0.02, 0), uniform_wall(1, 0, 0, 0));
   const LightSetup lights(problem);
@@ -148,7 +148,7 @@ TEST(OnceCollided, BringsAThinMediumToTheAnswerOfTheFinerSet) {
   EXPECT_LT(ladder, 0.02 * plain);
 }
 
-TEST(OnceCollided, TurnsWithTheSetsThatAMeanIsTakenOver) {
+TEST(FirstCollidedSolution, TurnsWithTheSetsThatAMeanIsTakenOver) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   const Problem problem = lit(mesh, uniform_medium(1, 0.3, 2, 0), uniform_wall(1, 0, 0.5, 0));
   const LightSetup lights(problem);
@@ -162,7 +162,7 @@ TEST(OnceCollided, TurnsWithTheSetsThatAMeanIsTakenOver) {
   EXPECT_NEAR(balances(problem, mean)[0].residual, mean.lights.balance[0].residual, 1e-9);
 }
 
-TEST(OnceCollided, GoesOnFromItsOwnState) {
+TEST(FirstCollidedSolution, GoesOnFromItsOwnState) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   const Problem problem = lit(mesh, uniform_medium(1, 0.1, 5, 0), uniform_wall(1, 0, 0.5, 0));
   const LightSetup lights(problem);
@@ -176,7 +176,7 @@ TEST(OnceCollided, GoesOnFromItsOwnState) {
   EXPECT_LT(largest_difference(again.fluence, first.fluence), 1e-7);
 }
 
-TEST(OnceCollided, RefusesMatricesAndSetsThatAreTooCoarse) {
+TEST(FirstCollidedSolution, RefusesMatricesAndSetsThatAreTooCoarse) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   const auto refusal = [&](const PhaseFunction& phase, ScatteringBackend backend, const DirectionSet& finer) {
     Medium haze = uniform_medium(1, 0.3, 2, 0, phase);
