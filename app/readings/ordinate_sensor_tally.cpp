@@ -55,7 +55,7 @@ void OrdinateSensorTally::start() {
   sums_.assign(sensors_.size(), {RegionAccount(nothing.size()), {nothing, nothing}});
 }
 
-void OrdinateSensorTally::add(const SolveOptions& options, const SweptLight& swept) {
+void OrdinateSensorTally::add(const SolveOptions& options, const DirectionSetSolution& swept) {
   if (sets_ == 0) start();
   const TetrahedralMesh& mesh = lights_.problem().mesh();
   for (std::size_t i = 0; i < sensors_.size(); ++i) {

@@ -29,7 +29,7 @@ class OrdinateSensorTally {
       : sensors_(sensors), lights_(lights), locator_(locator) {}
 
   /// Adds what was found on a set of directions.
-  void add(const SolveOptions& options, const SweptLight& swept);
+  void add(const SolveOptions& options, const DirectionSetSolution& swept);
   /// The light that directions carried, for the sensor of that number.
   RegionAccount account(std::size_t sensor) const;
   /// The same at the point where a sensor stands.

@@ -101,9 +101,9 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
   const CellLocator& locator = setup.locator;
   SolveOptions& options = setup.options;
   OrdinateSensorTally ordinates(input.sensors, lights, locator);
-  SetReader tally_ordinates;
+  DirectionSetObserver tally_ordinates;
   if (need_all_ordinates(input.sensors, problem.space()))
-    tally_ordinates = [&](const SweptLight& swept) {
+    tally_ordinates = [&](const DirectionSetSolution& swept) {
       Stopwatch reading;
       ordinates.add(options, swept);
       seconds.sensors += reading.lap();

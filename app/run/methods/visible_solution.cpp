@@ -35,7 +35,7 @@ class Checkpoints {
 }  // namespace
 
 std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const VisibleSolving& solving,
-                                      const SetReader& reader) {
+                                      const DirectionSetObserver& reader) {
   const Interruption& interruption = solving.interruption;
   Checkpoints checkpoints(solving.input, solving.problem, solving.err);
   ProgressDisplay display(solving.stages.style, solving.stages.out);

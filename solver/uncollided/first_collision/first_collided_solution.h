@@ -5,9 +5,9 @@
 
 #include "solver/angular/sets/direction_set.h"
 #include "solver/problem/problem.h"
+#include "solver/solution/direction_set_solution.h"
 #include "solver/solution/solution.h"
 #include "solver/solution/solve_options.h"
-#include "solver/solution/swept_light.h"
 #include "solver/uncollided/first_collision/first_collision.h"
 
 namespace etendue {
@@ -37,7 +37,7 @@ class FirstCollidedSolution : public AngularInput {
   const SavedState* prescribed_state() const override { return &solution_.state; }
 
   /// As it was swept, to be read beside the rest.
-  SweptLight swept() const { return {finer_, solution_, &*input_}; }
+  DirectionSetSolution swept() const { return {finer_, solution_, &*input_}; }
   /// Adds to the solution of the rest what its state does not hold.
   void add_to(Solution& rest) const;
   /// Upper estimate of the bytes that are kept beside the solution of the rest and FirstCollision.

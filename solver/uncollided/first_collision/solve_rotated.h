@@ -15,12 +15,14 @@ namespace etendue {
 /// `first_collided`, one for each of the others, or none.
 Solution solve_rotated(const LightSetup& lights, const std::vector<DirectionSet>& sets,
                        const SolveOptions& options, const SolveObserver& observer = {},
-                       const std::vector<DirectionSet>& first_collided = {}, const SetReader& reader = {});
+                       const std::vector<DirectionSet>& first_collided = {},
+                       const DirectionSetObserver& reader = {});
 
 /// The same with uncollided light that was found before, which is handed over to the solution.
 Solution solve_rotated(UncollidedLight& uncollided, const std::vector<DirectionSet>& sets,
                        const SolveOptions& options, const SolveObserver& observer = {},
-                       const std::vector<DirectionSet>& first_collided = {}, const SetReader& reader = {});
+                       const std::vector<DirectionSet>& first_collided = {},
+                       const DirectionSetObserver& reader = {});
 
 /// Root mean square over the volume of direction_error over that of the fluence, in the band where it is
 /// most.

@@ -166,7 +166,7 @@ UncollidedLight::UncollidedLight(const LightSetup& lights, const SolveOptions& o
 // The first collisions are a source of the one sweep or of the other.
 Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const DirectionSet* first_collided,
                                      const SolveOptions& options, const SolveObserver& observer,
-                                     const SetReader& reader) const {
+                                     const DirectionSetObserver& reader) const {
   const Problem remaining = lights_.remaining();
   SolveOptions with_input = options;
   if (first_collided != nullptr) {
@@ -175,7 +175,7 @@ Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const Direc
     with_input.angular_input = &first;
     Solution solution = solve(remaining, directions, with_input, observer);
     if (reader) {
-      const SweptLight finer = first.swept();
+      const DirectionSetSolution finer = first.swept();
       reader({directions, solution, &first, &finer});
     }
     first.add_to(solution);
@@ -193,7 +193,7 @@ Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const Direc
 
 Solution UncollidedLight::solve_rest(const DirectionSet& directions, const DirectionSet* first_collided,
                                      const SolveOptions& options, const SolveObserver& observer,
-                                     const SetReader& reader) const {
+                                     const DirectionSetObserver& reader) const {
   if (lights_.empty()) {
     Solution whole = solve(lights_.problem(), directions, options, observer);
     whole.notes.insert(whole.notes.begin(), lights_.notes().begin(), lights_.notes().end());
@@ -231,7 +231,7 @@ void UncollidedLight::finish(Solution& solution) {
 
 Solution solve_split(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
                      const SolveObserver& observer, const DirectionSet* first_collided,
-                     const SetReader& reader) {
+                     const DirectionSetObserver& reader) {
   UncollidedLight uncollided(lights, options);
   Solution solution = uncollided.solve_rest(directions, first_collided, options, observer, reader);
   uncollided.finish(solution);

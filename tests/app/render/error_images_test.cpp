@@ -185,7 +185,7 @@ TEST(ErrorImages, ErrorOfDirectionsTracksTheSpreadOfRotations) {
   const std::vector<DirectionSet> sets = rotated_copies(directions_product(4), 8, 1);
   std::vector<SavedState> states;
   const SolveOptions options = tight_options();
-  const auto reader = [&](const SweptLight& found) { states.push_back(found.solution.state); };
+  const auto reader = [&](const DirectionSetSolution& found) { states.push_back(found.solution.state); };
   const Solution mean = solve_rotated(lights, sets, options, {}, {}, reader);
   const RayRadiance scene(lights, sets.front(), options, mean.state, 1);
   const ErrorImages errors(cameras(), lights, sets.front(), options, mean.state, mean.direction_error);

@@ -149,7 +149,7 @@ LitAccounts lit_accounts(const LightSetup& lights, int region, const DirectionSe
   std::iota(options.keep_ordinates.begin(), options.keep_ordinates.end(), 0);
   LitAccounts accounts;
   const TetrahedralMesh& mesh = lights.problem().mesh();
-  const auto reader = [&](const SweptLight& swept) {
+  const auto reader = [&](const DirectionSetSolution& swept) {
     for (const auto& cone : cones)
       accounts.collided.push_back(region_account(lights, options, swept, region_scope(mesh, region, cone)));
   };

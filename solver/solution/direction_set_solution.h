@@ -9,19 +9,18 @@
 
 namespace etendue {
 
-/// What was solved on a set of directions, before light that was found along rays is added and means over
-/// rotated sets are taken.
-struct SweptLight {
+/// Solution on one set of directions, without the uncollided light and before the mean over rotated sets.
+struct DirectionSetSolution {
   const DirectionSet& directions;
   const Solution& solution;
   const AngularInput* input = nullptr;  ///< of the sweeps; null without one
   /// First-collided light where it has its own set of directions, with its input as the only source; null
   /// where `solution` holds it. The fluence and moments of `solution` include it, its radiance and flux do
   /// not.
-  const SweptLight* first_collided = nullptr;
+  const DirectionSetSolution* first_collided = nullptr;
 };
 
-/// Looks at what was found on each set of directions that a run sweeps.
-using SetReader = std::function<void(const SweptLight&)>;
+/// Receives the solution on each set of directions of a run.
+using DirectionSetObserver = std::function<void(const DirectionSetSolution&)>;
 
 }  // namespace etendue
