@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "solver/observe/radiance/bent_state.h"
+#include "solver/observe/radiance/quadratic_reconstruction.h"
 
 namespace etendue {
 
@@ -14,8 +14,8 @@ ErrorImages::ErrorImages(const std::vector<CameraCase>& cameras, const LightSetu
   if (std::ranges::none_of(cameras, [](const CameraCase& camera) { return camera.camera.errors; })) return;
   if (options.order == SpaceOrder::linear && state.radiance.empty()) {
     const CollidedSource source(lights, directions, options, state);
-    bent_ = bent_state(lights.problem(), state, source.rows(), options.threads);
-    cells_.emplace(lights, directions, options, bent_, options.threads, WallValues::raw, first);
+    reconstructed_ = quadratic_reconstruction(lights.problem(), state, source.rows(), options.threads);
+    cells_.emplace(lights, directions, options, reconstructed_, options.threads, WallValues::raw, first);
   }
   if (direction_error.empty()) return;
   brighter_ = state;

@@ -24,16 +24,16 @@ class ErrorImages {
   ErrorImages(const ErrorImages&) = delete;
   ErrorImages& operator=(const ErrorImages&) = delete;
 
-  /// With quadratics for the fluence and moments of each cell (bent_state), and what walls receive as the
-  /// solution has it in each face, not joined. Null where no camera asks, with
-  /// constant elements, and beside scattering by a matrix, whose radiance is not bent.
+  /// With quadratics for the fluence and moments of each cell (quadratic_reconstruction), and what walls
+  /// receive as the solution has it in each face, not joined. Null where no camera asks, with constant
+  /// elements, and beside scattering by a matrix, whose radiance has no reconstruction.
   const RayRadiance* of_cells() const { return cells_ ? &*cells_ : nullptr; }
   /// With the standard error of rotated sets added to the fluence. Null where no camera asks or it is not
   /// known.
   const RayRadiance* of_directions() const { return directions_ ? &*directions_ : nullptr; }
 
  private:
-  SavedState bent_;
+  SavedState reconstructed_;
   SavedState brighter_;
   std::optional<RayRadiance> cells_;
   std::optional<RayRadiance> directions_;

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/quadrature/gauss_legendre.h"
-#include "solver/observe/radiance/bent_state.h"
 #include "solver/observe/radiance/lit_triangle.h"
+#include "solver/observe/radiance/quadratic_reconstruction.h"
 #include "solver/observe/radiance/ray_radiance_segment.h"
 #include "solver/problem/mirror.h"
 #include "solver/uncollided/rays/attenuation.h"
@@ -36,7 +36,8 @@ std::array<double, 4> barycentric(const TetrahedralMesh& mesh, CellIndex cell, c
   return {1 - x - y - z, x, y, z};
 }
 
-/// With the bends of a bent_state() where there are any.
+/// Interpolates values at the vertices, with the quadratic part of a quadratic_reconstruction() if there is
+/// one.
 double interpolated(std::span<const double> values, const std::array<double, 4>& at, std::size_t band,
                     std::size_t bands) {
   double sum = 0;
@@ -177,7 +178,7 @@ void RayRadiance::add_cells(const RaySegment& segment, Workspace& work, std::spa
 
 // With S(s) = S_a + (S_b - S_a) s/l over the length l of the part, and E_0, E_1 of attenuated_way:
 //   integral of S e^(-sigma s) ds = S_a E_0 + (S_b - S_a) E_1/l,
-// and what a bent state has in the middle beyond that, times attenuated_bend.
+// and the quadratic part in the middle times attenuated_quadratic.
 void RayRadiance::add_part(const RaySegment& segment, const Workspace::Part& part, Workspace& work,
                            std::span<double> radiance) const {
   collided_.values(part.cell, *work.view, work.values);
@@ -185,7 +186,7 @@ void RayRadiance::add_part(const RaySegment& segment, const Workspace::Part& par
   if (segment.view.shafts == 0) once_.add_at_vertices(part.cell, segment.travel(), work.memory, work.values);
   const auto here = barycentric(problem_.mesh(), part.cell, segment.at(part.from));
   const auto there = barycentric(problem_.mesh(), part.cell, segment.at(part.from + part.length));
-  const bool bends = collided_.value_count() > 4;
+  const bool is_quadratic = collided_.value_count() > 4;
   std::array<double, 4> middle;
   for (std::size_t i = 0; i < 4; ++i) middle[i] = (here[i] + there[i]) / 2;
   const bool is_light = segment.view.lights_shown && lights_.has_region(problem_.mesh().region(part.cell));
@@ -195,9 +196,9 @@ void RayRadiance::add_part(const RaySegment& segment, const Workspace::Part& par
     const double extinction = collided_.extinction(part.cell, b, *work.view);
     const AttenuatedWay way = attenuated_way(extinction, part.length);
     double arrives = near * way.constant + (far - near) * way.linear / part.length;
-    if (bends)
+    if (is_quadratic)
       arrives += (interpolated(work.values, middle, b, bands_) - (near + far) / 2) *
-                 attenuated_bend(extinction, part.length);
+                 attenuated_quadratic(extinction, part.length);
     radiance[b] += work.factor[b] * std::exp(-work.depth_rest[b]) * arrives;
     const double whole = lights_.paths().extinction(part.cell, b, segment.light);
     if (is_light)

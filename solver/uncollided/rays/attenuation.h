@@ -21,8 +21,8 @@ inline AttenuatedWay attenuated_way(double extinction, double length) {
   return {lost / extinction, (lost - t * std::exp(-t)) / (extinction * extinction)};
 }
 
-/// The integral along such a way of 4 (x/l) (1 - x/l) e^(-s x), of what bends by one in its middle.
-inline double attenuated_bend(double extinction, double length) {
+/// Integral along such a way of 4 (x/l) (1 - x/l) e^(-s x), the quadratic that is one in its middle.
+inline double attenuated_quadratic(double extinction, double length) {
   const double t = extinction * length;
   if (t > 1) return 4 * length * (t - 2 + (t + 2) * std::exp(-t)) / (t * t * t);
   // The closed form loses digits like 1/t^3: the sum of (-t)^k / (k! (k+2) (k+3)).

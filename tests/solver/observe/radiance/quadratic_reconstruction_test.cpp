@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/observe/radiance/bent_state.h"
+#include "solver/observe/radiance/quadratic_reconstruction.h"
 
 #include <gtest/gtest.h>
 
@@ -35,9 +35,10 @@ std::vector<std::int32_t> every_cell(const TetrahedralMesh& mesh) {
   return rows;
 }
 
-/// A bent cell in the middle of an edge.
-double in_middle(const double* bent, std::size_t edge) {
-  return (bent[cell_edges[edge].first] + bent[cell_edges[edge].second]) / 2 + bent[4 + edge];
+/// A reconstructed cell in the middle of an edge.
+double in_middle(const double* reconstructed, std::size_t edge) {
+  return (reconstructed[cell_edges[edge].first] + reconstructed[cell_edges[edge].second]) / 2 +
+         reconstructed[4 + edge];
 }
 
 struct Errors {
@@ -46,15 +47,16 @@ struct Errors {
 };
 
 /// Of the values at the vertices and in the middles of edges.
-Errors errors_of(const TetrahedralMesh& mesh, const std::vector<double>& bent, const Function& truth) {
+Errors errors_of(const TetrahedralMesh& mesh, const std::vector<double>& reconstructed,
+                 const Function& truth) {
   double largest = 0, squares = 0;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-    const double* values = &bent[static_cast<std::size_t>(c) * bent_nodes];
+    const double* values = &reconstructed[static_cast<std::size_t>(c) * quadratic_nodes];
     const auto point = [&](std::size_t i) { return mesh.point(VertexIndex(mesh.vertices(CellIndex(c))[i])); };
     const auto add = [&](double value, const Vec3& place) {
       const double error = std::abs(value - truth(place));
       largest = std::max(largest, error);
-      squares += error * error / static_cast<double>(bent.size());
+      squares += error * error / static_cast<double>(reconstructed.size());
     };
     for (std::size_t i = 0; i < 4; ++i) add(values[i], point(i));
     for (std::size_t e = 0; e < 6; ++e)
@@ -67,34 +69,37 @@ double quadratic(const Vec3& p) {
   return 1 + p.x() - 2 * p.y() + 3 * p.x() * p.y() - p.z() * p.z() + 0.5 * p.x() * p.x() + p.y() * p.z();
 }
 
-TEST(BentState, FindsAQuadraticAgainFromItsFits) {
+TEST(QuadraticReconstruction, FindsAQuadraticAgainFromItsFits) {
   for (const double volume : {2e-2, 2e-3}) {
     const TetrahedralMesh mesh = cube_mesh(volume);
     const Problem problem = uniform_problem(mesh, uniform_medium(1, 1, 1, 1), uniform_wall(1, 0, 0, 0));
     const SavedState state = state_of(linear_fits(mesh, quadratic), every_cell(mesh));
-    const SavedState bent = bent_state(problem, state, every_cell(mesh), 2);
-    EXPECT_LT(errors_of(mesh, bent.fluence, quadratic).largest, 1e-11);
+    const SavedState reconstructed = quadratic_reconstruction(problem, state, every_cell(mesh), 2);
+    EXPECT_LT(errors_of(mesh, reconstructed.fluence, quadratic).largest, 1e-11);
     for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c)
-      for (std::size_t i = 0; i < bent_nodes; ++i) {
-        EXPECT_EQ(bent.moments[2 * c * bent_nodes + i], bent.fluence[c * bent_nodes + i]);
-        EXPECT_NEAR(bent.moments[(2 * c + 1) * bent_nodes + i], -2 * bent.fluence[c * bent_nodes + i], 1e-11);
+      for (std::size_t i = 0; i < quadratic_nodes; ++i) {
+        EXPECT_EQ(reconstructed.moments[2 * c * quadratic_nodes + i],
+                  reconstructed.fluence[c * quadratic_nodes + i]);
+        EXPECT_NEAR(reconstructed.moments[(2 * c + 1) * quadratic_nodes + i],
+                    -2 * reconstructed.fluence[c * quadratic_nodes + i], 1e-11);
       }
   }
 }
 
-TEST(BentState, NearsASmoothFieldAtOrderThree) {
+TEST(QuadraticReconstruction, NearsASmoothFieldAtOrderThree) {
   const Function smooth = [](const Vec3& p) { return std::sin(3 * p.x() + 1) * std::exp(p.y() - p.z()); };
   const auto error = [&](double volume) {
     const TetrahedralMesh mesh = cube_mesh(volume);
     const Problem problem = uniform_problem(mesh, uniform_medium(1, 1, 1, 1), uniform_wall(1, 0, 0, 0));
     const SavedState state = state_of(linear_fits(mesh, smooth), every_cell(mesh));
-    return errors_of(mesh, bent_state(problem, state, every_cell(mesh), 2).fluence, smooth).root_mean_square;
+    return errors_of(mesh, quadratic_reconstruction(problem, state, every_cell(mesh), 2).fluence, smooth)
+        .root_mean_square;
   };
   EXPECT_GT(std::log2(error(4e-3) / error(4e-3 / 64)) / 2, 2.7);
 }
 
 // What jumps between two regions bends neither, and moments do not where one around is not known.
-TEST(BentState, LeavesRegionsApart) {
+TEST(QuadraticReconstruction, LeavesRegionsApart) {
   const TetrahedralMesh mesh = two_region_mesh(0.02);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 1, 1, 1), uniform_wall(1, 0, 0, 0));
   std::vector<double> steps;
@@ -103,14 +108,15 @@ TEST(BentState, LeavesRegionsApart) {
     steps.insert(steps.end(), 4, mesh.region(CellIndex(c)) == 0 ? 1.0 : 5.0);
     rows.push_back(c == 0 ? 1 : 0);
   }
-  const SavedState bent = bent_state(problem, state_of(steps, rows), rows, 1);
+  const SavedState reconstructed = quadratic_reconstruction(problem, state_of(steps, rows), rows, 1);
   for (std::size_t c = 0; c < rows.size(); ++c)
-    for (std::size_t i = 0; i < bent_nodes; ++i)
-      EXPECT_NEAR(bent.fluence[c * bent_nodes + i], i < 4 ? steps[4 * c] : 0, 1e-12);
+    for (std::size_t i = 0; i < quadratic_nodes; ++i)
+      EXPECT_NEAR(reconstructed.fluence[c * quadratic_nodes + i], i < 4 ? steps[4 * c] : 0, 1e-12);
 
-  const SavedState alone = bent_state(problem, state_of(linear_fits(mesh, quadratic), rows), rows, 1);
-  ASSERT_EQ(alone.moments.size(), 2 * bent_nodes);
-  for (std::size_t e = 4; e < bent_nodes; ++e) EXPECT_EQ(alone.moments[e], 0);
+  const SavedState alone =
+      quadratic_reconstruction(problem, state_of(linear_fits(mesh, quadratic), rows), rows, 1);
+  ASSERT_EQ(alone.moments.size(), 2 * quadratic_nodes);
+  for (std::size_t e = 4; e < quadratic_nodes; ++e) EXPECT_EQ(alone.moments[e], 0);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/observe/radiance/bent_state.h"
+#include "solver/observe/radiance/quadratic_reconstruction.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -36,7 +36,7 @@ Eigen::Matrix4d coordinates(const TetrahedralMesh& mesh, CellIndex of, CellIndex
 
 /// What the functions 4 l_a l_b of a cell, less their own fits, are in another one, fitted there,
 /// [vertex][edge].
-Eigen::Matrix<double, 4, 6> bends_at(const Eigen::Matrix4d& at) {
+Eigen::Matrix<double, 4, 6> edge_functions_at(const Eigen::Matrix4d& at) {
   Eigen::Matrix<double, 4, 6> values;
   for (std::size_t e = 0; e < 6; ++e) {
     const auto a = static_cast<Eigen::Index>(cell_edges[e].first),
@@ -74,41 +74,42 @@ std::vector<CellIndex> cells_around(const TetrahedralMesh& mesh, CellIndex cell)
   return around;
 }
 
-/// How a cell finds its bends from the values in the cells around it.
-class Bending {
+/// Least-squares reconstruction of the quadratic part in a cell from the values in the cells around it.
+class CellReconstruction {
  public:
-  Bending(const TetrahedralMesh& mesh, CellIndex cell) : around_(cells_around(mesh, cell)) {
+  CellReconstruction(const TetrahedralMesh& mesh, CellIndex cell) : around_(cells_around(mesh, cell)) {
     const auto count = static_cast<Eigen::Index>(4 * around_.size());
     straight_.resize(count, 4);
-    Eigen::MatrixXd bends(count, 6);
+    Eigen::MatrixXd quadratic(count, 6);
     for (std::size_t k = 0; k < around_.size(); ++k) {
       const Eigen::Matrix4d at = coordinates(mesh, cell, around_[k]);
       straight_.middleRows<4>(static_cast<Eigen::Index>(4 * k)) = at;
-      bends.middleRows<4>(static_cast<Eigen::Index>(4 * k)) = bends_at(at);
+      quadratic.middleRows<4>(static_cast<Eigen::Index>(4 * k)) = edge_functions_at(at);
     }
-    if (count > 0) inverse_ = bends.completeOrthogonalDecomposition().pseudoInverse();
+    if (count > 0) inverse_ = quadratic.completeOrthogonalDecomposition().pseudoInverse();
   }
 
   std::span<const CellIndex> around() const { return around_; }
 
-  /// Writes the values of bent_nodes from those at the vertices of the cell and of those around, [4][band]
-  /// each.
-  void bend(const double* cell, std::span<const double* const> others, std::size_t bands,
-            double* bent) const {
+  /// Writes the values of quadratic_nodes from those at the vertices of the cell and of those around,
+  /// [4][band] each.
+  void reconstruct(const double* cell, std::span<const double* const> others, std::size_t bands,
+                   double* reconstructed) const {
     Eigen::VectorXd difference(straight_.rows());
     for (std::size_t b = 0; b < bands; ++b) {
       const Eigen::Vector4d own(cell[b], cell[bands + b], cell[2 * bands + b], cell[3 * bands + b]);
       for (std::size_t k = 0; k < others.size(); ++k)
         for (std::size_t v = 0; v < 4; ++v)
           difference(static_cast<Eigen::Index>(4 * k + v)) = others[k][v * bands + b];
-      Eigen::Matrix<double, 6, 1> bends = Eigen::Matrix<double, 6, 1>::Zero();
-      if (!others.empty()) bends = inverse_ * (difference - straight_ * own);
+      Eigen::Matrix<double, 6, 1> quadratic = Eigen::Matrix<double, 6, 1>::Zero();
+      if (!others.empty()) quadratic = inverse_ * (difference - straight_ * own);
       for (std::size_t v = 0; v < 4; ++v) {
         double value = own(static_cast<Eigen::Index>(v));
-        for (std::size_t e = 0; e < 6; ++e) value -= bends(static_cast<Eigen::Index>(e)) * fit(e, v);
-        bent[v * bands + b] = value;
+        for (std::size_t e = 0; e < 6; ++e) value -= quadratic(static_cast<Eigen::Index>(e)) * fit(e, v);
+        reconstructed[v * bands + b] = value;
       }
-      for (std::size_t e = 0; e < 6; ++e) bent[(4 + e) * bands + b] = bends(static_cast<Eigen::Index>(e));
+      for (std::size_t e = 0; e < 6; ++e)
+        reconstructed[(4 + e) * bands + b] = quadratic(static_cast<Eigen::Index>(e));
     }
   }
 
@@ -120,36 +121,38 @@ class Bending {
 
 }  // namespace
 
-SavedState bent_state(const Problem& problem, const SavedState& state, std::span<const std::int32_t> rows,
-                      int threads) {
+SavedState quadratic_reconstruction(const Problem& problem, const SavedState& state,
+                                    std::span<const std::int32_t> rows, int threads) {
   const TetrahedralMesh& mesh = problem.mesh();
   const auto bands = static_cast<std::size_t>(problem.band_count());
   const auto row_count = static_cast<std::size_t>(*std::ranges::max_element(rows));
   const std::size_t moments = row_count > 0 ? state.moments.size() / (row_count * 4 * bands) : 0;
-  SavedState bent = state;
-  bent.fluence.resize(rows.size() * bent_nodes * bands);
-  bent.moments.resize(row_count * moments * bent_nodes * bands);
+  SavedState reconstructed = state;
+  reconstructed.fluence.resize(rows.size() * quadratic_nodes * bands);
+  reconstructed.moments.resize(row_count * moments * quadratic_nodes * bands);
   parallel_for(rows.size(), threads, 64, [&](std::size_t c) {
     const CellIndex cell(static_cast<std::int32_t>(c));
-    const Bending bending(mesh, cell);
+    const CellReconstruction reconstruction(mesh, cell);
     std::vector<const double*> others;
-    for (const CellIndex next : bending.around()) others.push_back(&state.fluence[next.at() * 4 * bands]);
-    bending.bend(&state.fluence[c * 4 * bands], others, bands, &bent.fluence[c * bent_nodes * bands]);
+    for (const CellIndex next : reconstruction.around())
+      others.push_back(&state.fluence[next.at() * 4 * bands]);
+    reconstruction.reconstruct(&state.fluence[c * 4 * bands], others, bands,
+                               &reconstructed.fluence[c * quadratic_nodes * bands]);
     if (rows[c] == 0) return true;
-    if (std::ranges::any_of(bending.around(), [&](CellIndex next) { return rows[next.at()] == 0; }))
+    if (std::ranges::any_of(reconstruction.around(), [&](CellIndex next) { return rows[next.at()] == 0; }))
       others.clear();
     for (std::size_t k = 0; k < moments; ++k) {
       const auto place = [&](std::size_t of) {
         return (static_cast<std::size_t>(rows[of]) - 1) * moments + k;
       };
       for (std::size_t i = 0; i < others.size(); ++i)
-        others[i] = &state.moments[place(bending.around()[i].at()) * 4 * bands];
-      bending.bend(&state.moments[place(c) * 4 * bands], others, bands,
-                   &bent.moments[place(c) * bent_nodes * bands]);
+        others[i] = &state.moments[place(reconstruction.around()[i].at()) * 4 * bands];
+      reconstruction.reconstruct(&state.moments[place(c) * 4 * bands], others, bands,
+                                 &reconstructed.moments[place(c) * quadratic_nodes * bands]);
     }
     return true;
   });
-  return bent;
+  return reconstructed;
 }
 
 }  // namespace etendue
