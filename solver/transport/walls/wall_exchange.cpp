@@ -9,7 +9,7 @@
 #include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/angular/refraction/ordinate_reflectance.h"
 #include "solver/problem/mirror.h"
-#include "solver/transport/order/seen_area.h"
+#include "solver/transport/order/projected_area.h"
 #include "solver/transport/order/sweep_order.h"
 
 namespace etendue {
@@ -212,7 +212,7 @@ void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::spa
                            std::span<const double> inflow, const SweepSlotsOf<Real>& slots) const {
   for (const std::int32_t f : mirror_faces_) {
     const Face& face = faces_[static_cast<std::size_t>(f)];
-    if (seen_area(face.area_normal, directions_.direction(m)) >= 0) continue;
+    if (projected_area(face.area_normal, directions_.direction(m)) >= 0) continue;
     const Mirror& by = *mirror(FaceIndex(f));
     const MirrorPlane& plane = planes_[by.plane];
     const std::span<const double> from =
@@ -235,7 +235,7 @@ template <class Real>
 void WallExchange::add_exitance(OrdinateIndex m, const SweepSlotsOf<Real>& slots,
                                 std::span<double> exitance) const {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const double seen = seen_area(faces_[f].area_normal, directions_.direction(m));
+    const double seen = projected_area(faces_[f].area_normal, directions_.direction(m));
     if (seen >= 0) continue;
     const double factor = -seen * faces_[f].by_area * directions_.weight(m);
     const Real* trace = slots.slot(wall_slots_.inflow(static_cast<std::int32_t>(f)));
@@ -254,7 +254,8 @@ void WallExchange::receive(OrdinateIndex m, const SweepSlotsOf<Real>& slots, Tak
     add_irradiance<0, Real>(m, slots, faces, irradiance);
   }
   for (const std::int32_t f : mirror_faces_) {
-    if (seen_area(faces_[static_cast<std::size_t>(f)].area_normal, directions_.direction(m)) <= 0) continue;
+    if (projected_area(faces_[static_cast<std::size_t>(f)].area_normal, directions_.direction(m)) <= 0)
+      continue;
     const Mirror& by = *mirror(FaceIndex(f));
     const std::span<double> to =
         planes_[by.plane].turn == Turn::this_sweep ? passing : mirrors.subspan(glossy_.size());
@@ -275,7 +276,7 @@ void WallExchange::add_irradiance(OrdinateIndex m, const SweepSlotsOf<Real>& slo
   const Vec3 direction = directions_.direction(m);
   for (const std::int32_t f : faces) {
     const auto at = static_cast<std::size_t>(f);
-    const double seen = seen_area(faces_[at].area_normal, direction);
+    const double seen = projected_area(faces_[at].area_normal, direction);
     if (seen <= 0) continue;
     const double factor = seen * faces_[at].by_area * directions_.weight(m);
     const FaceCode inside = wall_slots_.inside(f);
@@ -301,7 +302,7 @@ void WallExchange::add_leaving(FaceIndex face, std::size_t band, std::span<const
   if (by == nullptr || planes_[by->plane].turn == Turn::this_sweep) return;
   mirrors = mirrors.subspan(glossy_.size());
   for (std::int32_t m = 0; m < directions_.count(); ++m) {
-    if (seen_area(mesh_.area_normal(face), directions_.direction(OrdinateIndex(m))) <= 0) continue;
+    if (projected_area(mesh_.area_normal(face), directions_.direction(OrdinateIndex(m))) <= 0) continue;
     double* radiance = mirrors.data() + mirror_at(by->row, m);
     for (std::size_t i = band; i < face_length_; i += stride_) {
       const std::size_t at = face.at() * face_length_ + i;

@@ -11,11 +11,12 @@
 namespace etendue {
 namespace {
 
-/// The flows of W cells that stand one behind the other in the order, lane j those of cell j: exactly zero on
-/// parallel faces, whichever side looks. All bands share them.
+/// Projected areas of W consecutive cells of the order, lane j those of cell j: exactly zero on parallel
+/// faces, for both of their sides. All bands share them.
 template <int W>
-ETENDUE_KERNEL_INLINE FaceFlows<Lanes<W>> seen_faces(const SweepTaskOf<Real>& task,
-                                                     const RecordLayout& layout, const SweepVisit* visits) {
+ETENDUE_KERNEL_INLINE ProjectedAreas<Lanes<W>> block_projected_areas(const SweepTaskOf<Real>& task,
+                                                                     const RecordLayout& layout,
+                                                                     const SweepVisit* visits) {
   Lanes<4> seen[W];
   std::uint32_t parallel = 0;
   ETENDUE_UNROLL
@@ -35,35 +36,35 @@ ETENDUE_KERNEL_INLINE FaceFlows<Lanes<W>> seen_faces(const SweepTaskOf<Real>& ta
       a[f] = keep != 0 ? a[f] : Lanes<W>{};
     }
   }
-  return face_flows(a);
+  return projected_areas(a);
 }
 
-/// The flows of W cells on their way from the lanes of cells to those of packets.
+/// Projected areas of W cells, spread from the lanes of cells to those of packets.
 template <int W>
-class BlockFlows {
+class BlockProjectedAreas {
  public:
-  ETENDUE_KERNEL_MEMBER explicit BlockFlows(const FaceFlows<Lanes<W>>& flows) {
+  ETENDUE_KERNEL_MEMBER explicit BlockProjectedAreas(const ProjectedAreas<Lanes<W>>& areas) {
     ETENDUE_UNROLL
     for (int f = 0; f < 4; ++f) {
-      store_lanes<W>(leaving_[f], flows.leaving[f]);
-      store_lanes<W>(entering_[f], flows.entering[f]);
+      store_lanes<W>(outgoing_[f], areas.outgoing[f]);
+      store_lanes<W>(incoming_[f], areas.incoming[f]);
     }
-    store_lanes<W>(total_, flows.total);
+    store_lanes<W>(total_, areas.total);
   }
 
   /// Of the packet of C cells and B bands that begins with cell `first`.
   template <int C, int B>
-  ETENDUE_KERNEL_MEMBER FaceFlows<Lanes<C * B>> of_packet(int first) const {
+  ETENDUE_KERNEL_MEMBER ProjectedAreas<Lanes<C * B>> of_packet(int first) const {
     LaneChoice<W> cells{};
     for (int lane = 0; lane < W; ++lane) cells[lane] = first + lane / B;
-    FaceFlows<Lanes<C * B>> flows;
+    ProjectedAreas<Lanes<C * B>> areas;
     ETENDUE_UNROLL
     for (int f = 0; f < 4; ++f) {
-      flows.leaving[f] = spread<C, B>(leaving_[f], first, cells);
-      flows.entering[f] = spread<C, B>(entering_[f], first, cells);
+      areas.outgoing[f] = spread<C, B>(outgoing_[f], first, cells);
+      areas.incoming[f] = spread<C, B>(incoming_[f], first, cells);
     }
-    flows.total = spread<C, B>(total_, first, cells);
-    return flows;
+    areas.total = spread<C, B>(total_, first, cells);
+    return areas;
   }
 
  private:
@@ -79,8 +80,8 @@ class BlockFlows {
     }
   }
 
-  alignas(sizeof(Real) * W) Real leaving_[4][W];
-  alignas(sizeof(Real) * W) Real entering_[4][W];
+  alignas(sizeof(Real) * W) Real outgoing_[4][W];
+  alignas(sizeof(Real) * W) Real incoming_[4][W];
   alignas(sizeof(Real) * W) Real total_[W];
 };
 
