@@ -49,9 +49,9 @@ double interpolated(std::span<const double> values, const std::array<double, 4>&
 
 }  // namespace
 
-/// Where a ray left its first mirror, the light that it had brought until then [band], and the weight of what
-/// is beyond [band].
-struct RayRadiance::Turn {
+/// State of a ray at its first mirror: the radiance before it [band] and the weight of the radiance beyond it
+/// [band].
+struct RayRadiance::FirstReflection {
   Vec3 position;
   Vec3 towards;
   std::vector<double> radiance;
@@ -112,7 +112,7 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
   std::fill(work.factor.begin(), work.factor.end(), 1.0);
   PointInCell at = start;
   Vec3 towards = direction;
-  std::optional<Turn> first;
+  std::optional<FirstReflection> first;
   double way = 0;
   for (int i = 0; i < most_mirrors; ++i) {
     const RayEnd end = walk(at, towards, work);
@@ -129,7 +129,7 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
     at = {end.cell, end.point};
     way += end.distance;
     if (!first)
-      first = Turn{at.position, towards, {radiance.begin(), radiance.end()}, weights_left(work)};
+      first = FirstReflection{at.position, towards, {radiance.begin(), radiance.end()}, weights_left(work)};
     else if ((at.position - first->position).norm() < same_place * way &&
              (towards - first->towards).norm() < same_place && end_series(*first, work, radiance))
       return;
@@ -155,7 +155,8 @@ std::vector<double> RayRadiance::weights_left(const Workspace& work) const {
 // Between mirrors that face each other the ray goes round and round: with X of light on the first round and
 // w < 1 of the weight left after it the series X (1 + w + w^2 + …) is X/(1 - w). Not so where lights and the
 // rest see different extinctions.
-bool RayRadiance::end_series(const Turn& first, const Workspace& work, std::span<double> radiance) const {
+bool RayRadiance::end_series(const FirstReflection& first, const Workspace& work,
+                             std::span<double> radiance) const {
   if (work.depth != work.depth_rest) return false;
   const std::vector<double> left = weights_left(work);
   for (std::size_t b = 0; b < bands_; ++b) {

@@ -97,7 +97,7 @@ class RayRadiance {
 
  private:
   struct RaySegment;
-  struct Turn;
+  struct FirstReflection;
   RayEnd walk(const PointInCell& from, const Vec3& direction, Workspace& work) const;
   void add_cells(const RaySegment& segment, Workspace& work, std::span<double> radiance) const;
   void add_part(const RaySegment& segment, const Workspace::Part& part, Workspace& work,
@@ -119,7 +119,7 @@ class RayRadiance {
   bool reflect(FaceIndex face, double cosine, Workspace& work) const;
   std::vector<double> weights_left(const Workspace& work) const;
   /// Whether the rounds of a ray that is back at its first mirror could be added up.
-  bool end_series(const Turn& first, const Workspace& work, std::span<double> radiance) const;
+  bool end_series(const FirstReflection& first, const Workspace& work, std::span<double> radiance) const;
   void find_dark_cells();
 
   const LightSetup& lights_;

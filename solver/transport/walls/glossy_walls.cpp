@@ -114,7 +114,8 @@ void GlossyWalls::add_reflected(OrdinateIndex m, std::span<const double> inflow,
 }
 
 template <class Real>
-void GlossyWalls::receive(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<double> arrived) const {
+void GlossyWalls::store_arriving(OrdinateIndex m, const SweepSlotsOf<Real>& slots,
+                                 std::span<double> arrived) const {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     if (projected_area(faces_[f].area_normal, directions_.direction(m)) <= 0) continue;
     double* kept = arrived.data() + f * row_size_ + m.at() / 2 * face_length_;
@@ -178,10 +179,11 @@ GlossyWalls::Size GlossyWalls::size_of(const Problem& problem, const DirectionSe
 
 template void GlossyWalls::add_reflected(OrdinateIndex, std::span<const double>,
                                          const SweepSlotsOf<double>&) const;
-template void GlossyWalls::receive(OrdinateIndex, const SweepSlotsOf<double>&, std::span<double>) const;
+template void GlossyWalls::store_arriving(OrdinateIndex, const SweepSlotsOf<double>&,
+                                          std::span<double>) const;
 
 template void GlossyWalls::add_reflected(OrdinateIndex, std::span<const double>,
                                          const SweepSlotsOf<float>&) const;
-template void GlossyWalls::receive(OrdinateIndex, const SweepSlotsOf<float>&, std::span<double>) const;
+template void GlossyWalls::store_arriving(OrdinateIndex, const SweepSlotsOf<float>&, std::span<double>) const;
 
 }  // namespace etendue
