@@ -138,7 +138,7 @@ class WallExchange {
   std::vector<std::int32_t> mirror_of_;  ///< [boundary face] its mirror, -1 where it is none
   std::vector<Mirror> mirrors_;
   std::vector<MirrorPlane> planes_;
-  std::array<std::size_t, 2> rows_{};  ///< [turn]
+  std::array<std::size_t, 2> rows_{};  ///< [pass]
   std::vector<Face> faces_;
   std::vector<std::int32_t> all_;           ///< boundary faces
   std::vector<std::int32_t> reflecting_;    ///< boundary faces

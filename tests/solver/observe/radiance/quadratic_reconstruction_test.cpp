@@ -98,7 +98,8 @@ TEST(QuadraticReconstruction, NearsASmoothFieldAtOrderThree) {
   EXPECT_GT(std::log2(error(4e-3) / error(4e-3 / 64)) / 2, 2.7);
 }
 
-// What jumps between two regions bends neither, and moments do not where one around is not known.
+// A jump between two regions leaves both linear, and so do moments where those of a cell around are not
+// known.
 TEST(QuadraticReconstruction, LeavesRegionsApart) {
   const TetrahedralMesh mesh = two_region_mesh(0.02);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 1, 1, 1), uniform_wall(1, 0, 0, 0));
