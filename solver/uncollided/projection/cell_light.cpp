@@ -131,17 +131,17 @@ LitCell::LitCell(const LightPaths& paths, CellIndex cell)
   thickness = paths.largest_extinction(cell) * size;
 }
 
-void add_directly(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
+void add_directly(const LightPaths& paths, const LightSource& source, const ShadowPlanes& shadows,
                   const LitCell& cell, LightBeams& beams, NodalMoments& moments) {
   const bool far = !source.is_near(cell.centroid, far_in_sizes * cell.size);
   // Between parallel mirrors suns from both sides make up for what each misses, if both are seen alike.
-  if (far && cell.thickness <= thin && !creases.pass_through(cell.corners) &&
-      PointsOfCell(paths, source, cell, beams, moments).add(!creases.are_complete()))
+  if (far && cell.thickness <= thin && !shadows.pass_through(cell.corners) &&
+      PointsOfCell(paths, source, cell, beams, moments).add(!shadows.are_complete()))
     return;
   if (source.as_point() != nullptr)
-    add_in_polar_frame(paths, *source.as_point(), creases, cell, moments);
+    add_in_polar_frame(paths, *source.as_point(), shadows, cell, moments);
   else
-    add_in_columns(paths, *source.as_beam(), creases, cell, moments);
+    add_in_columns(paths, *source.as_beam(), shadows, cell, moments);
 }
 
 }  // namespace etendue

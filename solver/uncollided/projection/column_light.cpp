@@ -118,13 +118,13 @@ class BeamInColumns {
 
 }  // namespace
 
-void add_in_columns(const LightPaths& paths, const BeamSource& source, const CreasePlanes& creases,
+void add_in_columns(const LightPaths& paths, const BeamSource& source, const ShadowPlanes& shadows,
                     const LitCell& cell, NodalMoments& moments) {
   BeamInColumns light(paths, source, cell, moments);
-  std::vector<CreasePlane> planes;
+  std::vector<ShadowPlane> planes;
   for (std::size_t i = 0; i < source.directions().size(); ++i) {
     const Vec3& direction = source.directions()[i];
-    const bool parted = creases.find(i, cell.corners, planes);
+    const bool parted = shadows.find(i, cell.corners, planes);
     for (const Column& column : columns_of(cell.corners, direction))
       for (const std::array<Vec3, 3>& part : cut_by_planes(column.entry, planes))
         for (const std::array<Vec3, 3>& lit : source.lit_parts(i, part))

@@ -71,12 +71,12 @@ struct ExtendedLight::Site {
 };
 
 ExtendedLight::ExtendedLight(const LightPaths& paths, const ExtendedSource& source,
-                             const std::vector<Crease>& creases, int threads)
+                             const std::vector<ShadowEdge>& shadow_edges, int threads)
     : paths_(paths),
       source_(source),
       bands_(paths.bands()),
       losses_(paths, source, threads),
-      edges_(paths, source, creases) {}
+      edges_(paths, source, shadow_edges) {}
 
 // Much larger cells hold nearly the light of a point.
 int ExtendedLight::divisions_of(const LitCell& cell) const {
@@ -239,7 +239,7 @@ void ExtendedLight::add_along_rays(const Site<corners>& site, const LightDetail&
 
 template <std::size_t corners, class Deposit>
 void ExtendedLight::add(const Site<corners>& site, const std::array<std::int32_t, corners>& vertices,
-                        const std::vector<Crease>& edges, int divisions, const Deposit& deposit,
+                        const std::vector<ShadowEdge>& edges, int divisions, const Deposit& deposit,
                         LightBeams& beams, NodalMoments& moments) const {
   LossesBetween<corners> losses;
   const Interpolation found = losses_.take(vertices, losses);
@@ -247,7 +247,7 @@ void ExtendedLight::add(const Site<corners>& site, const std::array<std::int32_t
   if (edges.empty() && (known || (found == Interpolation::unseen && look_inside(site, beams, losses))))
     return add_lit(site, losses, divisions, deposit, beams, moments);
   LightDetail detail = corners == 3 ? wall_in_shadow : coarse_light;
-  if (!edges.empty()) detail.creases = &edges;
+  if (!edges.empty()) detail.shadow_edges = &edges;
   if (source_.plane() && source_.is_near(site.centroid, near_in_sizes * site.size))
     return corners == 3 ? add_along_rays(site, detail, penumbra_tolerance, divisions_in_penumbra, deposit,
                                          beams, moments)
@@ -272,7 +272,7 @@ void ExtendedLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& mo
   if (source_.is_in_parts() && cell.thickness > thick &&
       source_.is_near(cell.centroid, near_in_sizes * cell.size))
     return add_point_by_point(site, site.whole, site.measure, 0, coarse_light, deposit, beams, moments);
-  std::vector<Crease> edges;
+  std::vector<ShadowEdge> edges;
   if (source_.flat_parts().size() <= most_cut_in_cells) edges = edges_.before(site.corner);
   add(site, paths_.problem().mesh().vertices(cell.index), edges, divisions_of(cell), deposit, beams, moments);
 }
@@ -302,10 +302,10 @@ void ExtendedLight::add(FaceIndex face, LightBeams& beams, NodalMoments& moments
       sum.add(shape, measure, b, std::max(0.0, irradiance));
     }
   };
-  const std::vector<Crease> edges = edges_.before(site.corner);
+  const std::vector<ShadowEdge> edges = edges_.before(site.corner);
   if (edges.empty()) return add(site, vertices, edges, divisions_of_faces, deposit, beams, moments);
   LightDetail detail = wall_in_shadow;
-  detail.creases = &edges;
+  detail.shadow_edges = &edges;
   add_along_rays(site, detail, penumbra_tolerance, divisions_in_penumbra, deposit, beams, moments);
 }
 

@@ -24,8 +24,8 @@ namespace etendue {
 /// is left to be interpolated.
 class ExtendedLight {
  public:
-  ExtendedLight(const LightPaths& paths, const ExtendedSource& source, const std::vector<Crease>& creases,
-                int threads);
+  ExtendedLight(const LightPaths& paths, const ExtendedSource& source,
+                const std::vector<ShadowEdge>& shadow_edges, int threads);
 
   void add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const;
   void add(FaceIndex face, LightBeams& beams, NodalMoments& moments) const;
@@ -64,7 +64,7 @@ class ExtendedLight {
                       const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const;
   template <std::size_t corners, class Deposit>
   void add(const Site<corners>& site, const std::array<std::int32_t, corners>& vertices,
-           const std::vector<Crease>& edges, int divisions, const Deposit& deposit, LightBeams& beams,
+           const std::vector<ShadowEdge>& edges, int divisions, const Deposit& deposit, LightBeams& beams,
            NodalMoments& moments) const;
 
   const LightPaths& paths_;

@@ -141,7 +141,7 @@ class PointsOfFace {
 };
 
 void add_image(const LightPaths& paths, const PointSource& source, const PointSource::Image& image,
-               std::span<const CreasePlane> planes, const LitFace& face, NodalMoments& moments) {
+               std::span<const ShadowPlane> planes, const LitFace& face, NodalMoments& moments) {
   const double height = face.normal.dot(face.centroid - image.position);
   constexpr double on_plane = 1e-10;
   if (height <= on_plane * face.size) return;
@@ -178,15 +178,15 @@ void add_wide(const LightSource& source, const LitFace& face, double thickness, 
 
 }  // namespace
 
-void add_irradiance(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
+void add_irradiance(const LightPaths& paths, const LightSource& source, const ShadowPlanes& shadows,
                     FaceIndex index, LightBeams& beams, NodalMoments& moments) {
   const LitFace face(paths.problem().mesh(), index);
-  std::vector<CreasePlane> planes;
+  std::vector<ShadowPlane> planes;
   const PointSource* point = source.as_point();
-  const bool parted = creases.find(face.corners, planes);
+  const bool parted = shadows.find(face.corners, planes);
   if (parted && point != nullptr && source.is_near(face.centroid, face.size)) {
     for (std::size_t i = 0; i < point->images().size(); ++i) {
-      creases.find(i, face.corners, planes);
+      shadows.find(i, face.corners, planes);
       add_image(paths, *point, point->images()[i], planes, face, moments);
     }
     return;

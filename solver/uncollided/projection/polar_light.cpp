@@ -130,12 +130,12 @@ class PointInWedges {
 
 }  // namespace
 
-void add_in_polar_frame(const LightPaths& paths, const PointSource& source, const CreasePlanes& creases,
+void add_in_polar_frame(const LightPaths& paths, const PointSource& source, const ShadowPlanes& shadows,
                         const LitCell& cell, NodalMoments& moments) {
-  std::vector<CreasePlane> planes;
+  std::vector<ShadowPlane> planes;
   for (std::size_t i = 0; i < source.images().size(); ++i) {
     const PointSource::Image& image = source.images()[i];
-    const bool parted = creases.find(i, cell.corners, planes);
+    const bool parted = shadows.find(i, cell.corners, planes);
     std::array<Vec3, 4> corners = cell.corners;
     for (Vec3& corner : corners) corner -= image.position;
     PointInWedges light(paths, source, image, cell, parted, moments);

@@ -12,7 +12,7 @@ namespace {
 /// Part of a way by which its end lies behind a mirror at most if it counts as before it: less than what
 /// LightPaths::transmit allows.
 constexpr double before_mirror = 1e-10;
-/// Triangles up to which each is cut along creases.
+/// Triangles up to which each is cut along shadow edges.
 constexpr std::size_t most_parted = 500;
 /// How finely a body is looked at, and the radius in distances below which three points of a part do.
 constexpr double largest_side_of_body = 0.5, small_body = 0.25;
@@ -28,7 +28,8 @@ std::vector<LightPiece> ExtendedSource::cut(const Vec3& place, LightDetail detai
 
 void ExtendedSource::cut(const LightView& view, LightDetail detail, std::vector<LightPiece>& pieces) const {
   const EmitterTree::Node& root = tree_.root();
-  if (detail.creases != nullptr && !flat_parts_.empty() && cut_along_creases(view, detail, pieces)) return;
+  if (detail.shadow_edges != nullptr && !flat_parts_.empty() && cut_along_shadow_edges(view, detail, pieces))
+    return;
   const bool far =
       view.body->size_from(view.eye) < detail.opening / 2 && root.thickness < detail.thickness / 2;
   if (!far && !view.body->convex.empty()) return cut_body(view, detail, pieces);
@@ -57,30 +58,31 @@ void ExtendedSource::cut_node(const LightView& view, LightDetail detail, int ind
     cut_tetrahedron(view, detail, tree_.part(node.part), pieces);
 }
 
-// Of a large triangle creases may be too many to be told apart, where they are not of each face of the mesh.
-bool ExtendedSource::cut_along_creases(const LightView& view, LightDetail detail,
-                                       std::vector<LightPiece>& pieces) const {
+// Of a large triangle shadow edges may be too many to be told apart, where they are not of each face of the
+// mesh.
+bool ExtendedSource::cut_along_shadow_edges(const LightView& view, LightDetail detail,
+                                            std::vector<LightPiece>& pieces) const {
   if (flat_parts_.size() > most_parted) return false;
-  const CreasePlanes creases(paths_, *detail.creases, view.eye, view.mirrors);
-  std::vector<std::vector<CreasePlane>> planes(flat_parts_.size());
+  const ShadowPlanes shadows(paths_, *detail.shadow_edges, view.eye, view.mirrors);
+  std::vector<std::vector<ShadowPlane>> planes(flat_parts_.size());
   bool told_apart = true;
   for (std::size_t i = 0; i < flat_parts_.size() && told_apart; ++i)
     told_apart =
-        !shines_to(flat_parts_[i], view.eye) || creases.find(0, triangle_of(flat_parts_[i]), planes[i]);
+        !shines_to(flat_parts_[i], view.eye) || shadows.find(0, triangle_of(flat_parts_[i]), planes[i]);
   for (std::size_t i = 0; i < flat_parts_.size() && told_apart; ++i)
     cut_triangle(view, detail, flat_parts_[i], planes[i], pieces);
   if (told_apart) return true;
   if (tree_.parts().size() > most_parted) return false;
   for (const EmitterPart& part : tree_.parts()) {
     if (!shines_to(part, view.eye)) continue;
-    creases.find(0, triangle_of(part), planes[0]);
+    shadows.find(0, triangle_of(part), planes[0]);
     cut_triangle(view, detail, part, planes[0], pieces);
   }
   return true;
 }
 
 void ExtendedSource::cut_triangle(const LightView& view, LightDetail detail, const EmitterPart& part,
-                                  std::span<const CreasePlane> planes,
+                                  std::span<const ShadowPlane> planes,
                                   std::vector<LightPiece>& pieces) const {
   if (!shines_to(part, view.eye)) return;
   const Vec3 a = part.corners[0] - view.eye, b = part.corners[1] - view.eye, c = part.corners[2] - view.eye;

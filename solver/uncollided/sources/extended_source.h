@@ -9,9 +9,9 @@
 
 #include "solver/uncollided/closed_form/emitter_tree.h"
 #include "solver/uncollided/closed_form/flat_shape.h"
-#include "solver/uncollided/sources/crease_planes.h"
 #include "solver/uncollided/sources/even_light.h"
 #include "solver/uncollided/sources/light_piece.h"
+#include "solver/uncollided/sources/shadow_planes.h"
 #include "solver/uncollided/sources/unfolded_body.h"
 #include "solver/uncollided/sources/wide_source.h"
 
@@ -55,10 +55,11 @@ class ExtendedSource : public WideSource {
   std::vector<LightPiece> cut(const Vec3& place, LightDetail detail) const;
   void cut(const LightView& view, LightDetail detail, std::vector<LightPiece>& pieces) const;
   void cut_node(const LightView& view, LightDetail detail, int index, std::vector<LightPiece>& pieces) const;
-  /// False, and nothing added, where creases are too many.
-  bool cut_along_creases(const LightView& view, LightDetail detail, std::vector<LightPiece>& pieces) const;
+  /// False, and nothing added, where there are too many shadow edges.
+  bool cut_along_shadow_edges(const LightView& view, LightDetail detail,
+                              std::vector<LightPiece>& pieces) const;
   void cut_triangle(const LightView& view, LightDetail detail, const EmitterPart& part,
-                    std::span<const CreasePlane> planes, std::vector<LightPiece>& pieces) const;
+                    std::span<const ShadowPlane> planes, std::vector<LightPiece>& pieces) const;
   void cut_tetrahedron(const LightView& view, LightDetail detail, const EmitterPart& part,
                        std::vector<LightPiece>& pieces) const;
   void cut_body(const LightView& view, LightDetail detail, std::vector<LightPiece>& pieces) const;

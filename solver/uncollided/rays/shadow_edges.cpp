@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/uncollided/rays/creases.h"
+#include "solver/uncollided/rays/shadow_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ constexpr double straight = 1e-6, hardly = 0.1;
 /// A face that light notices, at one of its edges.
 struct FaceAtEdge {
   std::array<std::int32_t, 2> ends;
-  Crease::Surface surface;
+  ShadowEdge::Surface surface;
 };
 
 bool is_between_media(const LightPaths& paths, CellIndex a, CellIndex b) {
@@ -56,53 +56,53 @@ std::vector<FaceAtEdge> noticed_faces(const LightPaths& paths) {
   return faces;
 }
 
-bool part_alike(const Crease::Surface& a, const Crease::Surface& b) {
+bool part_alike(const ShadowEdge::Surface& a, const ShadowEdge::Surface& b) {
   return a.wall == b.wall && a.regions == b.regions;
 }
 
 /// Whether each of the faces at an edge has one that goes on from it.
 bool go_on(std::span<const FaceAtEdge> around, double bend) {
   return std::ranges::all_of(around, [&](const FaceAtEdge& face) {
-    const Crease::Surface& here = face.surface;
+    const ShadowEdge::Surface& here = face.surface;
     return std::ranges::any_of(around, [&](const FaceAtEdge& other) {
-      const Crease::Surface& there = other.surface;
+      const ShadowEdge::Surface& there = other.surface;
       return part_alike(here, there) && (there.away + here.away).norm() < bend &&
              (there.normal - here.normal).norm() < bend;
     });
   });
 }
 
-bool is_same(const Crease::Surface& a, const Crease::Surface& b) {
+bool is_same(const ShadowEdge::Surface& a, const ShadowEdge::Surface& b) {
   return part_alike(a, b) && (a.normal - b.normal).norm() < straight && (a.away - b.away).norm() < straight;
 }
 
-/// The crease of one edge of the mesh, with its ends.
-struct CreasedEdge {
+/// Shadow edge along one edge of the mesh, with its ends.
+struct MeshShadowEdge {
   std::array<std::int32_t, 2> ends;
-  Crease crease;
+  ShadowEdge line;
 };
 
-std::vector<CreasedEdge> creased_edges(const LightPaths& paths) {
+std::vector<MeshShadowEdge> mesh_shadow_edges(const LightPaths& paths) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::vector<FaceAtEdge> faces = noticed_faces(paths);
-  std::vector<CreasedEdge> edges;
+  std::vector<MeshShadowEdge> edges;
   for (std::size_t first = 0, last = 0; first < faces.size(); first = last) {
     while (last < faces.size() && faces[last].ends == faces[first].ends) ++last;
     const std::span<const FaceAtEdge> around(&faces[first], last - first);
     if (go_on(around, straight)) continue;
     const auto& ends = faces[first].ends;
-    CreasedEdge edge{
+    MeshShadowEdge edge{
         ends,
         {mesh.point(VertexIndex(ends[0])), mesh.point(VertexIndex(ends[1])), {}, go_on(around, hardly)}};
-    for (const FaceAtEdge& face : around) edge.crease.surfaces.push_back(face.surface);
+    for (const FaceAtEdge& face : around) edge.line.surfaces.push_back(face.surface);
     edges.push_back(std::move(edge));
   }
   return edges;
 }
 
-bool is_alike(const Crease& a, const Crease& b) {
+bool is_alike(const ShadowEdge& a, const ShadowEdge& b) {
   return a.blunt == b.blunt && a.surfaces.size() == b.surfaces.size() &&
-         std::ranges::all_of(a.surfaces, [&](const Crease::Surface& surface) {
+         std::ranges::all_of(a.surfaces, [&](const ShadowEdge::Surface& surface) {
            return std::ranges::any_of(b.surfaces, [&](const auto& other) { return is_same(surface, other); });
          });
 }
@@ -122,16 +122,16 @@ class Lines {
   std::vector<std::size_t> parent_;
 };
 
-Vec3 direction_of(const Crease& crease) { return (crease.end - crease.begin).normalized(); }
+Vec3 direction_of(const ShadowEdge& edge) { return (edge.end - edge.begin).normalized(); }
 
-void join_at_vertices(const std::vector<CreasedEdge>& edges, Lines& lines) {
+void join_at_vertices(const std::vector<MeshShadowEdge>& edges, Lines& lines) {
   std::vector<std::pair<std::int32_t, std::size_t>> at_vertex;
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (const std::int32_t end : edges[i].ends) at_vertex.emplace_back(end, i);
   std::ranges::sort(at_vertex);
   for (std::size_t i = 0; i < at_vertex.size(); ++i)
     for (std::size_t j = i + 1; j < at_vertex.size() && at_vertex[j].first == at_vertex[i].first; ++j) {
-      const Crease &a = edges[at_vertex[i].second].crease, &b = edges[at_vertex[j].second].crease;
+      const ShadowEdge &a = edges[at_vertex[i].second].line, &b = edges[at_vertex[j].second].line;
       if (direction_of(a).cross(direction_of(b)).norm() < straight && is_alike(a, b))
         lines.join(at_vertex[i].second, at_vertex[j].second);
     }
@@ -139,27 +139,27 @@ void join_at_vertices(const std::vector<CreasedEdge>& edges, Lines& lines) {
 
 }  // namespace
 
-std::vector<Crease> creases_of(const LightPaths& paths) {
-  const std::vector<CreasedEdge> edges = creased_edges(paths);
+std::vector<ShadowEdge> shadow_edges_of(const LightPaths& paths) {
+  const std::vector<MeshShadowEdge> edges = mesh_shadow_edges(paths);
   Lines lines(edges.size());
   join_at_vertices(edges, lines);
-  std::vector<Crease> creases;
+  std::vector<ShadowEdge> shadow_edges;
   std::vector<std::size_t> number(edges.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Crease& edge = edges[i].crease;
+    const ShadowEdge& edge = edges[i].line;
     if (lines.of(i) == i) {
-      number[i] = creases.size();
-      creases.push_back(edge);
+      number[i] = shadow_edges.size();
+      shadow_edges.push_back(edge);
       continue;
     }
-    Crease& line = creases[number[lines.of(i)]];
+    ShadowEdge& line = shadow_edges[number[lines.of(i)]];
     const Vec3 along = direction_of(line);
     for (const Vec3& end : {edge.begin, edge.end}) {
       if (along.dot(end - line.begin) < 0) line.begin = end;
       if (along.dot(end - line.end) > 0) line.end = end;
     }
   }
-  return creases;
+  return shadow_edges;
 }
 
 }  // namespace etendue

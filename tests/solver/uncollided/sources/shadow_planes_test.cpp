@@ -2,7 +2,7 @@
 //
 // Shadows' edges and bends behind the edges of walls and media: cells are cut along them, so what a lamp or
 // the sun brings is smooth in each part.
-#include "solver/uncollided/sources/crease_planes.h"
+#include "solver/uncollided/sources/shadow_planes.h"
 
 #include <gtest/gtest.h>
 
@@ -95,9 +95,9 @@ double missing_part(const Problem& problem) {
   return std::abs(missing) / sent;
 }
 
-double length_of(const std::vector<Crease>& creases) {
+double length_of(const std::vector<ShadowEdge>& shadow_edges) {
   double length = 0;
-  for (const Crease& crease : creases) length += (crease.end - crease.begin).norm();
+  for (const ShadowEdge& edge : shadow_edges) length += (edge.end - edge.begin).norm();
   return length;
 }
 
@@ -114,24 +114,24 @@ double lit_volume(const TetrahedralMesh& mesh) {
 }
 
 // However fine the mesh is.
-TEST(Creases, OfACubeAndABoxInItAreTheirEdges) {
+TEST(ShadowEdges, OfACubeAndABoxInItAreTheirEdges) {
   for (const double max_volume : {0.02, 1e-3}) {
     const TetrahedralMesh cube = room(Inside::nothing, max_volume);
-    const std::vector<Crease> of_cube = creases_of(LightPaths(lit(cube, lamp(), 1)));
+    const std::vector<ShadowEdge> of_cube = shadow_edges_of(LightPaths(lit(cube, lamp(), 1)));
     EXPECT_EQ(of_cube.size(), 12);
     EXPECT_NEAR(length_of(of_cube), 12, 1e-12);
     for (const Inside inside : {Inside::crate, Inside::fog}) {
       const TetrahedralMesh mesh = room(inside, max_volume);
-      const std::vector<Crease> creases = creases_of(LightPaths(lit(mesh, lamp(), 1)));
-      EXPECT_EQ(creases.size(), 24);
-      EXPECT_NEAR(length_of(creases), 12 + 4 * (0.35 + 0.3 + 0.15), 1e-12);
+      const std::vector<ShadowEdge> shadow_edges = shadow_edges_of(LightPaths(lit(mesh, lamp(), 1)));
+      EXPECT_EQ(shadow_edges.size(), 24);
+      EXPECT_NEAR(length_of(shadow_edges), 12 + 4 * (0.35 + 0.3 + 0.15), 1e-12);
     }
   }
 }
 
 // Four media that meet along one line: each surface between two of them ends there, if straight into the
 // next.
-TEST(Creases, AreWhereFourMediaMeet) {
+TEST(ShadowEdges, AreWhereFourMediaMeet) {
   Geometry geometry;
   for (int i = 0; i < 4; ++i) {
     BoxPrimitive box;
@@ -149,25 +149,25 @@ TEST(Creases, AreWhereFourMediaMeet) {
     walls.back().name = name;
   }
   const Problem problem(mesh, {}, media, walls, AngularSpace::sphere, {sun(mesh)});
-  const auto in_the_middle = [](const Crease& crease) {
-    return (crease.begin - Vec3(0.5, 0.5, crease.begin.z())).norm() < 1e-9 &&
-           std::abs((crease.end - crease.begin).norm() - 1) < 1e-9;
+  const auto in_the_middle = [](const ShadowEdge& edge) {
+    return (edge.begin - Vec3(0.5, 0.5, edge.begin.z())).norm() < 1e-9 &&
+           std::abs((edge.end - edge.begin).norm() - 1) < 1e-9;
   };
-  EXPECT_EQ(std::ranges::count_if(creases_of(LightPaths(problem)), in_the_middle), 1);
+  EXPECT_EQ(std::ranges::count_if(shadow_edges_of(LightPaths(problem)), in_the_middle), 1);
   EXPECT_LT(missing_part(problem), 1e-6);
 }
 
 // Light does not notice the border of a region that differs in name only.
-TEST(Creases, AreNotBetweenMediaOfOneExtinction) {
+TEST(ShadowEdges, AreNotBetweenMediaOfOneExtinction) {
   const TetrahedralMesh mesh = room(Inside::fog, 0.01);
-  EXPECT_EQ(creases_of(LightPaths(lit(mesh, lamp(), 3))).size(), 12);
+  EXPECT_EQ(shadow_edges_of(LightPaths(lit(mesh, lamp(), 3))).size(), 12);
 }
 
-TEST(CreasePlanes, CutATriangleIntoPartsThatFillIt) {
+TEST(ShadowPlanes, CutATriangleIntoPartsThatFillIt) {
   const TetrahedralMesh mesh = room(Inside::crate, 0.02);
   const Problem problem = lit(mesh, lamp(), 1);
   const LightSetup lights(problem);
-  const CreasePlanes creases(lights.paths(), lights.creases(), *lights.sources()[0]);
+  const ShadowPlanes shadows(lights.paths(), lights.shadow_edges(), *lights.sources()[0]);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(0, 1);
   const auto area = [](const std::array<Vec3, 3>& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2; };
@@ -175,15 +175,15 @@ TEST(CreasePlanes, CutATriangleIntoPartsThatFillIt) {
   for (int i = 0; i < 300; ++i) {
     std::array<Vec3, 3> triangle;
     for (Vec3& corner : triangle) corner = Vec3(number(random), number(random), 0.4 * number(random));
-    std::vector<CreasePlane> planes;
-    creases.find(triangle, planes);
+    std::vector<ShadowPlane> planes;
+    shadows.find(triangle, planes);
     const auto parts = cut_by_planes(triangle, planes);
     double sum = 0;
     for (const auto& part : parts) {
       sum += area(part);
-      // No plane whose crease shows within a part passes through it.
-      std::vector<CreasePlane> left;
-      creases.find(part, left);
+      // No plane whose shadow edge shows within a part passes through it.
+      std::vector<ShadowPlane> left;
+      shadows.find(part, left);
       EXPECT_TRUE(left.empty());
     }
     EXPECT_NEAR(sum, area(triangle), 1e-13);
@@ -193,7 +193,7 @@ TEST(CreasePlanes, CutATriangleIntoPartsThatFillIt) {
 }
 
 // Empty space keeps nothing: all that comes in arrives on a wall, to rounding, whatever stands in the way.
-TEST(CreasePlanes, LetTheSunBalanceToRoundingInEmptySpace) {
+TEST(ShadowPlanes, LetTheSunBalanceToRoundingInEmptySpace) {
   for (const Inside inside : {Inside::crate, Inside::ball_hole}) {
     const TetrahedralMesh mesh = room(inside, 2e-3);
     EXPECT_LT(missing_part(lit(mesh, sun(mesh), 0)), 1e-13);
@@ -203,7 +203,7 @@ TEST(CreasePlanes, LetTheSunBalanceToRoundingInEmptySpace) {
 
 // The umbra of the crate, a prism along the light from its silhouette down to the floor, and the crate are
 // dark.
-TEST(CreasePlanes, LeaveTheUmbraOutOfTheLitVolume) {
+TEST(ShadowPlanes, LeaveTheUmbraOutOfTheLitVolume) {
   const TetrahedralMesh mesh = room(Inside::crate, 2e-3);
   const Vec3 size(0.35, 0.3, 0.15);
   // Below a point of the lower side, 0.4 above the floor, and of the two that turn from the light, whose
@@ -215,7 +215,7 @@ TEST(CreasePlanes, LeaveTheUmbraOutOfTheLitVolume) {
   EXPECT_NEAR(lit_volume(mesh), 1 - size.prod() - below - beside, 1e-12);
 }
 
-TEST(CreasePlanes, LetTheSunBalanceInMatter) {
+TEST(ShadowPlanes, LetTheSunBalanceInMatter) {
   for (const Inside inside :
        {Inside::nothing, Inside::crate, Inside::ball_hole, Inside::fog, Inside::ball_of_fog}) {
     const TetrahedralMesh mesh = room(inside, 2e-3);
@@ -224,7 +224,7 @@ TEST(CreasePlanes, LetTheSunBalanceInMatter) {
   }
 }
 
-TEST(CreasePlanes, LetALampBalance) {
+TEST(ShadowPlanes, LetALampBalance) {
   for (const Inside inside : {Inside::crate, Inside::ball_hole, Inside::fog, Inside::ball_of_fog}) {
     const TetrahedralMesh mesh = room(inside, 2e-3);
     for (const double extinction : {0.0, 1.0, 6.0})
@@ -233,7 +233,7 @@ TEST(CreasePlanes, LetALampBalance) {
 }
 
 // Each mirror shows the room again, with what casts shadows in it.
-TEST(CreasePlanes, StandBehindMirrorsToo) {
+TEST(ShadowPlanes, StandBehindMirrorsToo) {
   for (const Inside inside : {Inside::crate, Inside::fog}) {
     const TetrahedralMesh mesh = room(inside, 2e-3);
     EXPECT_LT(missing_part(lit(mesh, lamp(), 1, Mirrors::at_right_angles)), 2e-7);
@@ -242,7 +242,7 @@ TEST(CreasePlanes, StandBehindMirrorsToo) {
 }
 
 // Between parallel mirrors the room stands again and again, as far as the light goes.
-TEST(CreasePlanes, StandAgainAndAgainBetweenParallelMirrors) {
+TEST(ShadowPlanes, StandAgainAndAgainBetweenParallelMirrors) {
   for (const Inside inside : {Inside::nothing, Inside::crate}) {
     const TetrahedralMesh mesh = room(inside, 4e-3);
     const Light light{"sun", BeamLight{Vec3(0.9, 0.1, -0.4).normalized(), {1}, {wall_of(mesh, "zmax")}}, {}};

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "solver/uncollided/rays/creases.h"
 #include "solver/uncollided/rays/mirror_copies.h"
+#include "solver/uncollided/rays/shadow_edges.h"
 #include "solver/uncollided/sources/light_source.h"
 
 namespace etendue {
 
-/// The half of a plane behind a crease, as a light sees it: on normal . x = offset, between two straight
+/// The half of a plane behind a shadow edge, seen from a light: on normal . x = offset, between two straight
 /// lines along the light through its ends. Of the edge of a lamp's cone that behind a chord of it.
-struct CreasePlane {
+struct ShadowPlane {
   struct Half {
     Vec3 normal;  ///< unit
     double offset;
@@ -22,22 +22,23 @@ struct CreasePlane {
   };
   Half plane;
   Half begin, end;  ///< both positive between the ends
-  double nearest;   ///< where the crease begins: along the light, or from it [length]
+  double nearest;   ///< where the shadow edge begins: along the light, or from it [length]
 };
 
-/// A triangle cut along the planes whose crease is seen within it, into triangles; itself if there are none.
-/// Corners that a plane misses by a billionth of its size lie on it.
+/// A triangle cut along the planes whose shadow edge is seen within it, into triangles; itself if there are
+/// none. Corners that a plane misses by a billionth of its size lie on it.
 std::vector<std::array<Vec3, 3>> cut_by_planes(const std::array<Vec3, 3>& triangle,
-                                               std::span<const CreasePlane> planes);
+                                               std::span<const ShadowPlane> planes);
 
-/// The planes behind all creases, and along the edges of a lamp's cones, for a light that is a point or a
-/// beam, and for its images behind mirrors.
-/// Without planes for other lights. May be used by several threads at a time.
-class CreasePlanes {
+/// The planes behind all shadow edges, and along the edges of a lamp's cones, for a light that is a point or
+/// a beam, and for its images behind mirrors. Without planes for other lights. May be used by several threads
+/// at a time.
+class ShadowPlanes {
  public:
-  CreasePlanes(const LightPaths& paths, const std::vector<Crease>& creases, const LightSource& source);
+  ShadowPlanes(const LightPaths& paths, const std::vector<ShadowEdge>& shadow_edges,
+               const LightSource& source);
   /// Those before which an eye sees light, by way of mirrors as behind them: one image.
-  CreasePlanes(const LightPaths& paths, const std::vector<Crease>& creases, const Vec3& eye,
+  ShadowPlanes(const LightPaths& paths, const std::vector<ShadowEdge>& shadow_edges, const Vec3& eye,
                MirrorSet mirrors);
 
   /// Whether all are known, as they are but where there are very many or parallel mirrors show them too
@@ -45,10 +46,11 @@ class CreasePlanes {
   bool are_complete() const { return complete_; }
   /// Those that pass through a cell or a face with these corners in the light of an image, as the source
   /// numbers them, about the image's place if it has one. False where they may not be all: without any,
-  /// because they are too many to be told apart, or because parallel mirrors show creases again and again.
-  bool find(std::size_t image, std::span<const Vec3> corners, std::vector<CreasePlane>& found) const;
+  /// because they are too many to be told apart, or because parallel mirrors show shadow edges again and
+  /// again.
+  bool find(std::size_t image, std::span<const Vec3> corners, std::vector<ShadowPlane>& found) const;
   /// Those of all images, about the origin of space.
-  bool find(std::span<const Vec3> corners, std::vector<CreasePlane>& found) const;
+  bool find(std::span<const Vec3> corners, std::vector<ShadowPlane>& found) const;
   /// Whether there are any, too many to be told apart included.
   bool pass_through(std::span<const Vec3> corners) const;
 
@@ -56,10 +58,10 @@ class CreasePlanes {
   struct Image {
     Vec3 place;      ///< of a point
     Vec3 direction;  ///< of a beam, zero for a point
-    std::vector<CreasePlane> planes;
+    std::vector<ShadowPlane> planes;
     std::size_t along_rims = 0;  ///< planes among them: the last ones
   };
-  void add_planes(const std::vector<Crease>& creases, const std::vector<MirrorCopy>& copies,
+  void add_planes(const std::vector<ShadowEdge>& shadow_edges, const std::vector<MirrorCopy>& copies,
                   std::span<const int> lit_walls, Image& image);
   void add_rim(std::span<const Vec3> rim, Image& image);
 

@@ -9,24 +9,23 @@
 
 namespace etendue {
 
-/// A straight line at which the surfaces of a problem do not go on: where walls or surfaces between media
-/// meet at an angle or end. Behind it, as a light sees it, lies the edge of a shadow, or a bend in what
-/// matter has left of the light.
-struct Crease {
+/// Straight line at which walls or surfaces between media end or meet at an angle. Behind it, seen from a
+/// light, the light is discontinuous (the edge of a shadow) or its derivative is (attenuation by a medium).
+struct ShadowEdge {
   /// One side of a surface that meets there.
   struct Surface {
     Vec3 normal;  ///< unit: of a wall out of the domain; else into the region of the higher number
-    Vec3 away;    ///< unit: in the surface, across the crease
+    Vec3 away;    ///< unit: in the surface, across the shadow edge
     int wall;     ///< -1 between media
     std::pair<int, int> regions;  ///< that it parts
     bool mirrors;
   };
   Vec3 begin, end;
   std::vector<Surface> surfaces;
-  bool blunt;  ///< whether all go on beyond it with hardly a bend
+  bool blunt;  ///< all surfaces continue beyond it at a small angle
 };
 
-/// Each line once, however many edges of the mesh make it up.
-std::vector<Crease> creases_of(const LightPaths& paths);
+/// Returns each line once, also where it consists of many edges of the mesh.
+std::vector<ShadowEdge> shadow_edges_of(const LightPaths& paths);
 
 }  // namespace etendue
