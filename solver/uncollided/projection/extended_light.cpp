@@ -75,7 +75,7 @@ ExtendedLight::ExtendedLight(const LightPaths& paths, const ExtendedSource& sour
     : paths_(paths),
       source_(source),
       bands_(paths.bands()),
-      losses_(paths, source, threads),
+      vertex_attenuation_(paths, source, threads),
       edges_(paths, source, shadow_edges) {}
 
 // Much larger cells hold nearly the light of a point.
@@ -88,14 +88,14 @@ int ExtendedLight::divisions_of(const LitCell& cell) const {
 // light take the mean of the others.
 template <std::size_t corners>
 bool ExtendedLight::look_inside(const Site<corners>& site, LightBeams& beams,
-                                LossesBetween<corners>& losses) const {
+                                InterpolatedAttenuation<corners>& interpolated) const {
   const auto& rule = rule_of_degree_two(site.whole);
   std::array<Seen, corners> seen{};
   double lit = 0;
   for (std::size_t i = 0; i < corners; ++i) {
-    losses.corner[i].resize(bands_);
-    seen[i] =
-        look(source_, {site.cell, site.position(rule[i].barycentric)}, coarse_light, beams, losses.corner[i]);
+    interpolated.corner[i].resize(bands_);
+    seen[i] = look(source_, {site.cell, site.position(rule[i].barycentric)}, coarse_light, beams,
+                   interpolated.corner[i]);
     if (seen[i] == Seen::nothing || seen[i] == Seen::part) return false;
     lit += seen[i] == Seen::all ? 1 : 0;
   }
@@ -103,29 +103,29 @@ bool ExtendedLight::look_inside(const Site<corners>& site, LightBeams& beams,
   constexpr auto count = static_cast<double>(corners);
   const double a = rule[0].barycentric[1];
   for (std::size_t b = 0; b < bands_; ++b) {
-    WayLoss mean;
+    PathAttenuation mean;
     for (std::size_t i = 0; i < corners; ++i)
       if (seen[i] == Seen::all) {
-        mean.extinction += losses.corner[i][b].extinction / lit;
-        mean.turn += losses.corner[i][b].turn / lit;
+        mean.extinction += interpolated.corner[i][b].extinction / lit;
+        mean.deflection += interpolated.corner[i][b].deflection / lit;
       }
     for (std::size_t i = 0; i < corners; ++i) {
-      WayLoss& own = losses.corner[i][b];
+      PathAttenuation& own = interpolated.corner[i][b];
       if (seen[i] != Seen::all) own = mean;
       own = {1, mean.extinction + (own.extinction - mean.extinction) / (1 - count * a),
-             mean.turn + (own.turn - mean.turn) / (1 - count * a)};
+             mean.deflection + (own.deflection - mean.deflection) / (1 - count * a)};
     }
   }
   return true;
 }
 
-void ExtendedLight::arrive(const Vec3& place, std::span<const WayLoss> loss, LightBeams& beams,
+void ExtendedLight::arrive(const Vec3& place, std::span<const PathAttenuation> attenuation, LightBeams& beams,
                            Arrived& light) const {
-  for (std::size_t b = 0; b < bands_; ++b) light.extinction[b] = std::max(0.0, loss[b].extinction);
+  for (std::size_t b = 0; b < bands_; ++b) light.extinction[b] = std::max(0.0, attenuation[b].extinction);
   source_.look_even(place, light.extinction, std::nullopt, beams, light);
   for (std::size_t b = 0; b < bands_; ++b) {
-    light.flux[b] = loss[b].visible * (light.flux[b] + light.fluence[b] * loss[b].turn);
-    light.fluence[b] *= loss[b].visible;
+    light.flux[b] = attenuation[b].visible * (light.flux[b] + light.fluence[b] * attenuation[b].deflection);
+    light.fluence[b] *= attenuation[b].visible;
   }
 }
 
@@ -167,15 +167,16 @@ void ExtendedLight::integrate(const Site<corners>& site, double tolerance, int d
 }
 
 template <std::size_t corners, class Deposit>
-void ExtendedLight::add_lit(const Site<corners>& site, const LossesBetween<corners>& losses, int divisions,
-                            const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const {
+void ExtendedLight::add_lit(const Site<corners>& site, const InterpolatedAttenuation<corners>& interpolated,
+                            int divisions, const Deposit& deposit, LightBeams& beams,
+                            NodalMoments& moments) const {
   Arrived light(bands_);
-  std::vector<WayLoss> loss(bands_);
+  std::vector<PathAttenuation> attenuation(bands_);
   const auto add_point = [&](const std::array<double, corners>& barycentric, double measure,
                              NodalMoments& sum) {
     const Vec3 place = site.position(barycentric);
-    for (std::size_t b = 0; b < bands_; ++b) loss[b] = losses.at(barycentric, b);
-    arrive(place, loss, beams, light);
+    for (std::size_t b = 0; b < bands_; ++b) attenuation[b] = interpolated.at(barycentric, b);
+    arrive(place, attenuation, beams, light);
     deposit(place, barycentric, measure, light, sum);
   };
   const bool middling = corners == 3 || source_.is_near(site.centroid, middling_in_sizes * site.size);
@@ -198,16 +199,16 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
   NodalMoments sum = moments;
   sum.clear();
   Arrived light(bands_);
-  std::vector<WayLoss> loss(bands_);
+  std::vector<PathAttenuation> attenuation(bands_);
   bool any_lit = false, any_shadow = false;
   const auto look_from = [&](const auto& point) {
     const auto barycentric = in_whole(point.barycentric, part);
     const Vec3 place = site.position(barycentric);
-    const Seen seen = look(source_, {site.cell, place}, detail, beams, loss);
-    const double visible = seen == Seen::behind ? 0 : loss[0].visible;
+    const Seen seen = look(source_, {site.cell, place}, detail, beams, attenuation);
+    const double visible = seen == Seen::behind ? 0 : attenuation[0].visible;
     any_lit = any_lit || visible > trifle_of_light;
     any_shadow = any_shadow || (seen != Seen::behind && visible < 1 - trifle_of_light);
-    arrive(place, loss, beams, light);
+    arrive(place, attenuation, beams, light);
     deposit(place, barycentric, point.weight * measure, light, sum);
   };
   if (divisions == 0 && source_.is_near(site.centroid, middling_in_sizes * site.size))
@@ -226,12 +227,12 @@ void ExtendedLight::add_along_rays(const Site<corners>& site, const LightDetail&
                                    int divisions, const Deposit& deposit, LightBeams& beams,
                                    NodalMoments& moments) const {
   Arrived light(bands_);
-  std::vector<WayLoss> loss(bands_);
+  std::vector<PathAttenuation> attenuation(bands_);
   const auto add_point = [&](const std::array<double, corners>& barycentric, double measure,
                              NodalMoments& sum) {
     const Vec3 place = site.position(barycentric);
-    look(source_, {site.cell, place}, detail, beams, loss);
-    arrive(place, loss, beams, light);
+    look(source_, {site.cell, place}, detail, beams, attenuation);
+    arrive(place, attenuation, beams, light);
     deposit(place, barycentric, measure, light, sum);
   };
   integrate(site, tolerance, divisions, add_point, moments);
@@ -241,11 +242,11 @@ template <std::size_t corners, class Deposit>
 void ExtendedLight::add(const Site<corners>& site, const std::array<std::int32_t, corners>& vertices,
                         const std::vector<ShadowEdge>& edges, int divisions, const Deposit& deposit,
                         LightBeams& beams, NodalMoments& moments) const {
-  LossesBetween<corners> losses;
-  const Interpolation found = losses_.take(vertices, losses);
+  InterpolatedAttenuation<corners> interpolated;
+  const Interpolation found = vertex_attenuation_.take(vertices, interpolated);
   const bool known = found == Interpolation::possible || (found == Interpolation::steep && !site.counts);
-  if (edges.empty() && (known || (found == Interpolation::unseen && look_inside(site, beams, losses))))
-    return add_lit(site, losses, divisions, deposit, beams, moments);
+  if (edges.empty() && (known || (found == Interpolation::unseen && look_inside(site, beams, interpolated))))
+    return add_lit(site, interpolated, divisions, deposit, beams, moments);
   LightDetail detail = corners == 3 ? wall_in_shadow : coarse_light;
   if (!edges.empty()) detail.shadow_edges = &edges;
   if (source_.plane() && source_.is_near(site.centroid, near_in_sizes * site.size))

@@ -143,7 +143,7 @@ TEST(UncollidedField, OfALampInAWallBalancesInAMedium) {
   }
 }
 
-// Over a layer of fog losses are quadratic between vertices; linear ones left 2e-4.
+// Over a layer of fog attenuation is quadratic between vertices; linear interpolation left 2e-4.
 TEST(UncollidedField, OfALampInAWallBalancesOverALayer) {
   EXPECT_NEAR(part_found(3e-4, 2, {.layer = 0.4}), 1, 5e-6);
 }

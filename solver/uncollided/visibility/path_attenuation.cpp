@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/uncollided/visibility/way_loss.h"
+#include "solver/uncollided/visibility/path_attenuation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,32 +50,34 @@ double even_extinction(const LightBeams& clear, std::size_t band, double left) {
 }  // namespace
 
 Seen look(const ExtendedSource& source, const PointInCell& here, LightDetail detail, LightBeams& beams,
-          std::span<WayLoss> loss) {
-  SeenBeams seen(loss.size());
+          std::span<PathAttenuation> attenuation) {
+  SeenBeams seen(attenuation.size());
   source.look(here, detail, seen);
   const LightBeams& clear = seen.clear;
-  LightBeams open(loss.size());
+  LightBeams open(attenuation.size());
   beams.clear();
   for (std::size_t i = 0; i < clear.size(); ++i) {
     if (!seen.is_open(i)) continue;
     std::ranges::copy(clear.fluence(i), open.add(clear.direction(i), clear.way(i)).begin());
-    std::copy_n(&seen.arriving[i * loss.size()], loss.size(), beams.add(clear.direction(i)).begin());
+    std::copy_n(&seen.arriving[i * attenuation.size()], attenuation.size(),
+                beams.add(clear.direction(i)).begin());
   }
   bool any_light = false;
-  for (std::size_t b = 0; b < loss.size(); ++b) {
-    loss[b] = {};
+  for (std::size_t b = 0; b < attenuation.size(); ++b) {
+    attenuation[b] = {};
     const BeamSum all(clear, b), visible(open, b), arrived(beams, b);
     any_light = any_light || all.fluence > 0;
-    if (all.fluence > 0) loss[b].visible = visible.fluence / all.fluence;
+    if (all.fluence > 0) attenuation[b].visible = visible.fluence / all.fluence;
     if (!(visible.fluence > 0)) continue;
-    loss[b].way = visible.way / visible.fluence;
-    loss[b].extinction =
+    attenuation[b].length = visible.way / visible.fluence;
+    attenuation[b].extinction =
         even_extinction(open, b, std::max(arrived.fluence, least_transmittance * visible.fluence));
-    const BeamSum even(clear, b, loss[b].extinction);
+    const BeamSum even(clear, b, attenuation[b].extinction);
     if (!(even.fluence > 0)) continue;
     if (open.size() < clear.size())
-      loss[b].visible = BeamSum(open, b, loss[b].extinction).fluence / even.fluence;
-    if (arrived.fluence > 0) loss[b].turn = arrived.flux / arrived.fluence - even.flux / even.fluence;
+      attenuation[b].visible = BeamSum(open, b, attenuation[b].extinction).fluence / even.fluence;
+    if (arrived.fluence > 0)
+      attenuation[b].deflection = arrived.flux / arrived.fluence - even.flux / even.fluence;
   }
   if (!any_light) return Seen::behind;
   return open.size() == 0 ? Seen::nothing : open.size() < clear.size() ? Seen::part : Seen::all;

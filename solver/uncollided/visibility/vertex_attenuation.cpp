@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/uncollided/visibility/mesh_losses.h"
+#include "solver/uncollided/visibility/vertex_attenuation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,28 +21,29 @@ constexpr double same = 1e-9;
 }  // namespace
 
 template <std::size_t corners>
-WayLoss LossesBetween<corners>::at(const std::array<double, corners>& barycentric, std::size_t band) const {
-  WayLoss loss{0};
-  const auto add = [&](double part, const WayLoss& other) {
-    loss.visible += part * other.visible;
-    loss.extinction += part * other.extinction;
-    loss.turn += part * other.turn;
+PathAttenuation InterpolatedAttenuation<corners>::at(const std::array<double, corners>& barycentric,
+                                                     std::size_t band) const {
+  PathAttenuation attenuation{0};
+  const auto add = [&](double part, const PathAttenuation& other) {
+    attenuation.visible += part * other.visible;
+    attenuation.extinction += part * other.extinction;
+    attenuation.deflection += part * other.deflection;
   };
   for (std::size_t i = 0; i < corners; ++i) add(barycentric[i], corner[i][band]);
   std::size_t k = 0;
   for (std::size_t i = 0; i < corners; ++i)
     for (std::size_t j = i + 1; j < corners; ++j, ++k)
       if (!edge[k].empty()) add(4 * barycentric[i] * barycentric[j], edge[k][band]);
-  return loss;
+  return attenuation;
 }
 
-MeshLosses::MeshLosses(const LightPaths& paths, const ExtendedSource& source, int threads)
+VertexAttenuation::VertexAttenuation(const LightPaths& paths, const ExtendedSource& source, int threads)
     : source_(source), bands_(paths.bands()) {
   look_at_vertices(paths, threads);
   if (!are_even()) look_at_edges(paths, threads);
 }
 
-void MeshLosses::look_at_vertices(const LightPaths& paths, int threads) {
+void VertexAttenuation::look_at_vertices(const LightPaths& paths, int threads) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::vector<CellIndex> cells = cells_of_vertices(mesh);
   at_vertices_.resize(cells.size() * bands_);
@@ -62,21 +63,22 @@ void MeshLosses::look_at_vertices(const LightPaths& paths, int threads) {
     vertex_sees_[static_cast<std::size_t>(v)] = Seen::by_side;
 }
 
-bool MeshLosses::are_even() const {
-  const WayLoss* first = nullptr;
+bool VertexAttenuation::are_even() const {
+  const PathAttenuation* first = nullptr;
   for (std::size_t v = 0; v < vertex_sees_.size(); ++v) {
     if (vertex_sees_[v] != Seen::all) continue;
     if (first == nullptr) first = &at_vertices_[v * bands_];
     for (std::size_t b = 0; b < bands_; ++b) {
-      const WayLoss& here = at_vertices_[v * bands_ + b];
-      if (std::abs(here.extinction - first[b].extinction) * here.way > same || here.turn.norm() > same)
+      const PathAttenuation& here = at_vertices_[v * bands_ + b];
+      if (std::abs(here.extinction - first[b].extinction) * here.length > same ||
+          here.deflection.norm() > same)
         return false;
     }
   }
   return true;
 }
 
-void MeshLosses::look_at_edges(const LightPaths& paths, int threads) {
+void VertexAttenuation::look_at_edges(const LightPaths& paths, int threads) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   edges_ =
       MeshEdges(mesh, [&](std::int32_t v) { return vertex_sees_[static_cast<std::size_t>(v)] == Seen::all; });
@@ -90,32 +92,32 @@ void MeshLosses::look_at_edges(const LightPaths& paths, int threads) {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const MeshEdges::Edge& edge = edges_[e];
       const Vec3 middle = (mesh.point(VertexIndex(edge.first)) + mesh.point(VertexIndex(edge.second))) / 2;
-      const std::span<WayLoss> losses = std::span(at_edges_).subspan(e * bands_, bands_);
-      edge_sees_[e] = look(source_, {edge.cell, middle}, detail, beams, losses);
+      const std::span<PathAttenuation> attenuation = std::span(at_edges_).subspan(e * bands_, bands_);
+      edge_sees_[e] = look(source_, {edge.cell, middle}, detail, beams, attenuation);
       for (std::size_t b = 0; b < bands_; ++b) {
-        const WayLoss& p = at_vertices_[static_cast<std::size_t>(edge.first) * bands_ + b];
-        const WayLoss& q = at_vertices_[static_cast<std::size_t>(edge.second) * bands_ + b];
-        WayLoss& here = losses[b];
+        const PathAttenuation& p = at_vertices_[static_cast<std::size_t>(edge.first) * bands_ + b];
+        const PathAttenuation& q = at_vertices_[static_cast<std::size_t>(edge.second) * bands_ + b];
+        PathAttenuation& here = attenuation[b];
         here.visible -= (p.visible + q.visible) / 2;
         here.extinction -= (p.extinction + q.extinction) / 2;
-        here.turn -= (p.turn + q.turn) / 2;
-        if (std::abs(here.extinction) * here.way > steep) steep_[e] = 1;
+        here.deflection -= (p.deflection + q.deflection) / 2;
+        if (std::abs(here.extinction) * here.length > steep) steep_[e] = 1;
       }
     }
   }
 }
 
 template <std::size_t corners>
-Interpolation MeshLosses::take(const std::array<std::int32_t, corners>& vertices,
-                               LossesBetween<corners>& losses) const {
-  const auto row = [this](const std::vector<WayLoss>& all, std::size_t i) {
+Interpolation VertexAttenuation::take(const std::array<std::int32_t, corners>& vertices,
+                                      InterpolatedAttenuation<corners>& interpolated) const {
+  const auto row = [this](const std::vector<PathAttenuation>& all, std::size_t i) {
     const auto first = all.begin() + static_cast<std::ptrdiff_t>(i * bands_);
-    return std::vector<WayLoss>(first, first + static_cast<std::ptrdiff_t>(bands_));
+    return std::vector<PathAttenuation>(first, first + static_cast<std::ptrdiff_t>(bands_));
   };
   for (std::size_t i = 0; i < corners; ++i) {
     const auto v = static_cast<std::size_t>(vertices[i]);
     if (vertex_sees_[v] != Seen::all) return Interpolation::unseen;
-    losses.corner[i] = row(at_vertices_, v);
+    interpolated.corner[i] = row(at_vertices_, v);
   }
   if (edges_.size() == 0) return Interpolation::possible;
   bool steep = false;
@@ -125,14 +127,16 @@ Interpolation MeshLosses::take(const std::array<std::int32_t, corners>& vertices
       const std::size_t e = edges_.between(vertices[i], vertices[j]);
       if (edge_sees_[e] != Seen::all) return Interpolation::unseen;
       steep = steep || steep_[e] != 0;
-      losses.edge[k] = row(at_edges_, e);
+      interpolated.edge[k] = row(at_edges_, e);
     }
   return steep ? Interpolation::steep : Interpolation::possible;
 }
 
-template struct LossesBetween<3>;
-template struct LossesBetween<4>;
-template Interpolation MeshLosses::take(const std::array<std::int32_t, 3>&, LossesBetween<3>&) const;
-template Interpolation MeshLosses::take(const std::array<std::int32_t, 4>&, LossesBetween<4>&) const;
+template struct InterpolatedAttenuation<3>;
+template struct InterpolatedAttenuation<4>;
+template Interpolation VertexAttenuation::take(const std::array<std::int32_t, 3>&,
+                                               InterpolatedAttenuation<3>&) const;
+template Interpolation VertexAttenuation::take(const std::array<std::int32_t, 4>&,
+                                               InterpolatedAttenuation<4>&) const;
 
 }  // namespace etendue
