@@ -87,17 +87,17 @@ int ExtendedLight::divisions_of(const LitCell& cell) const {
 // The points of the rule have one barycentric coordinate 1 - (n - 1) a and the others a. Those behind the
 // light take the mean of the others.
 template <std::size_t corners>
-bool ExtendedLight::look_inside(const Site<corners>& site, LightBeams& beams,
-                                InterpolatedAttenuation<corners>& interpolated) const {
+bool ExtendedLight::sample_inside(const Site<corners>& site, LightBeams& beams,
+                                  InterpolatedAttenuation<corners>& interpolated) const {
   const auto& rule = rule_of_degree_two(site.whole);
-  std::array<Seen, corners> seen{};
+  std::array<Visibility, corners> visibility{};
   double lit = 0;
   for (std::size_t i = 0; i < corners; ++i) {
     interpolated.corner[i].resize(bands_);
-    seen[i] = look(source_, {site.cell, site.position(rule[i].barycentric)}, coarse_light, beams,
-                   interpolated.corner[i]);
-    if (seen[i] == Seen::nothing || seen[i] == Seen::part) return false;
-    lit += seen[i] == Seen::all ? 1 : 0;
+    visibility[i] = sample(source_, {site.cell, site.position(rule[i].barycentric)}, coarse_light, beams,
+                           interpolated.corner[i]);
+    if (visibility[i] == Visibility::nothing || visibility[i] == Visibility::part) return false;
+    lit += visibility[i] == Visibility::all ? 1 : 0;
   }
   if (lit == 0) return false;
   constexpr auto count = static_cast<double>(corners);
@@ -105,13 +105,13 @@ bool ExtendedLight::look_inside(const Site<corners>& site, LightBeams& beams,
   for (std::size_t b = 0; b < bands_; ++b) {
     PathAttenuation mean;
     for (std::size_t i = 0; i < corners; ++i)
-      if (seen[i] == Seen::all) {
+      if (visibility[i] == Visibility::all) {
         mean.extinction += interpolated.corner[i][b].extinction / lit;
         mean.deflection += interpolated.corner[i][b].deflection / lit;
       }
     for (std::size_t i = 0; i < corners; ++i) {
       PathAttenuation& own = interpolated.corner[i][b];
-      if (seen[i] != Seen::all) own = mean;
+      if (visibility[i] != Visibility::all) own = mean;
       own = {1, mean.extinction + (own.extinction - mean.extinction) / (1 - count * a),
              mean.deflection + (own.deflection - mean.deflection) / (1 - count * a)};
     }
@@ -201,20 +201,20 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
   Arrived light(bands_);
   std::vector<PathAttenuation> attenuation(bands_);
   bool any_lit = false, any_shadow = false;
-  const auto look_from = [&](const auto& point) {
+  const auto add_sample = [&](const auto& point) {
     const auto barycentric = in_whole(point.barycentric, part);
     const Vec3 place = site.position(barycentric);
-    const Seen seen = look(source_, {site.cell, place}, detail, beams, attenuation);
-    const double visible = seen == Seen::behind ? 0 : attenuation[0].visible;
+    const Visibility visibility = sample(source_, {site.cell, place}, detail, beams, attenuation);
+    const double visible = visibility == Visibility::behind ? 0 : attenuation[0].visible;
     any_lit = any_lit || visible > trifle_of_light;
-    any_shadow = any_shadow || (seen != Seen::behind && visible < 1 - trifle_of_light);
+    any_shadow = any_shadow || (visibility != Visibility::behind && visible < 1 - trifle_of_light);
     arrive(place, attenuation, beams, light);
     deposit(place, barycentric, point.weight * measure, light, sum);
   };
   if (divisions == 0 && source_.is_near(site.centroid, middling_in_sizes * site.size))
-    for (const auto& point : detail::rule_of_degree_five(part)) look_from(point);
+    for (const auto& point : detail::rule_of_degree_five(part)) add_sample(point);
   else
-    for (const auto& point : rule_of_degree_two(part)) look_from(point);
+    for (const auto& point : rule_of_degree_two(part)) add_sample(point);
   if (!any_lit || !any_shadow || divisions == 0) return moments.add(sum);
   const auto parts = equal_parts(part);
   for (const auto& child : parts)
@@ -231,7 +231,7 @@ void ExtendedLight::add_along_rays(const Site<corners>& site, const LightDetail&
   const auto add_point = [&](const std::array<double, corners>& barycentric, double measure,
                              NodalMoments& sum) {
     const Vec3 place = site.position(barycentric);
-    look(source_, {site.cell, place}, detail, beams, attenuation);
+    sample(source_, {site.cell, place}, detail, beams, attenuation);
     arrive(place, attenuation, beams, light);
     deposit(place, barycentric, measure, light, sum);
   };
@@ -245,7 +245,8 @@ void ExtendedLight::add(const Site<corners>& site, const std::array<std::int32_t
   InterpolatedAttenuation<corners> interpolated;
   const Interpolation found = vertex_attenuation_.take(vertices, interpolated);
   const bool known = found == Interpolation::possible || (found == Interpolation::steep && !site.counts);
-  if (edges.empty() && (known || (found == Interpolation::unseen && look_inside(site, beams, interpolated))))
+  if (edges.empty() &&
+      (known || (found == Interpolation::unseen && sample_inside(site, beams, interpolated))))
     return add_lit(site, interpolated, divisions, deposit, beams, moments);
   LightDetail detail = corners == 3 ? wall_in_shadow : coarse_light;
   if (!edges.empty()) detail.shadow_edges = &edges;

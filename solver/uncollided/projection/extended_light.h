@@ -41,8 +41,8 @@ class ExtendedLight {
               Arrived& light) const;
   /// False where a point is in the shadow, or all are behind the light.
   template <std::size_t corners>
-  bool look_inside(const Site<corners>& site, LightBeams& beams,
-                   InterpolatedAttenuation<corners>& interpolated) const;
+  bool sample_inside(const Site<corners>& site, LightBeams& beams,
+                     InterpolatedAttenuation<corners>& interpolated) const;
   /// Of a part of a cell or a face.
   template <std::size_t corners>
   SteepCorners<corners> steep_corners(const Site<corners>& site,

@@ -29,7 +29,7 @@ class ExtendedSource : public WideSource {
 
   void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
   /// The light as beams, more of them where matter takes unlike much of those beside each other.
-  void look(const PointInCell& at, LightDetail detail, SeenBeams& beams) const;
+  void sample(const PointInCell& at, LightDetail detail, SeenBeams& beams) const;
   bool is_near(const Vec3& place, double size) const override;
   std::span<const EmitterPart> flat_parts() const override { return flat_parts_; }
   const ExtendedSource* as_extended() const override { return this; }
@@ -48,7 +48,7 @@ class ExtendedSource : public WideSource {
                  LightBeams& beams, EvenLight& light) const;
 
  private:
-  class Looker;
+  class VisibilitySampler;
   void unfold();
   /// The images behind mirrors that do not belong to the body, without those behind this plane.
   std::vector<MirrorSet> images_of(const UnfoldedBody& body, std::optional<int> without = {}) const;

@@ -71,10 +71,10 @@ void SeenBeams::append(const SeenBeams& other, std::size_t first, std::size_t la
   add(other.arriving, arriving);
 }
 
-/// Looks at pieces from one place.
-class ExtendedSource::Looker {
+/// Samples pieces from one point.
+class ExtendedSource::VisibilitySampler {
  public:
-  Looker(const ExtendedSource& source, const PointInCell& at, SeenBeams& beams)
+  VisibilitySampler(const ExtendedSource& source, const PointInCell& at, SeenBeams& beams)
       : source_(source), at_(at), beams_(beams), whole_(beams.clear.bands(), 0) {
     if (source.tree_.shape() == EmitterShape::triangles)
       uneven_ = uneven_triangle;
@@ -83,16 +83,16 @@ class ExtendedSource::Looker {
   }
 
   void add(std::span<const LightPiece> pieces) {
-    SeenBeams first_look(beams_.clear.bands());
+    SeenBeams first_samples(beams_.clear.bands());
     std::vector<std::size_t> ends;
     for (const LightPiece& piece : pieces) {
-      look(piece, first_look);
-      ends.push_back(first_look.clear.size());
+      sample(piece, first_samples);
+      ends.push_back(first_samples.clear.size());
     }
-    for (std::size_t i = 0; i < first_look.arriving.size(); ++i)
-      whole_[i % whole_.size()] += first_look.arriving[i];
+    for (std::size_t i = 0; i < first_samples.arriving.size(); ++i)
+      whole_[i % whole_.size()] += first_samples.arriving[i];
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      keep_or_cut(pieces[i], first_look, i == 0 ? 0 : ends[i - 1], ends[i], uneven_);
+      keep_or_cut(pieces[i], first_samples, i == 0 ? 0 : ends[i - 1], ends[i], uneven_);
   }
 
  private:
@@ -100,7 +100,7 @@ class ExtendedSource::Looker {
     return source_.paths_.mirrors().reflectance(piece.view.mirrors, band);
   }
 
-  void look(const LightPiece& piece, SeenBeams& beams) const {
+  void sample(const LightPiece& piece, SeenBeams& beams) const {
     source_.add_clear(piece, beams.clear);
     const std::size_t bands = beams.clear.bands();
     for (const LightPoint& point : source_.points_of(piece)) {
@@ -128,7 +128,7 @@ class ExtendedSource::Looker {
     if (even) return keep(piece, seen, first, last);
     for (const LightPiece& part : source_.parts_of(piece)) {
       SeenBeams closer(whole_.size());
-      look(part, closer);
+      sample(part, closer);
       keep_or_cut(part, closer, 0, closer.clear.size(), uneven.subspan(1));
     }
   }
@@ -165,12 +165,12 @@ class ExtendedSource::Looker {
   const ExtendedSource& source_;
   const PointInCell& at_;
   SeenBeams& beams_;
-  std::vector<double> whole_;       ///< [band] what arrives by the first look
+  std::vector<double> whole_;       ///< [band] fluence of the first samples
   std::span<const double> uneven_;  ///< [cut]
 };
 
-void ExtendedSource::look(const PointInCell& at, LightDetail detail, SeenBeams& beams) const {
-  Looker(*this, at, beams).add(cut(at.position, detail));
+void ExtendedSource::sample(const PointInCell& at, LightDetail detail, SeenBeams& beams) const {
+  VisibilitySampler(*this, at, beams).add(cut(at.position, detail));
 }
 
 std::vector<LightPiece> ExtendedSource::parts_of(const LightPiece& piece) const {

@@ -49,10 +49,10 @@ double even_extinction(const LightBeams& clear, std::size_t band, double left) {
 
 }  // namespace
 
-Seen look(const ExtendedSource& source, const PointInCell& here, LightDetail detail, LightBeams& beams,
-          std::span<PathAttenuation> attenuation) {
+Visibility sample(const ExtendedSource& source, const PointInCell& here, LightDetail detail,
+                  LightBeams& beams, std::span<PathAttenuation> attenuation) {
   SeenBeams seen(attenuation.size());
-  source.look(here, detail, seen);
+  source.sample(here, detail, seen);
   const LightBeams& clear = seen.clear;
   LightBeams open(attenuation.size());
   beams.clear();
@@ -79,8 +79,10 @@ Seen look(const ExtendedSource& source, const PointInCell& here, LightDetail det
     if (arrived.fluence > 0)
       attenuation[b].deflection = arrived.flux / arrived.fluence - even.flux / even.fluence;
   }
-  if (!any_light) return Seen::behind;
-  return open.size() == 0 ? Seen::nothing : open.size() < clear.size() ? Seen::part : Seen::all;
+  if (!any_light) return Visibility::behind;
+  return open.size() == 0             ? Visibility::nothing
+         : open.size() < clear.size() ? Visibility::part
+                                      : Visibility::all;
 }
 
 }  // namespace etendue

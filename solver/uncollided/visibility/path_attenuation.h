@@ -17,12 +17,13 @@ struct PathAttenuation {
   double length = 0;  ///< mean path length of the visible part [length]
 };
 
-/// What a place sees of a light: all, a part, nothing; it lies behind; or that depends on the side of a
-/// sheet.
-enum class Seen : char { all, part, nothing, behind, by_side };
+/// Visibility of a light from a point: all of it, a part, nothing; the point lies behind it; or the
+/// visibility depends on the side of a sheet.
+enum class Visibility : char { all, part, nothing, behind, depends_on_side };
 
-/// Looks at a light through what there is: the loss [band]. `beams` is room to work in.
-Seen look(const ExtendedSource& source, const PointInCell& here, LightDetail detail, LightBeams& beams,
-          std::span<PathAttenuation> attenuation);
+/// Samples a light from a point through media and past obstacles: writes the attenuation [band]. `beams` is
+/// scratch memory.
+Visibility sample(const ExtendedSource& source, const PointInCell& here, LightDetail detail,
+                  LightBeams& beams, std::span<PathAttenuation> attenuation);
 
 }  // namespace etendue

@@ -10,7 +10,7 @@
 namespace etendue {
 namespace {
 
-/// How finely the light is seen.
+/// Sampling of the light.
 constexpr LightDetail detail{0.35, 0.03, 0.6, 0.9, TriangleRule::three_points};
 /// By how much the optical depth of the way to the middle of an edge may differ from the mean of its ends. A
 /// part of it is what quadratic interpolation misses: the edge of a cloud is a kink.
@@ -39,34 +39,34 @@ PathAttenuation InterpolatedAttenuation<corners>::at(const std::array<double, co
 
 VertexAttenuation::VertexAttenuation(const LightPaths& paths, const ExtendedSource& source, int threads)
     : source_(source), bands_(paths.bands()) {
-  look_at_vertices(paths, threads);
-  if (!are_even()) look_at_edges(paths, threads);
+  sample_vertices(paths, threads);
+  if (!are_even()) sample_edges(paths, threads);
 }
 
-void VertexAttenuation::look_at_vertices(const LightPaths& paths, int threads) {
+void VertexAttenuation::sample_vertices(const LightPaths& paths, int threads) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::vector<CellIndex> cells = cells_of_vertices(mesh);
   at_vertices_.resize(cells.size() * bands_);
-  vertex_sees_.resize(cells.size());
+  vertex_visibility_.resize(cells.size());
 #pragma omp parallel num_threads(threads)
   {
     LightBeams beams(bands_);
 #pragma omp for schedule(dynamic, 64)
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
       const auto i = static_cast<std::size_t>(v);
-      vertex_sees_[i] = look(source_, {cells[i], mesh.point(VertexIndex(v))}, detail, beams,
-                             std::span(at_vertices_).subspan(i * bands_, bands_));
+      vertex_visibility_[i] = sample(source_, {cells[i], mesh.point(VertexIndex(v))}, detail, beams,
+                                     std::span(at_vertices_).subspan(i * bands_, bands_));
     }
   }
-  // What a vertex of a sheet sees depends on the side, so the cells around it do not share it.
+  // The visibility from a vertex of a sheet depends on the side, so the cells around it do not share it.
   for (const std::int32_t v : vertices_of_sheets(mesh))
-    vertex_sees_[static_cast<std::size_t>(v)] = Seen::by_side;
+    vertex_visibility_[static_cast<std::size_t>(v)] = Visibility::depends_on_side;
 }
 
 bool VertexAttenuation::are_even() const {
   const PathAttenuation* first = nullptr;
-  for (std::size_t v = 0; v < vertex_sees_.size(); ++v) {
-    if (vertex_sees_[v] != Seen::all) continue;
+  for (std::size_t v = 0; v < vertex_visibility_.size(); ++v) {
+    if (vertex_visibility_[v] != Visibility::all) continue;
     if (first == nullptr) first = &at_vertices_[v * bands_];
     for (std::size_t b = 0; b < bands_; ++b) {
       const PathAttenuation& here = at_vertices_[v * bands_ + b];
@@ -78,12 +78,13 @@ bool VertexAttenuation::are_even() const {
   return true;
 }
 
-void VertexAttenuation::look_at_edges(const LightPaths& paths, int threads) {
+void VertexAttenuation::sample_edges(const LightPaths& paths, int threads) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
-  edges_ =
-      MeshEdges(mesh, [&](std::int32_t v) { return vertex_sees_[static_cast<std::size_t>(v)] == Seen::all; });
+  edges_ = MeshEdges(mesh, [&](std::int32_t v) {
+    return vertex_visibility_[static_cast<std::size_t>(v)] == Visibility::all;
+  });
   at_edges_.resize(edges_.size() * bands_);
-  edge_sees_.resize(edges_.size());
+  edge_visibility_.resize(edges_.size());
   steep_.resize(edges_.size());
 #pragma omp parallel num_threads(threads)
   {
@@ -93,7 +94,7 @@ void VertexAttenuation::look_at_edges(const LightPaths& paths, int threads) {
       const MeshEdges::Edge& edge = edges_[e];
       const Vec3 middle = (mesh.point(VertexIndex(edge.first)) + mesh.point(VertexIndex(edge.second))) / 2;
       const std::span<PathAttenuation> attenuation = std::span(at_edges_).subspan(e * bands_, bands_);
-      edge_sees_[e] = look(source_, {edge.cell, middle}, detail, beams, attenuation);
+      edge_visibility_[e] = sample(source_, {edge.cell, middle}, detail, beams, attenuation);
       for (std::size_t b = 0; b < bands_; ++b) {
         const PathAttenuation& p = at_vertices_[static_cast<std::size_t>(edge.first) * bands_ + b];
         const PathAttenuation& q = at_vertices_[static_cast<std::size_t>(edge.second) * bands_ + b];
@@ -116,7 +117,7 @@ Interpolation VertexAttenuation::take(const std::array<std::int32_t, corners>& v
   };
   for (std::size_t i = 0; i < corners; ++i) {
     const auto v = static_cast<std::size_t>(vertices[i]);
-    if (vertex_sees_[v] != Seen::all) return Interpolation::unseen;
+    if (vertex_visibility_[v] != Visibility::all) return Interpolation::unseen;
     interpolated.corner[i] = row(at_vertices_, v);
   }
   if (edges_.size() == 0) return Interpolation::possible;
@@ -125,7 +126,7 @@ Interpolation VertexAttenuation::take(const std::array<std::int32_t, corners>& v
   for (std::size_t i = 0; i < corners; ++i)
     for (std::size_t j = i + 1; j < corners; ++j, ++k) {
       const std::size_t e = edges_.between(vertices[i], vertices[j]);
-      if (edge_sees_[e] != Seen::all) return Interpolation::unseen;
+      if (edge_visibility_[e] != Visibility::all) return Interpolation::unseen;
       steep = steep || steep_[e] != 0;
       interpolated.edge[k] = row(at_edges_, e);
     }

@@ -40,19 +40,19 @@ class VertexAttenuation {
                      InterpolatedAttenuation<corners>& interpolated) const;
 
  private:
-  void look_at_vertices(const LightPaths& paths, int threads);
-  void look_at_edges(const LightPaths& paths, int threads);
+  void sample_vertices(const LightPaths& paths, int threads);
+  void sample_edges(const LightPaths& paths, int threads);
   bool are_even() const;
 
   const ExtendedSource& source_;
   std::size_t bands_;
   std::vector<PathAttenuation> at_vertices_;  ///< [vertex][band]
-  std::vector<Seen> vertex_sees_;
+  std::vector<Visibility> vertex_visibility_;
   MeshEdges edges_;  ///< between vertices that see all; none in even matter
   std::vector<PathAttenuation>
-      at_edges_;                 ///< [edge][band] difference of the middle from the mean of the ends
-  std::vector<Seen> edge_sees_;  ///< [edge]
-  std::vector<char> steep_;      ///< [edge]
+      at_edges_;  ///< [edge][band] difference of the middle from the mean of the ends
+  std::vector<Visibility> edge_visibility_;  ///< [edge]
+  std::vector<char> steep_;                  ///< [edge]
 };
 
 }  // namespace etendue
