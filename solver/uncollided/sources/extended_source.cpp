@@ -104,10 +104,10 @@ void ExtendedSource::add_parts(const LightView& view, std::span<const double> ex
                                std::span<const std::size_t> bands, LightBeams& beams,
                                EvenLight& light) const {
   if (bands.empty()) return;
-  std::vector<LightPiece> pieces;
-  cut(view, clear_detail, pieces);
+  std::vector<EmitterPatch> patches;
+  cut(view, clear_detail, patches);
   beams.clear();
-  for (const LightPiece& piece : pieces) add_clear(piece, beams);
+  for (const EmitterPatch& patch : patches) add_clear(patch, beams);
   for (std::size_t i = 0; i < beams.size(); ++i)
     for (const std::size_t b : bands) {
       const double arrives = beams.fluence(i)[b] * even_way(beams.way(i), extinction[b]).transmittance;

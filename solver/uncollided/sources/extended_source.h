@@ -9,8 +9,8 @@
 
 #include "solver/uncollided/closed_form/emitter_tree.h"
 #include "solver/uncollided/closed_form/flat_shape.h"
+#include "solver/uncollided/sources/emitter_patch.h"
 #include "solver/uncollided/sources/even_light.h"
-#include "solver/uncollided/sources/light_piece.h"
 #include "solver/uncollided/sources/shadow_planes.h"
 #include "solver/uncollided/sources/unfolded_body.h"
 #include "solver/uncollided/sources/wide_source.h"
@@ -28,8 +28,8 @@ class ExtendedSource : public WideSource {
   ExtendedSource(std::string name, std::vector<double> power, EmitterTree tree, const LightPaths& paths);
 
   void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const override;
-  /// The light as beams, more of them where matter takes unlike much of those beside each other.
-  void sample(const PointInCell& at, LightDetail detail, SeenBeams& beams) const;
+  /// Samples the light by rays, more of them where the attenuation of neighboring rays differs.
+  void sample(const PointInCell& at, LightDetail detail, VisibleRaySamples& beams) const;
   bool is_near(const Vec3& place, double size) const override;
   std::span<const EmitterPart> flat_parts() const override { return flat_parts_; }
   const ExtendedSource* as_extended() const override { return this; }
@@ -52,29 +52,30 @@ class ExtendedSource : public WideSource {
   void unfold();
   /// The images behind mirrors that do not belong to the body, without those behind this plane.
   std::vector<MirrorSet> images_of(const UnfoldedBody& body, std::optional<int> without = {}) const;
-  std::vector<LightPiece> cut(const Vec3& place, LightDetail detail) const;
-  void cut(const LightView& view, LightDetail detail, std::vector<LightPiece>& pieces) const;
-  void cut_node(const LightView& view, LightDetail detail, int index, std::vector<LightPiece>& pieces) const;
+  std::vector<EmitterPatch> cut(const Vec3& place, LightDetail detail) const;
+  void cut(const LightView& view, LightDetail detail, std::vector<EmitterPatch>& patches) const;
+  void cut_node(const LightView& view, LightDetail detail, int index,
+                std::vector<EmitterPatch>& patches) const;
   /// False, and nothing added, where there are too many shadow edges.
   bool cut_along_shadow_edges(const LightView& view, LightDetail detail,
-                              std::vector<LightPiece>& pieces) const;
+                              std::vector<EmitterPatch>& patches) const;
   void cut_triangle(const LightView& view, LightDetail detail, const EmitterPart& part,
-                    std::span<const ShadowPlane> planes, std::vector<LightPiece>& pieces) const;
+                    std::span<const ShadowPlane> planes, std::vector<EmitterPatch>& patches) const;
   void cut_tetrahedron(const LightView& view, LightDetail detail, const EmitterPart& part,
-                       std::vector<LightPiece>& pieces) const;
-  void cut_body(const LightView& view, LightDetail detail, std::vector<LightPiece>& pieces) const;
+                       std::vector<EmitterPatch>& patches) const;
+  void cut_body(const LightView& view, LightDetail detail, std::vector<EmitterPatch>& patches) const;
   void cut_wedge(const LightView& view, LightDetail detail, const EmitterPart& part, Wedge wedge,
-                 std::vector<LightPiece>& pieces) const;
-  std::vector<LightPiece> parts_of(const LightPiece& piece) const;
+                 std::vector<EmitterPatch>& patches) const;
+  std::vector<EmitterPatch> parts_of(const EmitterPatch& patch) const;
 
-  std::vector<LightPoint> points_of(const LightPiece& piece) const;
-  const std::vector<double>& brightness(const LightPiece& piece) const;
-  void add_clear(const LightPiece& piece, LightBeams& beams) const;
+  std::vector<LightPoint> points_of(const EmitterPatch& patch) const;
+  const std::vector<double>& brightness(const EmitterPatch& patch) const;
+  void add_clear(const EmitterPatch& patch, LightBeams& beams) const;
   /// Transmittance [band] of the way up to a point of the light; false where it is closed.
-  bool pass(const PointInCell& at, const LightPiece& piece, const LightPoint& point, const Vec3& direction,
+  bool pass(const PointInCell& at, const EmitterPatch& patch, const LightPoint& point, const Vec3& direction,
             std::span<double> passed) const;
   /// Makes the fluence that arrives of what is left on the way.
-  void scale(const LightPiece& piece, const LightPoint& point, std::span<double> fluence) const;
+  void scale(const EmitterPatch& patch, const LightPoint& point, std::span<double> fluence) const;
 
   void add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,
                   EvenLight& light) const;

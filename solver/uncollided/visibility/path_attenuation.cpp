@@ -51,15 +51,15 @@ double even_extinction(const LightBeams& clear, std::size_t band, double left) {
 
 Visibility sample(const ExtendedSource& source, const PointInCell& here, LightDetail detail,
                   LightBeams& beams, std::span<PathAttenuation> attenuation) {
-  SeenBeams seen(attenuation.size());
-  source.sample(here, detail, seen);
-  const LightBeams& clear = seen.clear;
+  VisibleRaySamples samples(attenuation.size());
+  source.sample(here, detail, samples);
+  const LightBeams& clear = samples.clear;
   LightBeams open(attenuation.size());
   beams.clear();
   for (std::size_t i = 0; i < clear.size(); ++i) {
-    if (!seen.is_open(i)) continue;
+    if (!samples.is_open(i)) continue;
     std::ranges::copy(clear.fluence(i), open.add(clear.direction(i), clear.way(i)).begin());
-    std::copy_n(&seen.arriving[i * attenuation.size()], attenuation.size(),
+    std::copy_n(&samples.arriving[i * attenuation.size()], attenuation.size(),
                 beams.add(clear.direction(i)).begin());
   }
   bool any_light = false;

@@ -9,23 +9,23 @@
 
 namespace etendue {
 
-/// From where a light is looked at. Through mirrors the eye is moved behind them instead of the light, but
-/// for those across which a body is unfolded: what lies behind these is seen through them.
+/// Point from which a light is sampled. Through mirrors the eye is moved behind them instead of the light,
+/// but for those across which a body is unfolded: what lies behind these is seen through them.
 struct LightView {
   MirrorSet mirrors;
   Vec3 eye;
   const UnfoldedBody* body;  ///< if there is one
 };
 
-/// A part of a light as an eye sees it, that some points stand for: a group of its parts, or directions in
+/// Part of a light as seen from a point, sampled by a few points: a group of its parts, or directions in
 /// which a triangle of it is met, or a volume is entered and left.
-struct LightPiece {
+struct EmitterPatch {
   LightView view;
   int group = -1;  ///< of the tree; if it is none:
   const EmitterPart* part = nullptr;
   Wedge wedge = {};  ///< about the eye, with unit corners; a triangle is where it is entered
   TriangleRule rule = {};
-  bool one_point = false;  ///< stands for the group
+  bool one_point = false;  ///< samples the group
 };
 
 /// A point of a light as the moved eye sees it.
@@ -36,15 +36,15 @@ struct LightPoint {
   double weight;    ///< times the brightness, and what is left of the length of the volume: fluence
 };
 
-/// A light with an extent as beams from its points.
-struct SeenBeams {
-  explicit SeenBeams(std::size_t bands) : clear(bands) {}
-  /// Beams of others, from the first to before the last.
-  void append(const SeenBeams& other, std::size_t first, std::size_t last);
+/// Rays from the points of an extended light, with the transmittance and fluence of each.
+struct VisibleRaySamples {
+  explicit VisibleRaySamples(std::size_t bands) : clear(bands) {}
+  /// Appends rays of others, from the first to before the last.
+  void append(const VisibleRaySamples& other, std::size_t first, std::size_t last);
   bool is_open(std::size_t beam) const { return passed[beam * clear.bands()] >= 0; }
 
   LightBeams clear;  ///< as in empty space, mirrors included
-  /// [beam][band] What is left on the way up to the light; below zero where something opaque stands in it.
+  /// [beam][band] Transmittance of the path up to the light; below zero where the path is blocked.
   std::vector<double> passed;
   std::vector<double> arriving;  ///< [beam][band] fluence [power/length^2]
 };

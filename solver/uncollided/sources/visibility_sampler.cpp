@@ -9,21 +9,21 @@
 namespace etendue {
 namespace {
 
-/// A piece is looked at in parts where what arrives from its points differs from what even matter would
-/// leave, in all, by more than this part of what the whole light brings; parts of it by the next number.
+/// A patch is subdivided where the fluence of its points differs, in sum, from that through a homogeneous
+/// medium by more than this part of the fluence of the whole light; its parts where by the next number.
 constexpr std::array<double, 1> uneven_triangle = {0.01};
 constexpr std::array<double, 2> uneven_volume = {0.005, 0.01};
 /// Its logarithm is a number.
 constexpr double least_transmittance = std::numeric_limits<double>::min();
 
 /// Optical depth of the way up to the light, mirrors left out.
-double depth(const SeenBeams& beams, std::size_t i, std::size_t band, double reflectance) {
+double depth(const VisibleRaySamples& beams, std::size_t i, std::size_t band, double reflectance) {
   if (!(reflectance > 0)) return 0;
   return -std::log(std::max(beams.passed[i * beams.clear.bands() + band] / reflectance, least_transmittance));
 }
 
 /// Of even matter that takes in the mean as much from these beams, as far as they are open [1/length].
-double mean_extinction(const SeenBeams& beams, std::size_t first, std::size_t last, std::size_t band,
+double mean_extinction(const VisibleRaySamples& beams, std::size_t first, std::size_t last, std::size_t band,
                        double reflectance) {
   double depths = 0, ways = 0;
   for (std::size_t i = first; i < last; ++i) {
@@ -41,7 +41,8 @@ struct EvenPart {
   double arriving = 0;
   double difference = 0;
 
-  EvenPart(const SeenBeams& beams, std::size_t first, std::size_t last, std::size_t band, double reflectance)
+  EvenPart(const VisibleRaySamples& beams, std::size_t first, std::size_t last, std::size_t band,
+           double reflectance)
       : extinction(mean_extinction(beams, first, last, band, reflectance)) {
     for (std::size_t i = first; i < last; ++i) {
       if (!beams.is_open(i)) continue;
@@ -58,7 +59,7 @@ struct EvenPart {
 
 }  // namespace
 
-void SeenBeams::append(const SeenBeams& other, std::size_t first, std::size_t last) {
+void VisibleRaySamples::append(const VisibleRaySamples& other, std::size_t first, std::size_t last) {
   const std::size_t bands = clear.bands();
   for (std::size_t i = first; i < last; ++i)
     std::ranges::copy(other.clear.fluence(i),
@@ -71,10 +72,10 @@ void SeenBeams::append(const SeenBeams& other, std::size_t first, std::size_t la
   add(other.arriving, arriving);
 }
 
-/// Samples pieces from one point.
+/// Samples patches from one point.
 class ExtendedSource::VisibilitySampler {
  public:
-  VisibilitySampler(const ExtendedSource& source, const PointInCell& at, SeenBeams& beams)
+  VisibilitySampler(const ExtendedSource& source, const PointInCell& at, VisibleRaySamples& beams)
       : source_(source), at_(at), beams_(beams), whole_(beams.clear.bands(), 0) {
     if (source.tree_.shape() == EmitterShape::triangles)
       uneven_ = uneven_triangle;
@@ -82,36 +83,36 @@ class ExtendedSource::VisibilitySampler {
       uneven_ = uneven_volume;
   }
 
-  void add(std::span<const LightPiece> pieces) {
-    SeenBeams first_samples(beams_.clear.bands());
+  void add(std::span<const EmitterPatch> patches) {
+    VisibleRaySamples first_samples(beams_.clear.bands());
     std::vector<std::size_t> ends;
-    for (const LightPiece& piece : pieces) {
-      sample(piece, first_samples);
+    for (const EmitterPatch& patch : patches) {
+      sample(patch, first_samples);
       ends.push_back(first_samples.clear.size());
     }
     for (std::size_t i = 0; i < first_samples.arriving.size(); ++i)
       whole_[i % whole_.size()] += first_samples.arriving[i];
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      keep_or_cut(pieces[i], first_samples, i == 0 ? 0 : ends[i - 1], ends[i], uneven_);
+    for (std::size_t i = 0; i < patches.size(); ++i)
+      keep_or_cut(patches[i], first_samples, i == 0 ? 0 : ends[i - 1], ends[i], uneven_);
   }
 
  private:
-  double reflectance(const LightPiece& piece, std::size_t band) const {
-    return source_.paths_.mirrors().reflectance(piece.view.mirrors, band);
+  double reflectance(const EmitterPatch& patch, std::size_t band) const {
+    return source_.paths_.mirrors().reflectance(patch.view.mirrors, band);
   }
 
-  void sample(const LightPiece& piece, SeenBeams& beams) const {
-    source_.add_clear(piece, beams.clear);
+  void sample(const EmitterPatch& patch, VisibleRaySamples& beams) const {
+    source_.add_clear(patch, beams.clear);
     const std::size_t bands = beams.clear.bands();
-    for (const LightPoint& point : source_.points_of(piece)) {
-      const Vec3 direction = source_.paths_.mirrors().image_direction(piece.view.mirrors, point.looking);
+    for (const LightPoint& point : source_.points_of(patch)) {
+      const Vec3 direction = source_.paths_.mirrors().image_direction(patch.view.mirrors, point.looking);
       beams.passed.resize(beams.passed.size() + bands);
       const std::span<double> passed = std::span(beams.passed).last(bands);
-      const bool open = source_.pass(at_, piece, point, direction, passed);
+      const bool open = source_.pass(at_, patch, point, direction, passed);
       beams.arriving.insert(beams.arriving.end(), passed.begin(), passed.end());
       const std::span<double> arriving = std::span(beams.arriving).last(bands);
       if (open) {
-        source_.scale(piece, point, arriving);
+        source_.scale(patch, point, arriving);
       } else {
         std::ranges::fill(passed, -1.0);
         std::ranges::fill(arriving, 0.0);
@@ -119,15 +120,15 @@ class ExtendedSource::VisibilitySampler {
     }
   }
 
-  void keep_or_cut(const LightPiece& piece, const SeenBeams& seen, std::size_t first, std::size_t last,
-                   std::span<const double> uneven) {
+  void keep_or_cut(const EmitterPatch& patch, const VisibleRaySamples& samples, std::size_t first,
+                   std::size_t last, std::span<const double> uneven) {
     bool even = true;
     for (std::size_t b = 0; b < whole_.size() && !uneven.empty(); ++b)
-      even =
-          even && EvenPart(seen, first, last, b, reflectance(piece, b)).difference <= uneven[0] * whole_[b];
-    if (even) return keep(piece, seen, first, last);
-    for (const LightPiece& part : source_.parts_of(piece)) {
-      SeenBeams closer(whole_.size());
+      even = even &&
+             EvenPart(samples, first, last, b, reflectance(patch, b)).difference <= uneven[0] * whole_[b];
+    if (even) return keep(patch, samples, first, last);
+    for (const EmitterPatch& part : source_.parts_of(patch)) {
+      VisibleRaySamples closer(whole_.size());
       sample(part, closer);
       keep_or_cut(part, closer, 0, closer.clear.size(), uneven.subspan(1));
     }
@@ -135,22 +136,23 @@ class ExtendedSource::VisibilitySampler {
 
   // What a thick volume takes of its own light needs no rays, and so is integrated more finely, behind even
   // matter that takes as much as rays say: where that is the volume's own, the points are as good as others.
-  void keep(const LightPiece& piece, const SeenBeams& seen, std::size_t first, std::size_t last) {
+  void keep(const EmitterPatch& patch, const VisibleRaySamples& samples, std::size_t first,
+            std::size_t last) {
     bool open = true;
-    for (std::size_t i = first; i < last; ++i) open = open && seen.is_open(i);
-    if (!open || piece.group >= 0 || piece.rule != TriangleRule::three_points ||
+    for (std::size_t i = first; i < last; ++i) open = open && samples.is_open(i);
+    if (!open || patch.group >= 0 || patch.rule != TriangleRule::three_points ||
         source_.tree_.shape() == EmitterShape::triangles)
-      return beams_.append(seen, first, last);
+      return beams_.append(samples, first, last);
     const std::size_t bands = whole_.size();
     std::vector<double> extinction(bands), left(bands);
     for (std::size_t b = 0; b < bands; ++b) {
-      const EvenPart even(seen, first, last, b, reflectance(piece, b));
+      const EvenPart even(samples, first, last, b, reflectance(patch, b));
       double arriving = 0;
-      for (std::size_t i = first; i < last; ++i) arriving += seen.arriving[i * bands + b];
+      for (std::size_t i = first; i < last; ++i) arriving += samples.arriving[i * bands + b];
       extinction[b] = even.extinction;
-      left[b] = reflectance(piece, b) * (even.arriving > 0 ? arriving / even.arriving : 1);
+      left[b] = reflectance(patch, b) * (even.arriving > 0 ? arriving / even.arriving : 1);
     }
-    LightPiece finer = piece;
+    EmitterPatch finer = patch;
     finer.rule = TriangleRule::seven_points;
     source_.add_clear(finer, beams_.clear);
     for (const LightPoint& point : source_.points_of(finer)) {
@@ -164,33 +166,33 @@ class ExtendedSource::VisibilitySampler {
 
   const ExtendedSource& source_;
   const PointInCell& at_;
-  SeenBeams& beams_;
+  VisibleRaySamples& beams_;
   std::vector<double> whole_;       ///< [band] fluence of the first samples
   std::span<const double> uneven_;  ///< [cut]
 };
 
-void ExtendedSource::sample(const PointInCell& at, LightDetail detail, SeenBeams& beams) const {
+void ExtendedSource::sample(const PointInCell& at, LightDetail detail, VisibleRaySamples& beams) const {
   VisibilitySampler(*this, at, beams).add(cut(at.position, detail));
 }
 
-std::vector<LightPiece> ExtendedSource::parts_of(const LightPiece& piece) const {
-  std::vector<LightPiece> parts;
-  if (piece.group < 0) {
-    for (const SphericalTriangle& directions : quarters(piece.wedge.directions)) {
-      parts.push_back(piece);
+std::vector<EmitterPatch> ExtendedSource::parts_of(const EmitterPatch& patch) const {
+  std::vector<EmitterPatch> parts;
+  if (patch.group < 0) {
+    for (const SphericalTriangle& directions : quarters(patch.wedge.directions)) {
+      parts.push_back(patch);
       parts.back().wedge.directions = directions;
     }
     return parts;
   }
-  const EmitterTree::Node& node = tree_.node(piece.group);
+  const EmitterTree::Node& node = tree_.node(patch.group);
   if (node.part < 0) {
     LightDetail detail = coarse_light;
     detail.single = 0;
-    for (const int child : node.children) cut_node(piece.view, detail, child, parts);
+    for (const int child : node.children) cut_node(patch.view, detail, child, parts);
   } else if (tree_.shape() == EmitterShape::triangles) {
-    cut_triangle(piece.view, coarse_light, tree_.part(node.part), {}, parts);
+    cut_triangle(patch.view, coarse_light, tree_.part(node.part), {}, parts);
   } else {
-    cut_tetrahedron(piece.view, coarse_light, tree_.part(node.part), parts);
+    cut_tetrahedron(patch.view, coarse_light, tree_.part(node.part), parts);
   }
   return parts;
 }
