@@ -34,7 +34,7 @@ class GlossyWalls {
   /// Writes the radiance that arrives along ordinate m to `arrived`.
   template <class Real>
   void store_arriving(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<double> arrived) const;
-  /// Of even light that arrives at a face, the part that is reflected.
+  /// Of isotropic light that arrives at a face, the part that is reflected.
   double albedo(FaceIndex face, std::size_t band) const;
   /// Adds a radiance to all that arrives at a face, at each of its nodes, in one band.
   void add_arriving(FaceIndex face, std::size_t band, std::span<const double> radiance,

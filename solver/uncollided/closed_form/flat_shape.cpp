@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/quadrature/simplex_rules.h"
-#include "solver/uncollided/closed_form/even_pieces.h"
 #include "solver/uncollided/closed_form/outline.h"
 #include "solver/uncollided/closed_form/side_light.h"
+#include "solver/uncollided/closed_form/uniform_emitters.h"
 
 namespace etendue {
 namespace {
@@ -144,12 +144,12 @@ FlatShape::View FlatShape::by_parts(const Vec3& eye, double height, double extin
 }
 
 std::vector<std::pair<FlatShape, std::vector<double>>> flat_shapes(std::span<const EmitterPart> triangles) {
-  const auto pieces = even_pieces(triangles, most_shapes);
-  if (!pieces) return {};
+  const auto emitters = uniform_emitters(triangles, most_shapes);
+  if (!emitters) return {};
   std::vector<std::pair<FlatShape, std::vector<double>>> shapes;
   std::size_t sides = 0;
-  for (const EvenPiece& piece : *pieces) {
-    shapes.emplace_back(FlatShape(piece.triangles), piece.radiance);
+  for (const UniformEmitter& emitter : *emitters) {
+    shapes.emplace_back(FlatShape(emitter.triangles), emitter.radiance);
     sides += shapes.back().first.side_count();
     if (sides > most_sides) return {};
   }

@@ -18,7 +18,7 @@ struct FootIntegrals {
   double second, third;
 };
 
-/// What a side adds to the light of its shape through even matter, over the radiance [sr].
+/// What a side adds to the light of its shape through a homogeneous medium, over the radiance [sr].
 struct SideLight {
   double fluence = 0;
   double upward = 0;   ///< of the net flux

@@ -5,8 +5,8 @@
 #include <array>
 
 #include "solver/problem/mirror.h"
-#include "solver/uncollided/closed_form/even_pieces.h"
 #include "solver/uncollided/closed_form/polygon_irradiance.h"
+#include "solver/uncollided/closed_form/uniform_emitters.h"
 #include "solver/uncollided/sources/wide_source.h"
 
 namespace etendue {

@@ -43,10 +43,9 @@ const auto& rule_of_degree_two(const SubTriangle&) { return three_point_rule(); 
 
 }  // namespace
 
-/// What arrives at a place, [band], and the extinction [1/length] of the even matter that it is reckoned
-/// with.
-struct ExtendedLight::Arrived : EvenLight {
-  explicit Arrived(std::size_t bands) : EvenLight(bands), extinction(bands) {}
+/// Light at a point, [band], through a homogeneous medium, and the extinction of that medium [1/length].
+struct ExtendedLight::Arrived : HomogeneousLight {
+  explicit Arrived(std::size_t bands) : HomogeneousLight(bands), extinction(bands) {}
   std::vector<double> extinction;
 };
 
@@ -122,7 +121,7 @@ bool ExtendedLight::sample_inside(const Site<corners>& site, LightBeams& beams,
 void ExtendedLight::arrive(const Vec3& place, std::span<const PathAttenuation> attenuation, LightBeams& beams,
                            Arrived& light) const {
   for (std::size_t b = 0; b < bands_; ++b) light.extinction[b] = std::max(0.0, attenuation[b].extinction);
-  source_.look_even(place, light.extinction, std::nullopt, beams, light);
+  source_.evaluate_homogeneous(place, light.extinction, std::nullopt, beams, light);
   for (std::size_t b = 0; b < bands_; ++b) {
     light.flux[b] = attenuation[b].visible * (light.flux[b] + light.fluence[b] * attenuation[b].deflection);
     light.fluence[b] *= attenuation[b].visible;
@@ -291,16 +290,16 @@ void ExtendedLight::add(FaceIndex face, LightBeams& beams, NodalMoments& moments
   for (std::size_t i = 0; i < 3; ++i) site.corner[i] = mesh.point(VertexIndex(vertices[i]));
   const std::vector<double>& reflected = paths_.problem().wall(mesh.wall(face)).specular;
   LightBeams before(bands_);
-  EvenLight even(bands_);
+  HomogeneousLight homogeneous(bands_);
   const auto deposit = [&](const Vec3& place, const std::array<double, 3>& shape, double measure,
                            const Arrived& light, NodalMoments& sum) {
-    if (plane >= 0) source_.look_even(place, light.extinction, plane, before, even);
+    if (plane >= 0) source_.evaluate_homogeneous(place, light.extinction, plane, before, homogeneous);
     for (std::size_t b = 0; b < bands_; ++b) {
       double irradiance = light.flux[b].dot(normal) / (1 - reflected[b]);
       if (reflected[b] > nearly_all)
-        irradiance = even.fluence[b] > 0
-                         ? light.fluence[b] / (1 + reflected[b]) * even.flux[b].dot(normal) / even.fluence[b]
-                         : 0;
+        irradiance = homogeneous.fluence[b] > 0 ? light.fluence[b] / (1 + reflected[b]) *
+                                                      homogeneous.flux[b].dot(normal) / homogeneous.fluence[b]
+                                                : 0;
       sum.add(shape, measure, b, std::max(0.0, irradiance));
     }
   };

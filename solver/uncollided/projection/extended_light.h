@@ -14,11 +14,11 @@
 
 namespace etendue {
 
-/// Light of a source with an extent in cells and on walls. What would arrive through matter that is the same
-/// everywhere needs no rays: it is integrated as finely as it varies. Which extinction that matter has to
-/// have for as much to arrive as through the media that there are, and what obstacles leave, is looked at
-/// from the vertices and edges of the mesh (VertexAttenuation); near a surface that shines from points of the
-/// cell itself; and in shadows, and in matter at the edge of a cloud, from each point that is asked. In the
+/// Light of a source with an extent in cells and on walls. The light through a homogeneous medium needs no
+/// rays: it is integrated as finely as it varies. Rays traced to the vertices and edges of the mesh
+/// (VertexAttenuation) give the effective extinction of that medium and the visible fraction; near a surface
+/// that shines, rays go to points of the cell itself; in shadows, and at the edge of a cloud, to each point
+/// of the rule. In the
 /// penumbra of a flat light each point sees it cut along the edges that hide a part of it, in cells where the
 /// light has few triangles, and faces are divided until that changes little. In a homogeneous medium nothing
 /// is left to be interpolated.

@@ -10,9 +10,9 @@
 namespace etendue {
 
 /// Light of a sky in the cells, beam by beam. Rays go to the vertices of the mesh; between them the optical
-/// depth of each beam is linear, as it is in even matter behind a flat wall, and so is the part of the cell
-/// that it comes to. Cells at sheets, whose vertices see another light from each side, are looked at from
-/// points.
+/// depth of each beam is linear, as it is in a homogeneous medium behind a flat wall, and so is the part of
+/// the cell that it comes to. Cells at sheets, whose vertices see another light from each side, are looked at
+/// from points.
 ///
 /// `begin` is called with the moments of a cell before light is added to them. `add` is called with the
 /// integrals over a cell (with what is absorbed and scatters where some matter depends on directions or

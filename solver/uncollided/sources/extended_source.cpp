@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "mesh/tetrahedra/sheet_faces.h"
-#include "solver/uncollided/closed_form/even_pieces.h"
-#include "solver/uncollided/sources/even_way.h"
+#include "solver/uncollided/closed_form/uniform_emitters.h"
+#include "solver/uncollided/sources/homogeneous_path.h"
 
 namespace etendue {
 namespace {
@@ -84,8 +84,9 @@ std::vector<MirrorSet> ExtendedSource::images_of(const UnfoldedBody& body, std::
   return images;
 }
 
-void ExtendedSource::look_even(const Vec3& place, std::span<const double> extinction,
-                               std::optional<int> without, LightBeams& beams, EvenLight& light) const {
+void ExtendedSource::evaluate_homogeneous(const Vec3& place, std::span<const double> extinction,
+                                          std::optional<int> without, LightBeams& beams,
+                                          HomogeneousLight& light) const {
   light.clear();
   const bool in_part = without && (body_.across >> *without & 1) != 0;
   const UnfoldedBody& body = in_part ? bodies_before_[static_cast<std::size_t>(*without)] : body_;
@@ -102,7 +103,7 @@ void ExtendedSource::look_even(const Vec3& place, std::span<const double> extinc
 
 void ExtendedSource::add_parts(const LightView& view, std::span<const double> extinction,
                                std::span<const std::size_t> bands, LightBeams& beams,
-                               EvenLight& light) const {
+                               HomogeneousLight& light) const {
   if (bands.empty()) return;
   std::vector<EmitterPatch> patches;
   cut(view, clear_detail, patches);
@@ -110,14 +111,15 @@ void ExtendedSource::add_parts(const LightView& view, std::span<const double> ex
   for (const EmitterPatch& patch : patches) add_clear(patch, beams);
   for (std::size_t i = 0; i < beams.size(); ++i)
     for (const std::size_t b : bands) {
-      const double arrives = beams.fluence(i)[b] * even_way(beams.way(i), extinction[b]).transmittance;
+      const double arrives =
+          beams.fluence(i)[b] * homogeneous_path(beams.way(i), extinction[b]).transmittance;
       light.fluence[b] += arrives;
       light.flux[b] += arrives * beams.direction(i);
     }
 }
 
 void ExtendedSource::add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,
-                                EvenLight& light) const {
+                                HomogeneousLight& light) const {
   for (const auto& [shape, radiance] : shapes_) {
     FlatShape::View view;
     for (std::size_t b = 0; b < radiance.size(); ++b) {
@@ -130,7 +132,7 @@ void ExtendedSource::add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<co
 }
 
 std::vector<std::size_t> ExtendedSource::add_bodies(const LightView& view, std::span<const double> extinction,
-                                                    EvenLight& light) const {
+                                                    HomogeneousLight& light) const {
   const auto& bodies = view.body->shapes;
   std::vector<std::size_t> cancelled;
   std::vector<SolidShape::View> views(bodies.size());

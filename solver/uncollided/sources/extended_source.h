@@ -10,7 +10,7 @@
 #include "solver/uncollided/closed_form/emitter_tree.h"
 #include "solver/uncollided/closed_form/flat_shape.h"
 #include "solver/uncollided/sources/emitter_patch.h"
-#include "solver/uncollided/sources/even_light.h"
+#include "solver/uncollided/sources/homogeneous_light.h"
 #include "solver/uncollided/sources/shadow_planes.h"
 #include "solver/uncollided/sources/unfolded_body.h"
 #include "solver/uncollided/sources/wide_source.h"
@@ -33,8 +33,8 @@ class ExtendedSource : public WideSource {
   bool is_near(const Vec3& place, double size) const override;
   std::span<const EmitterPart> flat_parts() const override { return flat_parts_; }
   const ExtendedSource* as_extended() const override { return this; }
-  /// Whether light through even matter is added up from many parts of it, emitting each in its own way: slow,
-  /// and without steps.
+  /// Whether light through a homogeneous medium is summed over many parts of it that emit differently: slow,
+  /// and smooth.
   bool is_in_parts() const { return body_.shapes.empty() && tree_.shape() == EmitterShape::tetrahedra; }
   double diameter() const { return tree_.box().diagonal().norm(); }
   /// In which all of it lies; none of a body or of surfaces in several planes.
@@ -42,10 +42,10 @@ class ExtendedSource : public WideSource {
   /// The sides of its rim that a place lies on but for a distance.
   std::bitset<32> rim_sides_at(const Vec3& place, double distance) const;
   /// What would arrive through matter of this extinction [band] and nothing opaque, by way of mirrors too,
-  /// without the images behind this plane of a mirror: in closed form where the light is made of a few even
-  /// flat shapes or bodies. `beams` is room to work in.
-  void look_even(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
-                 LightBeams& beams, EvenLight& light) const;
+  /// without the images behind this plane of a mirror: in closed form where the light is made of a few
+  /// uniform flat shapes or bodies. `beams` is room to work in.
+  void evaluate_homogeneous(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
+                            LightBeams& beams, HomogeneousLight& light) const;
 
  private:
   class VisibilitySampler;
@@ -78,12 +78,12 @@ class ExtendedSource : public WideSource {
   void scale(const EmitterPatch& patch, const LightPoint& point, std::span<double> fluence) const;
 
   void add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,
-                  EvenLight& light) const;
+                  HomogeneousLight& light) const;
   /// The bands in which too little arrives to be told this way: nothing has been added to them.
   std::vector<std::size_t> add_bodies(const LightView& view, std::span<const double> extinction,
-                                      EvenLight& light) const;
+                                      HomogeneousLight& light) const;
   void add_parts(const LightView& view, std::span<const double> extinction,
-                 std::span<const std::size_t> bands, LightBeams& beams, EvenLight& light) const;
+                 std::span<const std::size_t> bands, LightBeams& beams, HomogeneousLight& light) const;
 
   EmitterTree tree_;
   const LightPaths& paths_;

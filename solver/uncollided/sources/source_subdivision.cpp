@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
 
-#include "solver/uncollided/closed_form/even_pieces.h"
 #include "solver/uncollided/closed_form/solid_angle.h"
+#include "solver/uncollided/closed_form/uniform_emitters.h"
 #include "solver/uncollided/rays/attenuation.h"
 #include "solver/uncollided/sources/extended_source.h"
 

@@ -24,7 +24,8 @@ struct UnfoldedBody {
   UnfoldedBody(const LightPaths& paths, std::span<const EmitterPart> cells, MirrorSet mirrors);
 
   MirrorSet across = 0;  ///< the mirrors behind which its images belong to it
-  /// The even bodies that it consists of, with their emission [band]; empty where these have too many edges.
+  /// The uniform bodies that it consists of, with their emission [band]; empty where these have too many
+  /// edges.
   std::vector<std::pair<SolidShape, std::vector<double>>> shapes;
   std::vector<ConvexFace> convex;  ///< empty where it is not one convex shape of few faces
   Eigen::AlignedBox3d box;

@@ -11,8 +11,8 @@ namespace {
 
 /// A patch is subdivided where the fluence of its points differs, in sum, from that through a homogeneous
 /// medium by more than this part of the fluence of the whole light; its parts where by the next number.
-constexpr std::array<double, 1> uneven_triangle = {0.01};
-constexpr std::array<double, 2> uneven_volume = {0.005, 0.01};
+constexpr std::array<double, 1> tolerance_of_triangle = {0.01};
+constexpr std::array<double, 2> tolerance_of_volume = {0.005, 0.01};
 /// Its logarithm is a number.
 constexpr double least_transmittance = std::numeric_limits<double>::min();
 
@@ -22,7 +22,7 @@ double depth(const VisibleRaySamples& beams, std::size_t i, std::size_t band, do
   return -std::log(std::max(beams.passed[i * beams.clear.bands() + band] / reflectance, least_transmittance));
 }
 
-/// Of even matter that takes in the mean as much from these beams, as far as they are open [1/length].
+/// Mean extinction along the open ones of these rays [1/length].
 double mean_extinction(const VisibleRaySamples& beams, std::size_t first, std::size_t last, std::size_t band,
                        double reflectance) {
   double depths = 0, ways = 0;
@@ -34,25 +34,25 @@ double mean_extinction(const VisibleRaySamples& beams, std::size_t first, std::s
   return ways > 0 ? depths / ways : 0;
 }
 
-/// What arrives from these points through even matter that takes as much from them in the mean, in all, and
-/// by how much what comes from each differs from it.
-struct EvenPart {
-  double extinction = 0;  ///< of that matter [1/length]
+/// Fluence of these points through a homogeneous medium of their mean extinction, in sum, and the sum of the
+/// differences of each from the sampled fluence.
+struct HomogeneousEstimate {
+  double extinction = 0;  ///< of that medium [1/length]
   double arriving = 0;
   double difference = 0;
 
-  EvenPart(const VisibleRaySamples& beams, std::size_t first, std::size_t last, std::size_t band,
-           double reflectance)
+  HomogeneousEstimate(const VisibleRaySamples& beams, std::size_t first, std::size_t last, std::size_t band,
+                      double reflectance)
       : extinction(mean_extinction(beams, first, last, band, reflectance)) {
     for (std::size_t i = first; i < last; ++i) {
       if (!beams.is_open(i)) continue;
       const double arrives = beams.arriving[i * beams.clear.bands() + band];
       const double distance = beams.clear.way(i).distance;
-      const double even = distance > 0
-                              ? arrives * std::exp(depth(beams, i, band, reflectance) - extinction * distance)
-                              : arrives;
-      arriving += even;
-      difference += std::abs(arrives - even);
+      const double homogeneous =
+          distance > 0 ? arrives * std::exp(depth(beams, i, band, reflectance) - extinction * distance)
+                       : arrives;
+      arriving += homogeneous;
+      difference += std::abs(arrives - homogeneous);
     }
   }
 };
@@ -78,9 +78,9 @@ class ExtendedSource::VisibilitySampler {
   VisibilitySampler(const ExtendedSource& source, const PointInCell& at, VisibleRaySamples& beams)
       : source_(source), at_(at), beams_(beams), whole_(beams.clear.bands(), 0) {
     if (source.tree_.shape() == EmitterShape::triangles)
-      uneven_ = uneven_triangle;
+      tolerances_ = tolerance_of_triangle;
     else
-      uneven_ = uneven_volume;
+      tolerances_ = tolerance_of_volume;
   }
 
   void add(std::span<const EmitterPatch> patches) {
@@ -93,7 +93,7 @@ class ExtendedSource::VisibilitySampler {
     for (std::size_t i = 0; i < first_samples.arriving.size(); ++i)
       whole_[i % whole_.size()] += first_samples.arriving[i];
     for (std::size_t i = 0; i < patches.size(); ++i)
-      keep_or_cut(patches[i], first_samples, i == 0 ? 0 : ends[i - 1], ends[i], uneven_);
+      keep_or_cut(patches[i], first_samples, i == 0 ? 0 : ends[i - 1], ends[i], tolerances_);
   }
 
  private:
@@ -121,21 +121,21 @@ class ExtendedSource::VisibilitySampler {
   }
 
   void keep_or_cut(const EmitterPatch& patch, const VisibleRaySamples& samples, std::size_t first,
-                   std::size_t last, std::span<const double> uneven) {
-    bool even = true;
-    for (std::size_t b = 0; b < whole_.size() && !uneven.empty(); ++b)
-      even = even &&
-             EvenPart(samples, first, last, b, reflectance(patch, b)).difference <= uneven[0] * whole_[b];
-    if (even) return keep(patch, samples, first, last);
+                   std::size_t last, std::span<const double> tolerances) {
+    bool is_close = true;
+    for (std::size_t b = 0; b < whole_.size() && !tolerances.empty(); ++b)
+      is_close = is_close && HomogeneousEstimate(samples, first, last, b, reflectance(patch, b)).difference <=
+                                 tolerances[0] * whole_[b];
+    if (is_close) return keep(patch, samples, first, last);
     for (const EmitterPatch& part : source_.parts_of(patch)) {
       VisibleRaySamples closer(whole_.size());
       sample(part, closer);
-      keep_or_cut(part, closer, 0, closer.clear.size(), uneven.subspan(1));
+      keep_or_cut(part, closer, 0, closer.clear.size(), tolerances.subspan(1));
     }
   }
 
-  // What a thick volume takes of its own light needs no rays, and so is integrated more finely, behind even
-  // matter that takes as much as rays say: where that is the volume's own, the points are as good as others.
+  // The self-absorption of a thick volume needs no rays, and so is integrated with more points, behind a
+  // homogeneous medium with the mean extinction of the rays.
   void keep(const EmitterPatch& patch, const VisibleRaySamples& samples, std::size_t first,
             std::size_t last) {
     bool open = true;
@@ -146,11 +146,11 @@ class ExtendedSource::VisibilitySampler {
     const std::size_t bands = whole_.size();
     std::vector<double> extinction(bands), left(bands);
     for (std::size_t b = 0; b < bands; ++b) {
-      const EvenPart even(samples, first, last, b, reflectance(patch, b));
+      const HomogeneousEstimate homogeneous(samples, first, last, b, reflectance(patch, b));
       double arriving = 0;
       for (std::size_t i = first; i < last; ++i) arriving += samples.arriving[i * bands + b];
-      extinction[b] = even.extinction;
-      left[b] = reflectance(patch, b) * (even.arriving > 0 ? arriving / even.arriving : 1);
+      extinction[b] = homogeneous.extinction;
+      left[b] = reflectance(patch, b) * (homogeneous.arriving > 0 ? arriving / homogeneous.arriving : 1);
     }
     EmitterPatch finer = patch;
     finer.rule = TriangleRule::seven_points;
@@ -167,8 +167,8 @@ class ExtendedSource::VisibilitySampler {
   const ExtendedSource& source_;
   const PointInCell& at_;
   VisibleRaySamples& beams_;
-  std::vector<double> whole_;       ///< [band] fluence of the first samples
-  std::span<const double> uneven_;  ///< [cut]
+  std::vector<double> whole_;           ///< [band] fluence of the first samples
+  std::span<const double> tolerances_;  ///< [cut]
 };
 
 void ExtendedSource::sample(const PointInCell& at, LightDetail detail, VisibleRaySamples& beams) const {

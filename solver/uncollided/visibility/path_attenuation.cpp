@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/uncollided/sources/even_way.h"
+#include "solver/uncollided/sources/homogeneous_path.h"
 
 namespace etendue {
 namespace {
@@ -15,7 +15,7 @@ constexpr double least_transmittance = 1e-300;
 constexpr double last_step = 1e-13;
 constexpr int most_steps = 50;
 
-/// Beams in one band as they would arrive through even matter.
+/// Beams in one band as they would arrive through a homogeneous medium.
 struct BeamSum {
   double fluence = 0;
   Vec3 flux = Vec3::Zero();
@@ -23,7 +23,7 @@ struct BeamSum {
 
   BeamSum(const LightBeams& beams, std::size_t band, double extinction = 0) {
     for (std::size_t i = 0; i < beams.size(); ++i) {
-      const EvenWay left = even_way(beams.way(i), extinction);
+      const HomogeneousPath left = homogeneous_path(beams.way(i), extinction);
       const double value = beams.fluence(i)[band] * left.transmittance;
       fluence += value;
       flux += value * beams.direction(i);
@@ -34,7 +34,7 @@ struct BeamSum {
 
 /// The extinction through which this much of clear beams is left. The logarithm of what is left falls and is
 /// convex, so Newton's steps from the left never overshoot; the mean way begins there (Jensen's inequality).
-double even_extinction(const LightBeams& clear, std::size_t band, double left) {
+double effective_extinction(const LightBeams& clear, std::size_t band, double left) {
   BeamSum sum(clear, band);
   double extinction = std::log(sum.fluence / left) * sum.fluence / sum.way;
   for (int i = 0; i < most_steps; ++i) {
@@ -71,13 +71,13 @@ Visibility sample(const ExtendedSource& source, const PointInCell& here, LightDe
     if (!(visible.fluence > 0)) continue;
     attenuation[b].length = visible.way / visible.fluence;
     attenuation[b].extinction =
-        even_extinction(open, b, std::max(arrived.fluence, least_transmittance * visible.fluence));
-    const BeamSum even(clear, b, attenuation[b].extinction);
-    if (!(even.fluence > 0)) continue;
+        effective_extinction(open, b, std::max(arrived.fluence, least_transmittance * visible.fluence));
+    const BeamSum homogeneous(clear, b, attenuation[b].extinction);
+    if (!(homogeneous.fluence > 0)) continue;
     if (open.size() < clear.size())
-      attenuation[b].visible = BeamSum(open, b, attenuation[b].extinction).fluence / even.fluence;
+      attenuation[b].visible = BeamSum(open, b, attenuation[b].extinction).fluence / homogeneous.fluence;
     if (arrived.fluence > 0)
-      attenuation[b].deflection = arrived.flux / arrived.fluence - even.flux / even.fluence;
+      attenuation[b].deflection = arrived.flux / arrived.fluence - homogeneous.flux / homogeneous.fluence;
   }
   if (!any_light) return Visibility::behind;
   return open.size() == 0             ? Visibility::nothing

@@ -48,7 +48,7 @@ class VertexAttenuation {
   std::size_t bands_;
   std::vector<PathAttenuation> at_vertices_;  ///< [vertex][band]
   std::vector<Visibility> vertex_visibility_;
-  MeshEdges edges_;  ///< between vertices that see all; none in even matter
+  MeshEdges edges_;  ///< between vertices that see all; none in a homogeneous medium
   std::vector<PathAttenuation>
       at_edges_;  ///< [edge][band] difference of the middle from the mean of the ends
   std::vector<Visibility> edge_visibility_;  ///< [edge]

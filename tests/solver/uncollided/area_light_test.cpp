@@ -135,7 +135,8 @@ double part_found(double max_volume, double extinction, const Inside& inside) {
 
 TEST(UncollidedField, OfALampInAWallReachesTheOtherWalls) { EXPECT_NEAR(part_found(2e-3, 0, {}), 1, 1e-6); }
 
-// In an even medium nothing is interpolated: what is missing is that of the rules in cells and on walls.
+// In a homogeneous medium nothing is interpolated: what is missing is that of the rules in cells and on
+// walls.
 TEST(UncollidedField, OfALampInAWallBalancesInAMedium) {
   for (const double extinction : {0.3, 1.5, 6.0}) {
     EXPECT_NEAR(part_found(2e-3, extinction, {}), 1, 5e-6) << extinction;

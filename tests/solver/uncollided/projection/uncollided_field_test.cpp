@@ -301,8 +301,8 @@ double part_found(const TetrahedralMesh& mesh, double specular, double extinctio
   return (absorbed + kept) / sent;
 }
 
-// In even matter nothing is interpolated; what is missed lies in the few cells at its edges. Mirrors keep 0.4
-// of what arrives.
+// In a homogeneous medium nothing is interpolated; what is missed lies in the few cells at its edges. Mirrors
+// keep 0.4 of what arrives.
 TEST(UncollidedField, OfAVolumeBalancesBesideMirrorsToo) {
   const TetrahedralMesh mesh = two_region_mesh(0.02);
   EXPECT_NEAR(part_found(mesh, 0, 0.8), 1, 1.5e-5);

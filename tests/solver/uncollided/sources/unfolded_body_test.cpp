@@ -48,10 +48,10 @@ class Scene {
     for (std::size_t i = 0; i < beams.size(); ++i) sum += beams.fluence(i)[0];
     return sum;
   }
-  EvenLight even(const Vec3& point, std::optional<int> without = {}) const {
+  HomogeneousLight even(const Vec3& point, std::optional<int> without = {}) const {
     LightBeams beams(1);
-    EvenLight light(1);
-    source().look_even(point, std::vector<double>{0.7}, without, beams, light);
+    HomogeneousLight light(1);
+    source().evaluate_homogeneous(point, std::vector<double>{0.7}, without, beams, light);
     return light;
   }
   std::vector<EmitterPart> cells() const { return source_cells(mesh_); }
@@ -136,7 +136,7 @@ TEST(UnfoldedBody, IsAloneWhereAMirrorEndsBelowIt) {
 TEST(UnfoldedBody, BringsWhatTheWholeBringsWithoutMirrors) {
   const Scene corner(0, 1), whole(-1, 1);
   for (const Vec3& place : places) {
-    const EvenLight a = corner.even(place), b = whole.even(place);
+    const HomogeneousLight a = corner.even(place), b = whole.even(place);
     EXPECT_NEAR(a.fluence[0] / b.fluence[0], 1, 1e-9);
     EXPECT_LT((a.flux[0] - b.flux[0]).norm(), 1e-9 * b.fluence[0]);
     // The same pieces, but for the diagonals of their faces.

@@ -8,13 +8,13 @@
 
 namespace etendue {
 
-/// What even matter leaves of a beam.
-struct EvenWay {
+/// Transmittance and mean path length of a beam through a homogeneous medium.
+struct HomogeneousPath {
   double transmittance;
-  double mean;  ///< way of what is left [length]
+  double mean;  ///< path length of the transmitted light [length]
 };
 
-inline EvenWay even_way(const BeamWay& way, double extinction) {
+inline HomogeneousPath homogeneous_path(const BeamWay& way, double extinction) {
   const double before = std::exp(-extinction * way.distance);
   if (way.length == 0) return {before, way.distance};
   const AttenuatedWay inside = attenuated_way(extinction, way.length);

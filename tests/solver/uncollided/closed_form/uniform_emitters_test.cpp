@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/uncollided/closed_form/even_pieces.h"
+#include "solver/uncollided/closed_form/uniform_emitters.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ TEST(FewTriangles, LeaveAloneWhatIsNotFlat) {
   for (int i = 0; i < 4; ++i) add_square(i, 0, 0, 1, parts);
   for (EmitterPart& part : parts)
     for (Vec3& corner : part.corners) corner.z() += 2e-8 * corner.x() * corner.x();
-  EXPECT_EQ(even_pieces(parts, 64)->size(), 1);
+  EXPECT_EQ(uniform_emitters(parts, 64)->size(), 1);
   EXPECT_EQ(few_triangles(parts).size(), parts.size());
 }
 
@@ -76,8 +76,8 @@ TEST(FewTriangles, KeepPlanesAndRadiancesApart) {
   std::vector<EmitterPart> parts;
   for (const auto& [height, radiance] : {std::pair{0., 1.}, {1., 1.}, {1., 2.}})
     for (int i = 0; i < 3; ++i) add_square(i, radiance, height, radiance, parts);
-  EXPECT_EQ(even_pieces(parts, 3)->size(), 3);
-  EXPECT_FALSE(even_pieces(parts, 2));
+  EXPECT_EQ(uniform_emitters(parts, 3)->size(), 3);
+  EXPECT_FALSE(uniform_emitters(parts, 2));
   EXPECT_EQ(few_triangles(parts).size(), 6);
 }
 

@@ -7,9 +7,9 @@
 
 namespace etendue {
 
-/// Light at a point as it would arrive through matter that is the same everywhere, [band].
-struct EvenLight {
-  explicit EvenLight(std::size_t bands) : fluence(bands), flux(bands) { clear(); }
+/// Light at a point as it would arrive through a homogeneous medium, [band].
+struct HomogeneousLight {
+  explicit HomogeneousLight(std::size_t bands) : fluence(bands), flux(bands) { clear(); }
 
   void clear() {
     fluence.assign(fluence.size(), 0);
