@@ -5,16 +5,16 @@
 
 #include "solver/uncollided/closed_form/emitter_tree.h"
 #include "solver/uncollided/sources/light_source.h"
-#include "solver/uncollided/sources/unfolded_body.h"
+#include "solver/uncollided/sources/mirrored_emitter.h"
 
 namespace etendue {
 
 /// Point from which a light is sampled. Through mirrors the eye is moved behind them instead of the light,
-/// but for those across which a body is unfolded: what lies behind these is seen through them.
+/// but for those across which an emitter is mirrored: its images behind these are part of it.
 struct LightView {
   MirrorSet mirrors;
   Vec3 eye;
-  const UnfoldedBody* body;  ///< if there is one
+  const MirroredEmitter* body;  ///< if there is one
 };
 
 /// Part of a light as seen from a point, sampled by a few points: a group of its parts, or directions in

@@ -11,8 +11,8 @@
 #include "solver/uncollided/closed_form/flat_shape.h"
 #include "solver/uncollided/sources/emitter_patch.h"
 #include "solver/uncollided/sources/homogeneous_light.h"
+#include "solver/uncollided/sources/mirrored_emitter.h"
 #include "solver/uncollided/sources/shadow_planes.h"
-#include "solver/uncollided/sources/unfolded_body.h"
 #include "solver/uncollided/sources/wide_source.h"
 
 namespace etendue {
@@ -49,9 +49,9 @@ class ExtendedSource : public WideSource {
 
  private:
   class VisibilitySampler;
-  void unfold();
+  void find_mirrored_emitter();
   /// The images behind mirrors that do not belong to the body, without those behind this plane.
-  std::vector<MirrorSet> images_of(const UnfoldedBody& body, std::optional<int> without = {}) const;
+  std::vector<MirrorSet> images_of(const MirroredEmitter& body, std::optional<int> without = {}) const;
   std::vector<EmitterPatch> cut(const Vec3& place, LightDetail detail) const;
   void cut(const LightView& view, LightDetail detail, std::vector<EmitterPatch>& patches) const;
   void cut_node(const LightView& view, LightDetail detail, int index,
@@ -88,14 +88,14 @@ class ExtendedSource : public WideSource {
   EmitterTree tree_;
   const LightPaths& paths_;
   std::vector<MirrorSet> images_;
-  std::vector<MirrorSet> views_;  ///< of the unfolded body
+  std::vector<MirrorSet> views_;  ///< of the mirrored emitter
   std::vector<std::size_t> all_bands_;
   std::vector<EmitterPart> flat_parts_;
   std::optional<Plane> plane_;
   std::vector<std::pair<FlatShape, std::vector<double>>> shapes_;  ///< with their radiance [band]
   /// Convex only where its extinction is the same everywhere. Of triangles nothing but the box.
-  UnfoldedBody body_;
-  std::vector<UnfoldedBody> bodies_before_;  ///< [mirror] without the images behind it, if it has such
+  MirroredEmitter body_;
+  std::vector<MirroredEmitter> bodies_before_;  ///< [mirror] without the images behind it, if it has such
 };
 
 }  // namespace etendue

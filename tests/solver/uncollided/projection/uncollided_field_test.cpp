@@ -380,14 +380,14 @@ TEST(UncollidedField, OfASlantingSunBalancesInWideFlatCells) {
   EXPECT_NEAR((absorbed + integral_over_walls(mesh, field.irradiance)) / sources[0]->power()[0], 1, 1e-6);
 }
 
-TEST(UncollidedField, BeforeAMirrorIsThatOfTheUnfoldedRoom) {
+TEST(UncollidedField, BeforeAMirrorIsThatOfTheRoomWithItsImage) {
   const TetrahedralMesh half = cube_mesh(2e-3);
-  const TetrahedralMesh whole = unfolded_mesh(half);
+  const TetrahedralMesh whole = mesh_with_image(half);
   std::vector<Wall> walls(half.wall_names().size(), uniform_wall(1, 0, 0, 0));
   walls[static_cast<std::size_t>(wall_of(half, "xmax"))].specular = {0.8};
   const Problem mirrored(half, {}, {uniform_medium(1, 0.9, 0, 0)}, walls);
-  const Problem unfolded = uniform_problem(whole, uniform_medium(1, 0.9, 0, 0), uniform_wall(1, 0, 0, 0));
-  const LightPaths before(mirrored), open(unfolded);
+  const Problem with_image = uniform_problem(whole, uniform_medium(1, 0.9, 0, 0), uniform_wall(1, 0, 0, 0));
+  const LightPaths before(mirrored), open(with_image);
   const Vec3 lamp(0.7, 0.4, 0.3), image(1.3, 0.4, 0.3), there(0.2, 0.8, 0.7);
   const UncollidedField field = uncollided_field(before, point_at(lamp, before), 1);
   const double direct = fluence_at(whole, uncollided_field(open, point_at(lamp, open), 1).fluence, there);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/uncollided/sources/unfolded_body.h"
+#include "solver/uncollided/sources/mirrored_emitter.h"
 
 #include <algorithm>
 #include <bit>
@@ -86,7 +86,7 @@ MirrorSet mirrors_touched(const LightPaths& paths, std::span<const EmitterPart> 
   return touched;
 }
 
-UnfoldedBody::UnfoldedBody(std::span<const EmitterPart> tetrahedra) : shapes(solid_shapes(tetrahedra)) {
+MirroredEmitter::MirroredEmitter(std::span<const EmitterPart> tetrahedra) : shapes(solid_shapes(tetrahedra)) {
   if (shapes.size() == 1) convex = shapes[0].first.convex_faces();
   if (convex.size() > most_faces) convex.clear();
   for (const EmitterPart& part : tetrahedra)
@@ -95,16 +95,17 @@ UnfoldedBody::UnfoldedBody(std::span<const EmitterPart> tetrahedra) : shapes(sol
     for (const Vec3& corner : part.corners) radius = std::max(radius, (corner - box.center()).norm());
 }
 
-UnfoldedBody::UnfoldedBody(const LightPaths& paths, std::span<const EmitterPart> cells, MirrorSet mirrors)
-    : UnfoldedBody(cells) {
+MirroredEmitter::MirroredEmitter(const LightPaths& paths, std::span<const EmitterPart> cells,
+                                 MirrorSet mirrors)
+    : MirroredEmitter(cells) {
   std::vector<EmitterPart> tetrahedra(cells.begin(), cells.end());
   for (int plane = 0; plane < paths.mirrors().count() && !shapes.empty(); ++plane) {
     if ((mirrors >> plane & 1) == 0) continue;
     std::vector<EmitterPart> more = with_images(paths, tetrahedra, plane);
-    UnfoldedBody unfolded{more};
-    if (unfolded.shapes.empty() || (unfolded.convex.empty() && !convex.empty())) continue;
-    unfolded.across = across | MirrorSet{1} << plane;
-    *this = std::move(unfolded);
+    MirroredEmitter mirrored{more};
+    if (mirrored.shapes.empty() || (mirrored.convex.empty() && !convex.empty())) continue;
+    mirrored.across = across | MirrorSet{1} << plane;
+    *this = std::move(mirrored);
     tetrahedra = std::move(more);
   }
 }

@@ -12,16 +12,16 @@
 
 namespace etendue {
 
-/// A body that emits and lies on mirrors that send all light back: with its images behind these it is one
-/// body, and light that comes by way of them comes straight from there. A source in the corner of three
+/// Emitter that touches perfect mirrors, joined with its images behind them (method of images): reflected
+/// light travels straight from the images. A source in the corner of three
 /// mirrors is a single box about it instead of eight boxes.
-struct UnfoldedBody {
-  UnfoldedBody() = default;
+struct MirroredEmitter {
+  MirroredEmitter() = default;
   /// Of these tetrahedra alone.
-  explicit UnfoldedBody(std::span<const EmitterPart> tetrahedra);
+  explicit MirroredEmitter(std::span<const EmitterPart> tetrahedra);
   /// Of cells of the mesh and their images behind those of these mirrors with which its edges are still few,
   /// and with which it is convex if it is so alone.
-  UnfoldedBody(const LightPaths& paths, std::span<const EmitterPart> cells, MirrorSet mirrors);
+  MirroredEmitter(const LightPaths& paths, std::span<const EmitterPart> cells, MirrorSet mirrors);
 
   MirrorSet across = 0;  ///< the mirrors behind which its images belong to it
   /// The uniform bodies that it consists of, with their emission [band]; empty where these have too many

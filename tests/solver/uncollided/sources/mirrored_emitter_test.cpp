@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/uncollided/sources/unfolded_body.h"
+#include "solver/uncollided/sources/mirrored_emitter.h"
 
 #include <gtest/gtest.h>
 
@@ -89,9 +89,9 @@ class Scene {
 const std::vector<Vec3> places = {
     {0.9, 0.8, 0.7}, {0.2, 0.25, 0.1}, {0.05, 0.6, 0.4}, {0.5, 0.5, 0}, {0, 0, 0.8}};
 
-TEST(UnfoldedBody, IsOneBoxAboutTheCornerOfThreeMirrors) {
+TEST(MirroredEmitter, IsOneBoxAboutTheCornerOfThreeMirrors) {
   const Scene corner(0, 1);
-  const UnfoldedBody body(corner.paths(), corner.cells(), mirrors_touched(corner.paths(), corner.cells()));
+  const MirroredEmitter body(corner.paths(), corner.cells(), mirrors_touched(corner.paths(), corner.cells()));
   EXPECT_EQ(std::popcount(body.across), 3);
   ASSERT_EQ(body.shapes.size(), 1);
   EXPECT_EQ(body.shapes[0].first.edge_count(), 12);
@@ -101,13 +101,13 @@ TEST(UnfoldedBody, IsOneBoxAboutTheCornerOfThreeMirrors) {
 }
 
 // Behind a mirror that keeps a part of the light the image is another body.
-TEST(UnfoldedBody, IsAloneWhereMirrorsKeepLight) {
+TEST(MirroredEmitter, IsAloneWhereMirrorsKeepLight) {
   const Scene corner(0, 0.9);
   EXPECT_EQ(mirrors_touched(corner.paths(), corner.cells()), 0);
 }
 
 // Light would come through the black half of the floor otherwise.
-TEST(UnfoldedBody, IsAloneWhereAMirrorEndsBelowIt) {
+TEST(MirroredEmitter, IsAloneWhereAMirrorEndsBelowIt) {
   Geometry geometry;
   for (const std::string region : {"room", "source"})
     for (const std::string half : {"left", "right"}) {
@@ -133,7 +133,7 @@ TEST(UnfoldedBody, IsAloneWhereAMirrorEndsBelowIt) {
   }
 }
 
-TEST(UnfoldedBody, BringsWhatTheWholeBringsWithoutMirrors) {
+TEST(MirroredEmitter, BringsWhatTheWholeBringsWithoutMirrors) {
   const Scene corner(0, 1), whole(-1, 1);
   for (const Vec3& place : places) {
     const HomogeneousLight a = corner.even(place), b = whole.even(place);
@@ -145,7 +145,7 @@ TEST(UnfoldedBody, BringsWhatTheWholeBringsWithoutMirrors) {
 }
 
 // On a mirror that sends all back half of what arrives is behind it.
-TEST(UnfoldedBody, IsWithoutTheImagesBehindAMirrorHalfOfWhatIsSeenFromIt) {
+TEST(MirroredEmitter, IsWithoutTheImagesBehindAMirrorHalfOfWhatIsSeenFromIt) {
   const Scene corner(0, 1);
   for (int mirror = 0; mirror < 3; ++mirror) {
     Vec3 place(0.6, 0.5, 0.4);
@@ -156,7 +156,7 @@ TEST(UnfoldedBody, IsWithoutTheImagesBehindAMirrorHalfOfWhatIsSeenFromIt) {
 }
 
 // Of images that are bodies of their own, with nearly the same reflectance, as much arrives.
-TEST(UnfoldedBody, BringsAsMuchAsItsImagesOneByOne) {
+TEST(MirroredEmitter, BringsAsMuchAsItsImagesOneByOne) {
   const Scene one(0, 1), eight(0, 1 - 1e-12);
   for (const Vec3& place : places) {
     EXPECT_NEAR(one.even(place).fluence[0] / eight.even(place).fluence[0], 1, 1e-9);
