@@ -32,7 +32,7 @@ class RayMesh {
   explicit RayMesh(const TetrahedralMesh& mesh);
 
   /// Walks from a point of a cell along the unit vector `direction` and calls visit(CellIndex, double length)
-  /// for each cell on the way, in order, until `length` is covered or the ray leaves the domain: it does not
+  /// for each cell on the path, in order, until `length` is covered or the ray leaves the domain: it does not
   /// come back in. The start may lie on a face, an edge or a vertex of its cell: it is moved into it, by as
   /// little as rounding lets.
   template <class Visitor>

@@ -205,7 +205,7 @@ double MapRadiance::march(const RaySegment& segment, std::size_t first, std::siz
       const double piece = std::min(rest, part - used), sigma = extinction(cell, segment.band);
       const bool scatters = problem_.scattering(cell, segment.band) > 0;
       radiance += left * (problem_.emission(cell, segment.band) + (scatters ? source : 0)) *
-                  attenuated_way(sigma, piece).constant;
+                  attenuation_integrals(sigma, piece).constant;
       left *= std::exp(-sigma * piece);
       rest -= piece;
       used += piece;

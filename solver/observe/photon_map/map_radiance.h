@@ -25,9 +25,9 @@ namespace etendue {
 ///     S(x, w)      = sum of p(w_p.w) dF_p / V             [power/(length^3 sr)] (2)
 ///
 /// with f_r = diffuse/pi + that of the lobe, and transmittance/pi for hits on the other side of a sheet, and
-/// where (2) is what scattering adds to the radiance on its way: photons are scattered at the rate sigma_s
-/// times the fluence, so that Jensen's division by sigma_s, which gives a mean of radiance, and the factor
-/// sigma_s of the transport equation cancel.
+/// where (2) is what scattering adds to the radiance along its path: photons are scattered at the rate
+/// sigma_s times the fluence, so that Jensen's division by sigma_s, which gives a mean of radiance, and the
+/// factor sigma_s of the transport equation cancel.
 class MapRadiance {
  public:
   /// The problem must outlive it. Takes over the hits, [band].

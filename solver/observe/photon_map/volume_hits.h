@@ -34,7 +34,7 @@ class VolumeHits {
  private:
   /// How much of a ball is seen from its middle through the region alone [length^3].
   double volume_seen(CellIndex cell, const Vec3& point, double radius) const;
-  double way_in_region(CellIndex cell, const Vec3& point, const Vec3& direction, double length) const;
+  double path_in_region(CellIndex cell, const Vec3& point, const Vec3& direction, double length) const;
 
   const TetrahedralMesh& mesh_;
   const RayMesh& rays_;

@@ -22,7 +22,7 @@ namespace {
 constexpr double faint = 1e-8;
 constexpr int most_mirrors = 10000;
 
-/// A ray has come back to where it was where place and direction are within this part of the way of it.
+/// A ray has come back to where it was where place and direction are within this part of its path length.
 constexpr double same_place = 1e-12;
 
 std::array<double, 4> barycentric(const TetrahedralMesh& mesh, CellIndex cell, const Vec3& point) {
@@ -113,7 +113,7 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
   PointInCell at = start;
   Vec3 towards = direction;
   std::optional<FirstReflection> first;
-  double way = 0;
+  double path_length = 0;
   for (int i = 0; i < most_mirrors; ++i) {
     const RayEnd end = walk(at, towards, work);
     const RaySegment segment{at.position, towards, view, lights_.paths().matter().view(-towards),
@@ -127,10 +127,10 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
     if (!reflect(*end.wall, towards.dot(normal), work)) return;
     towards = (towards - 2 * towards.dot(normal) * normal).normalized();
     at = {end.cell, end.point};
-    way += end.distance;
+    path_length += end.distance;
     if (!first)
       first = FirstReflection{at.position, towards, {radiance.begin(), radiance.end()}, weights_left(work)};
-    else if ((at.position - first->position).norm() < same_place * way &&
+    else if ((at.position - first->position).norm() < same_place * path_length &&
              (towards - first->towards).norm() < same_place && end_series(*first, work, radiance))
       return;
   }
@@ -177,7 +177,7 @@ void RayRadiance::add_cells(const RaySegment& segment, Workspace& work, std::spa
   }
 }
 
-// With S(s) = S_a + (S_b - S_a) s/l over the length l of the part, and E_0, E_1 of attenuated_way:
+// With S(s) = S_a + (S_b - S_a) s/l over the length l of the part, and E_0, E_1 of attenuation_integrals:
 //   integral of S e^(-sigma s) ds = S_a E_0 + (S_b - S_a) E_1/l,
 // and the quadratic part in the middle times attenuated_quadratic.
 void RayRadiance::add_part(const RaySegment& segment, const Workspace::Part& part, Workspace& work,
@@ -195,8 +195,8 @@ void RayRadiance::add_part(const RaySegment& segment, const Workspace::Part& par
     const double near = interpolated(work.values, here, b, bands_);
     const double far = interpolated(work.values, there, b, bands_);
     const double extinction = collided_.extinction(part.cell, b, *work.view);
-    const AttenuatedWay way = attenuated_way(extinction, part.length);
-    double arrives = near * way.constant + (far - near) * way.linear / part.length;
+    const AttenuationIntegrals integrals = attenuation_integrals(extinction, part.length);
+    double arrives = near * integrals.constant + (far - near) * integrals.linear / part.length;
     if (is_quadratic)
       arrives += (interpolated(work.values, middle, b, bands_) - (near + far) / 2) *
                  attenuated_quadratic(extinction, part.length);
@@ -205,7 +205,7 @@ void RayRadiance::add_part(const RaySegment& segment, const Workspace::Part& par
     if (is_light)
       radiance[b] += work.factor[b] * std::exp(-work.depth[b]) *
                      problem_.emission(part.cell, static_cast<int>(b)) *
-                     attenuated_way(whole, part.length).constant;
+                     attenuation_integrals(whole, part.length).constant;
     work.depth_rest[b] += extinction * part.length;
     work.depth[b] += whole * part.length;
   }

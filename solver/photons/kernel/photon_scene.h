@@ -34,7 +34,7 @@ void scatter_by_direction(const DirectionalMedium& medium, std::int32_t cell, Ra
                           double (&w)[3]);
 
 /// The emission of a cell by a formula in the direction -w, times the moments of its barycentric coordinates
-/// on the way of a history that goes back along the light; and the radiance of a wall's face, where the
+/// on the path of a history that goes back along the light; and the radiance of a wall's face, where the
 /// shares of its corners are those of a point.
 double emission_along(const FormulaEmitter& emitter, std::int32_t cell, const double (&w)[3],
                       const double (&moments)[4]);

@@ -72,7 +72,7 @@ struct PhotonSolution {
 std::size_t estimate_photon_memory(const Problem& problem, int threads);
 
 /// Solves by Monte Carlo: histories of photons through the cells, with the light that they lose to absorption
-/// taken out along the way, and track lengths as estimators of the fluence and net flux in each cell.
+/// taken out along the path, and track lengths as estimators of the fluence and net flux in each cell.
 /// Throws InputError where photons do not know what the problem asks.
 PhotonSolution solve_photons(const Problem& problem, const CellLocator& locator, const PhotonOptions& options,
                              const PhotonObserver& observer = {}, const BatchReader& reader = {});

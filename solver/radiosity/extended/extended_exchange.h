@@ -17,7 +17,7 @@ struct ExtendedClosing {
   int passes = 0;
 };
 
-/// The exchange areas of patches for diffuse light, straight and by way of mirrors and glossy walls (extended
+/// The exchange areas of patches for diffuse light, straight and via mirrors and glossy walls (extended
 /// form factors, Sillion and Puech 1989): a symmetric matrix for each band,
 ///
 ///     G = D (G_0 + G_1) D,                                                                             (1)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-// The way of a batch of ordinates through the mesh, group by group.
+// The sweep of a batch of ordinates through the mesh, group by group.
 // Part of TransportSweep, for its source file alone.
 #include <algorithm>
 

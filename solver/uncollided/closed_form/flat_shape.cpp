@@ -47,14 +47,14 @@ struct Rule {
       return;
     }
     for (const FacePointWeight& point : seven_point_rule()) {
-      const Vec3 way = point.barycentric[0] * a + point.barycentric[1] * b + point.barycentric[2] * c;
-      const double distance = way.norm();
+      const Vec3 separation = point.barycentric[0] * a + point.barycentric[1] * b + point.barycentric[2] * c;
+      const double distance = separation.norm();
       const double part = point.weight * above / (distance * distance * distance);
       const double arrives = part * std::exp(-extinction * distance);
       clear.fluence += part;
-      clear.flux -= part / distance * way;
+      clear.flux -= part / distance * separation;
       left.fluence += arrives;
-      left.flux -= arrives / distance * way;
+      left.flux -= arrives / distance * separation;
     }
   }
 };

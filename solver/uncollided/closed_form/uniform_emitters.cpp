@@ -16,7 +16,7 @@ constexpr double one_plane = 1e-6;
 constexpr std::size_t most_emitters = 64;
 /// Sides of an outline that turn back by more than this are not convex.
 constexpr double turns_back = 1e-12;
-/// Heights above a plane, in units of the size, that are rounding: rays end at walls to 1e-9 of their way.
+/// Heights above a plane, in units of the size, that are rounding: rays end at walls to 1e-9 of their length.
 constexpr double in_plane = 1e-10;
 /// Areas that differ by less are the same.
 constexpr double same_area = 1e-9;

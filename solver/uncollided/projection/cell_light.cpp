@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "solver/uncollided/projection/arriving_light.h"
-#include "solver/uncollided/projection/cell_way.h"
+#include "solver/uncollided/projection/ray_segment.h"
 
 namespace etendue {
 namespace {

@@ -7,7 +7,7 @@
 #include "solver/uncollided/closed_form/beam_columns.h"
 #include "solver/uncollided/projection/arriving_light.h"
 #include "solver/uncollided/projection/cell_light.h"
-#include "solver/uncollided/projection/cell_way.h"
+#include "solver/uncollided/projection/ray_segment.h"
 
 namespace etendue {
 namespace {
@@ -100,8 +100,9 @@ class BeamInColumns {
       for (double& value : power) value *= point.weight * cross_section;
       double length = 0;
       for (std::size_t i = 0; i < 3; ++i) length += point.barycentric[i] * column.length[i];
-      add_way(paths_.matter(), cell_, way_through(cell_, gradients_, entry(column, point), direction, length),
-              power, moments_);
+      add_segment(paths_.matter(), cell_,
+                  segment_through(cell_, gradients_, entry(column, point), direction, length), power,
+                  moments_);
     }
   }
 

@@ -47,8 +47,8 @@ std::vector<FaceAtEdge> noticed_faces(const LightPaths& paths) {
       const std::int32_t first = v[i == 0 ? 1 : 0], last = v[i == 2 ? 1 : 2];
       const Vec3 from = mesh.point(VertexIndex(first));
       const Vec3 along = (mesh.point(VertexIndex(last)) - from).normalized();
-      const Vec3 way = mesh.point(VertexIndex(v[i])) - from;
-      const Vec3 away = (way - way.dot(along) * along).normalized();
+      const Vec3 offset = mesh.point(VertexIndex(v[i])) - from;
+      const Vec3 away = (offset - offset.dot(along) * along).normalized();
       faces.push_back({{first, last}, {normal, away, on_wall ? mesh.wall(face) : -1, regions, mirrors}});
     }
   }

@@ -32,7 +32,7 @@ struct EmitterPatch {
 struct LightPoint {
   Vec3 looking;     ///< unit
   double distance;  ///< to where the light begins [length]
-  double length;    ///< of the way through a volume behind [length]
+  double length;    ///< of the path through a volume behind [length]
   double weight;    ///< times the brightness, and what is left of the length of the volume: fluence
 };
 

@@ -113,7 +113,7 @@ void ExtendedSource::add_parts(const LightView& view, std::span<const double> ex
   for (std::size_t i = 0; i < beams.size(); ++i)
     for (const std::size_t b : bands) {
       const double arrives =
-          beams.fluence(i)[b] * homogeneous_path(beams.way(i), extinction[b]).transmittance;
+          beams.fluence(i)[b] * homogeneous_path(beams.interval(i), extinction[b]).transmittance;
       light.fluence[b] += arrives;
       light.flux[b] += arrives * beams.direction(i);
     }

@@ -41,7 +41,7 @@ class ExtendedSource : public WideSource {
   const std::optional<Plane>& plane() const { return plane_; }
   /// The sides of its rim that a place lies on but for a distance.
   std::bitset<32> rim_sides_at(const Vec3& place, double distance) const;
-  /// What would arrive through matter of this extinction [band] and nothing opaque, by way of mirrors too,
+  /// What would arrive through matter of this extinction [band] and nothing opaque, via mirrors too,
   /// without the images behind this plane of a mirror: in closed form where the light is made of a few
   /// uniform flat shapes or bodies. `beams` is room to work in.
   void evaluate_homogeneous(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
@@ -71,10 +71,10 @@ class ExtendedSource : public WideSource {
   std::vector<LightPoint> points_of(const EmitterPatch& patch) const;
   const std::vector<double>& brightness(const EmitterPatch& patch) const;
   void add_clear(const EmitterPatch& patch, LightBeams& beams) const;
-  /// Transmittance [band] of the way up to a point of the light; false where it is closed.
+  /// Transmittance [band] of the path up to a point of the light; false where it is closed.
   bool pass(const PointInCell& at, const EmitterPatch& patch, const LightPoint& point, const Vec3& direction,
             std::span<double> passed) const;
-  /// Makes the fluence that arrives of what is left on the way.
+  /// Makes the fluence that arrives of the transmitted part of the path.
   void scale(const EmitterPatch& patch, const LightPoint& point, std::span<double> fluence) const;
 
   void add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,

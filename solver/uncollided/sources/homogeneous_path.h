@@ -14,11 +14,11 @@ struct HomogeneousPath {
   double mean;  ///< path length of the transmitted light [length]
 };
 
-inline HomogeneousPath homogeneous_path(const BeamWay& way, double extinction) {
-  const double before = std::exp(-extinction * way.distance);
-  if (way.length == 0) return {before, way.distance};
-  const AttenuatedWay inside = attenuated_way(extinction, way.length);
-  return {before * inside.constant / way.length, way.distance + inside.linear / inside.constant};
+inline HomogeneousPath homogeneous_path(const EmissionInterval& interval, double extinction) {
+  const double before = std::exp(-extinction * interval.distance);
+  if (interval.length == 0) return {before, interval.distance};
+  const AttenuationIntegrals inside = attenuation_integrals(extinction, interval.length);
+  return {before * inside.constant / interval.length, interval.distance + inside.linear / inside.constant};
 }
 
 }  // namespace etendue

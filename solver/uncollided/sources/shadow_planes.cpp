@@ -152,7 +152,7 @@ ShadowPlanes::ShadowPlanes(const LightPaths& paths, const std::vector<ShadowEdge
   add_planes(shadow_edges, copies_behind(paths.mirrors(), mirrors), {}, images_.back());
 }
 
-// Light by way of mirrors has come straight through the space behind them, where each shadow edge stands
+// Light via mirrors has come straight through the space behind them, where each shadow edge stands
 // again.
 void ShadowPlanes::add_planes(const std::vector<ShadowEdge>& shadow_edges,
                               const std::vector<MirrorCopy>& copies, std::span<const int> lit_walls,

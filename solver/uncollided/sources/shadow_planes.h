@@ -37,7 +37,7 @@ class ShadowPlanes {
  public:
   ShadowPlanes(const LightPaths& paths, const std::vector<ShadowEdge>& shadow_edges,
                const LightSource& source);
-  /// Those before which an eye sees light, by way of mirrors as behind them: one image.
+  /// Those before which an eye sees light, via mirrors as behind them: one image.
   ShadowPlanes(const LightPaths& paths, const std::vector<ShadowEdge>& shadow_edges, const Vec3& eye,
                MirrorSet mirrors);
 

@@ -9,7 +9,7 @@
 namespace etendue {
 namespace {
 
-/// Part of a way by which its end lies behind a mirror at most if it counts as before it: less than what
+/// Part of a path by which its end lies behind a mirror at most if it counts as before it: less than what
 /// LightPaths::transmit allows.
 constexpr double before_mirror = 1e-10;
 /// Triangles up to which each is cut along shadow edges.
@@ -134,21 +134,21 @@ std::vector<LightPoint> ExtendedSource::points_of(const EmitterPatch& patch) con
     const EmitterTree::Node& node = tree_.node(patch.group);
     const std::size_t count = patch.one_point ? 1 : node.point_count;
     for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 way = (patch.one_point ? node.middle : node.points[i]) - patch.view.eye;
-      const double distance = way.norm();
+      const Vec3 separation = (patch.one_point ? node.middle : node.points[i]) - patch.view.eye;
+      const double distance = separation.norm();
       double weight = 1 / (static_cast<double>(count) * distance * distance);
-      if (tree_.shape() == EmitterShape::triangles) weight *= -node.normal.dot(way) / distance;
-      points.push_back({way / distance, distance, 0, weight});
+      if (tree_.shape() == EmitterShape::triangles) weight *= -node.normal.dot(separation) / distance;
+      points.push_back({separation / distance, distance, 0, weight});
     }
     return points;
   }
   std::vector<SolidAnglePoint> directions;
   append_points(patch.wedge.directions, patch.rule, directions);
   for (const SolidAnglePoint& point : directions) {
-    const double in = patch.wedge.way_in(point.direction);
+    const double in = patch.wedge.distance_in(point.direction);
     const bool flat = tree_.shape() == EmitterShape::triangles;
     points.push_back(
-        {point.direction, in, flat ? 0 : patch.wedge.way_out(point.direction) - in, point.weight});
+        {point.direction, in, flat ? 0 : patch.wedge.distance_out(point.direction) - in, point.weight});
   }
   return points;
 }
@@ -194,7 +194,7 @@ void ExtendedSource::scale(const EmitterPatch& patch, const LightPoint& point,
       double extinction = patch.part->extinction[b];
       if (extinction > 0 && patch.part->cell && !paths_.matter().empty())
         extinction = paths_.extinction(*patch.part->cell, b, light);
-      fluence[b] *= attenuated_way(extinction, point.length).constant;
+      fluence[b] *= attenuation_integrals(extinction, point.length).constant;
     }
     fluence[b] *= brightness(patch)[b] * point.weight;
   }

@@ -16,7 +16,7 @@ constexpr std::array<double, 2> tolerance_of_volume = {0.005, 0.01};
 /// Its logarithm is a number.
 constexpr double least_transmittance = std::numeric_limits<double>::min();
 
-/// Optical depth of the way up to the light, mirrors left out.
+/// Optical depth of the path up to the light, mirrors left out.
 double depth(const VisibleRaySamples& beams, std::size_t i, std::size_t band, double reflectance) {
   if (!(reflectance > 0)) return 0;
   return -std::log(std::max(beams.passed[i * beams.clear.bands() + band] / reflectance, least_transmittance));
@@ -25,13 +25,13 @@ double depth(const VisibleRaySamples& beams, std::size_t i, std::size_t band, do
 /// Mean extinction along the open ones of these rays [1/length].
 double mean_extinction(const VisibleRaySamples& beams, std::size_t first, std::size_t last, std::size_t band,
                        double reflectance) {
-  double depths = 0, ways = 0;
+  double depths = 0, lengths = 0;
   for (std::size_t i = first; i < last; ++i) {
-    if (!beams.is_open(i) || !(beams.clear.way(i).distance > 0)) continue;
+    if (!beams.is_open(i) || !(beams.clear.interval(i).distance > 0)) continue;
     depths += beams.clear.fluence(i)[band] * depth(beams, i, band, reflectance);
-    ways += beams.clear.fluence(i)[band] * beams.clear.way(i).distance;
+    lengths += beams.clear.fluence(i)[band] * beams.clear.interval(i).distance;
   }
-  return ways > 0 ? depths / ways : 0;
+  return lengths > 0 ? depths / lengths : 0;
 }
 
 /// Fluence of these points through a homogeneous medium of their mean extinction, in sum, and the sum of the
@@ -47,7 +47,7 @@ struct HomogeneousEstimate {
     for (std::size_t i = first; i < last; ++i) {
       if (!beams.is_open(i)) continue;
       const double arrives = beams.arriving[i * beams.clear.bands() + band];
-      const double distance = beams.clear.way(i).distance;
+      const double distance = beams.clear.interval(i).distance;
       const double homogeneous =
           distance > 0 ? arrives * std::exp(depth(beams, i, band, reflectance) - extinction * distance)
                        : arrives;
@@ -63,7 +63,7 @@ void VisibleRaySamples::append(const VisibleRaySamples& other, std::size_t first
   const std::size_t bands = clear.bands();
   for (std::size_t i = first; i < last; ++i)
     std::ranges::copy(other.clear.fluence(i),
-                      clear.add(other.clear.direction(i), other.clear.way(i)).begin());
+                      clear.add(other.clear.direction(i), other.clear.interval(i)).begin());
   const auto add = [&](const std::vector<double>& from, std::vector<double>& to) {
     to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(first * bands),
               from.begin() + static_cast<std::ptrdiff_t>(last * bands));

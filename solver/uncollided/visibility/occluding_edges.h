@@ -19,7 +19,7 @@ class OccludingEdges {
   OccludingEdges(const LightPaths& paths, const ExtendedSource& source,
                  const std::vector<ShadowEdge>& shadow_edges);
 
-  /// Those that reach into the convex hull of the light and of these corners; by way of mirrors into that of
+  /// Those that reach into the convex hull of the light and of these corners; via mirrors into that of
   /// the light and of the corners' images behind them.
   std::vector<ShadowEdge> before(std::span<const Vec3> corners) const;
 

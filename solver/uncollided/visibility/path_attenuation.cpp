@@ -19,30 +19,30 @@ constexpr int most_steps = 50;
 struct BeamSum {
   double fluence = 0;
   Vec3 flux = Vec3::Zero();
-  double way = 0;  ///< fluence times length
+  double path = 0;  ///< fluence times length
 
   BeamSum(const LightBeams& beams, std::size_t band, double extinction = 0) {
     for (std::size_t i = 0; i < beams.size(); ++i) {
-      const HomogeneousPath left = homogeneous_path(beams.way(i), extinction);
+      const HomogeneousPath left = homogeneous_path(beams.interval(i), extinction);
       const double value = beams.fluence(i)[band] * left.transmittance;
       fluence += value;
       flux += value * beams.direction(i);
-      way += value * left.mean;
+      path += value * left.mean;
     }
   }
 };
 
 /// The extinction through which this much of clear beams is left. The logarithm of what is left falls and is
-/// convex, so Newton's steps from the left never overshoot; the mean way begins there (Jensen's inequality).
+/// convex, so Newton's steps from the left never overshoot; the mean path begins there (Jensen's inequality).
 double effective_extinction(const LightBeams& clear, std::size_t band, double left) {
   BeamSum sum(clear, band);
-  double extinction = std::log(sum.fluence / left) * sum.fluence / sum.way;
+  double extinction = std::log(sum.fluence / left) * sum.fluence / sum.path;
   for (int i = 0; i < most_steps; ++i) {
     sum = BeamSum(clear, band, extinction);
-    const double step = std::log(sum.fluence / left) * sum.fluence / sum.way;
+    const double step = std::log(sum.fluence / left) * sum.fluence / sum.path;
     if (!(sum.fluence > 0) || !(step > 0)) break;
     extinction += step;
-    if (step * sum.way < last_step * sum.fluence) break;
+    if (step * sum.path < last_step * sum.fluence) break;
   }
   return extinction;
 }
@@ -58,7 +58,7 @@ Visibility sample(const ExtendedSource& source, const PointInCell& here, LightDe
   beams.clear();
   for (std::size_t i = 0; i < clear.size(); ++i) {
     if (!samples.is_open(i)) continue;
-    std::ranges::copy(clear.fluence(i), open.add(clear.direction(i), clear.way(i)).begin());
+    std::ranges::copy(clear.fluence(i), open.add(clear.direction(i), clear.interval(i)).begin());
     std::copy_n(&samples.arriving[i * attenuation.size()], attenuation.size(),
                 beams.add(clear.direction(i)).begin());
   }
@@ -69,7 +69,7 @@ Visibility sample(const ExtendedSource& source, const PointInCell& here, LightDe
     any_light = any_light || all.fluence > 0;
     if (all.fluence > 0) attenuation[b].visible = visible.fluence / all.fluence;
     if (!(visible.fluence > 0)) continue;
-    attenuation[b].length = visible.way / visible.fluence;
+    attenuation[b].length = visible.path / visible.fluence;
     attenuation[b].extinction =
         effective_extinction(open, b, std::max(arrived.fluence, least_transmittance * visible.fluence));
     const BeamSum homogeneous(clear, b, attenuation[b].extinction);

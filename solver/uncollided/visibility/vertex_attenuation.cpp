@@ -12,7 +12,7 @@ namespace {
 
 /// Sampling of the light.
 constexpr LightDetail detail{0.35, 0.03, 0.6, 0.9, TriangleRule::three_points};
-/// By how much the optical depth of the way to the middle of an edge may differ from the mean of its ends. A
+/// By how much the optical depth of the path to the middle of an edge may differ from the mean of its ends. A
 /// part of it is what quadratic interpolation misses: the edge of a cloud is a kink.
 constexpr double steep = 0.02;
 /// Depths and directions that differ by less are the same.

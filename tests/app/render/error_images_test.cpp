@@ -67,12 +67,12 @@ struct SpaceError {
 };
 
 /// From a point of the unit cube to where a ray leaves it.
-double way_through(const Vec3& from, const Vec3& direction) {
-  double way = 2;
+double distance_through(const Vec3& from, const Vec3& direction) {
+  double path_length = 2;
   for (int axis = 0; axis < 3; ++axis)
     if (direction[axis] != 0)
-      way = std::min(way, ((direction[axis] > 0 ? 1 : 0) - from[axis]) / direction[axis]);
-  return way;
+      path_length = std::min(path_length, ((direction[axis] > 0 ? 1 : 0) - from[axis]) / direction[axis]);
+  return path_length;
 }
 
 /// The radiance along a ray through the cube, from where it comes in.
@@ -108,12 +108,12 @@ SpaceError space_error(double max_volume) {
   EXPECT_EQ(errors.of_directions(), nullptr) << "nothing is known of them";
   // The exact picture is that of a very fine sum along the rays.
   return compare(scene, *errors.of_cells(), [](const Vec3& start, const Vec3& direction) {
-    const double way = way_through(start, direction);
+    const double path_length = distance_through(start, direction);
     constexpr int steps = 1000;
     double sum = 0;
     for (int i = 0; i < steps; ++i) {
-      const double along = way * (i + 0.5) / steps;
-      sum += way / steps * std::exp(-1.7 * along) * 1.5 / (4 * std::numbers::pi) *
+      const double along = path_length * (i + 0.5) / steps;
+      sum += path_length / steps * std::exp(-1.7 * along) * 1.5 / (4 * std::numbers::pi) *
              smooth(start + along * direction);
     }
     return sum;
@@ -154,7 +154,7 @@ SpaceError wall_error(double max_volume) {
   const RayRadiance scene(lights, directions, options, state, 1);
   const ErrorImages errors(cameras(), lights, directions, options, state, {});
   return compare(scene, *errors.of_cells(), [&](const Vec3& start, const Vec3& direction) {
-    const Vec3 end = start + way_through(start, direction) * direction;
+    const Vec3 end = start + distance_through(start, direction) * direction;
     Vec3 outwards = Vec3::Zero();
     for (int axis = 0; axis < 3; ++axis)
       if (std::abs(end[axis] - std::round(end[axis])) < 1e-9) outwards[axis] = 2 * std::round(end[axis]) - 1;

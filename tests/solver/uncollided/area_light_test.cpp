@@ -154,9 +154,9 @@ TEST(UncollidedField, OfALampInAWallBalancesWithShadows) {
     EXPECT_NEAR(part_found(1e-3, extinction, {.crate = 0.1}), 1, 1e-3);
 }
 
-// Behind the edge of a cloud the way through it grows like a square root, which is not linear in a cell:
-// taken from the vertices 1.7e-2 too much arrived. Where it hides a part of the lamp this is seen in more
-// parts; without that 2e-3 too much did.
+// Behind the edge of a cloud the path length through it grows like a square root, which is not linear in a
+// cell: taken from the vertices 1.7e-2 too much arrived. Where it hides a part of the lamp this is seen in
+// more parts; without that 2e-3 too much did.
 TEST(UncollidedField, OfALampInAWallBalancesWithACloud) {
   EXPECT_NEAR(part_found(1e-3, 3, {.cloud = true}), 1, 1e-3);
 }

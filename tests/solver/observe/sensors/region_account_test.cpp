@@ -171,12 +171,12 @@ Problem lit_gas(const TetrahedralMesh& mesh, std::vector<Light> lights, double l
   return Problem(mesh, {}, media, walls, AngularSpace::sphere, std::move(lights));
 }
 
-/// How far light on its way from lights may miss, in all directions and in a cone.
+/// How far uncollided light may miss, in all directions and in a cone.
 struct Miss {
   double all, cone;
 };
 
-// Beside lights too: what directions carried closes as the iteration does, light on its way from the lights
+// Beside lights too: what directions carried closes as the iteration does, uncollided light
 // as the sums over points do, and what it scatters is what the other takes over.
 void expect_closed(const Problem& problem, const std::vector<int>& regions, const Miss& allowed,
                    const DirectionSet* first_collided = nullptr) {

@@ -367,7 +367,7 @@ TEST(UncollidedField, OfSlantingSunsBalancesInThickCells) {
   }
 }
 
-// A plate 100 times as wide as it is thick: what lies side by side in a cell is reached by ways that come in
+// A plate 100 times as wide as it is thick: what lies side by side in a cell is reached by paths that come in
 // far from each other, through the same matter; but along one edge light comes in by the side.
 TEST(UncollidedField, OfASlantingSunBalancesInWideFlatCells) {
   const TetrahedralMesh mesh =

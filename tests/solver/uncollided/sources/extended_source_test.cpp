@@ -102,11 +102,12 @@ class SceneWithBall {
     const Vec3 up = (ball_centre - point).normalized();
     double sum = 0;
     for (const auto& facet : facets_of(mesh_)) {
-      std::array<Vec3, 3> way;
-      for (std::size_t i = 0; i < 3; ++i) way[i] = facet[i] - point;
-      if ((way[1] - way[0]).cross(way[2] - way[0]).dot(way[0]) >= 0) continue;
+      std::array<Vec3, 3> separation;
+      for (std::size_t i = 0; i < 3; ++i) separation[i] = facet[i] - point;
+      if ((separation[1] - separation[0]).cross(separation[2] - separation[0]).dot(separation[0]) >= 0)
+        continue;
       for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 &a = way[i], &b = way[(i + 1) % 3];
+        const Vec3 &a = separation[i], &b = separation[(i + 1) % 3];
         sum += std::atan2(a.cross(b).norm(), a.dot(b)) * b.cross(a).normalized().dot(up) / 2;
       }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/uncollided/projection/cell_way.h"
+#include "solver/uncollided/projection/ray_segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +12,24 @@ namespace {
 
 /// Adds the integrals of the shape functions along a path of light of a power per solid angle through a
 /// medium with these coefficients.
-void add_values(const CellWay& way, const std::array<double, 4>& value, const PathCoefficients& coefficients,
-                std::size_t band, NodalMoments& moments) {
+void add_values(const RaySegment& segment, const std::array<double, 4>& value,
+                const PathCoefficients& coefficients, std::size_t band, NodalMoments& moments) {
   for (std::size_t i = 0; i < 4; ++i) {
     moments.at(i, 0, band) += value[i];
     for (std::size_t axis = 0; axis < 3; ++axis)
-      moments.at(i, 1 + axis, band) += value[i] * way.direction[static_cast<Eigen::Index>(axis)];
+      moments.at(i, 1 + axis, band) += value[i] * segment.direction[static_cast<Eigen::Index>(axis)];
   }
-  moments.add_scattered(way.direction, value, band, coefficients.scattering);
+  moments.add_scattered(segment.direction, value, band, coefficients.scattering);
   add_losses(value, 1, coefficients, band, 1, moments);
 }
 
-void add_even_way(const CellWay& way, const PathCoefficients& coefficients, std::size_t band, double sent,
-                  NodalMoments& moments) {
-  const AttenuatedWay attenuated = attenuated_way(coefficients.extinction(), way.length);
+void add_homogeneous_segment(const RaySegment& segment, const PathCoefficients& coefficients,
+                             std::size_t band, double sent, NodalMoments& moments) {
+  const AttenuationIntegrals attenuated = attenuation_integrals(coefficients.extinction(), segment.length);
   std::array<double, 4> value;
   for (std::size_t i = 0; i < 4; ++i)
-    value[i] = sent * (way.shape[i] * attenuated.constant + way.rise[i] * attenuated.linear);
-  add_values(way, value, coefficients, band, moments);
+    value[i] = sent * (segment.shape[i] * attenuated.constant + segment.rise[i] * attenuated.linear);
+  add_values(segment, value, coefficients, band, moments);
 }
 
 /// Optical thickness over which five nodes integrate what falls off exponentially to 1e-9.
@@ -37,20 +37,20 @@ constexpr double thickness_of_panel = 1;
 
 /// Where coefficients rise from one end to the other the optical depth is a square in the length, and its
 /// integrals are done by Gauss's rule.
-void add_uneven_way(const CellWay& way, const PathCoefficients& from, const PathCoefficients& to,
-                    std::size_t band, double sent, NodalMoments& moments) {
+void add_varying_segment(const RaySegment& segment, const PathCoefficients& from, const PathCoefficients& to,
+                         std::size_t band, double sent, NodalMoments& moments) {
   static const GaussRule rule = unit_rule(5);
   const double first = from.extinction(), rise = to.extinction() - first;
-  const double thickness = std::max(first, first + rise) * way.length;
+  const double thickness = std::max(first, first + rise) * segment.length;
   const int panels = std::clamp(static_cast<int>(std::ceil(thickness / thickness_of_panel)), 1, 64);
   for (int panel = 0; panel < panels; ++panel)
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-      const double t = (panel + rule.nodes[k]) / panels, s = t * way.length;
+      const double t = (panel + rule.nodes[k]) / panels, s = t * segment.length;
       const double arrives =
-          sent * rule.weights[k] * way.length / panels * std::exp(-s * (first + t * rise / 2));
+          sent * rule.weights[k] * segment.length / panels * std::exp(-s * (first + t * rise / 2));
       std::array<double, 4> value;
-      for (std::size_t i = 0; i < 4; ++i) value[i] = arrives * (way.shape[i] + way.rise[i] * s);
-      add_values(way, value,
+      for (std::size_t i = 0; i < 4; ++i) value[i] = arrives * (segment.shape[i] + segment.rise[i] * s);
+      add_values(segment, value,
                  {from.absorption + t * (to.absorption - from.absorption),
                   from.scattering + t * (to.scattering - from.scattering)},
                  band, moments);
@@ -59,14 +59,14 @@ void add_uneven_way(const CellWay& way, const PathCoefficients& from, const Path
 
 }  // namespace
 
-CellWay way_through(const LitCell& cell, const std::array<Vec3, 4>& gradients, const Vec3& entry,
-                    const Vec3& direction, double length) {
-  CellWay way{entry, direction, length, {}, {}};
+RaySegment segment_through(const LitCell& cell, const std::array<Vec3, 4>& gradients, const Vec3& entry,
+                           const Vec3& direction, double length) {
+  RaySegment segment{entry, direction, length, {}, {}};
   for (std::size_t i = 0; i < 4; ++i) {
-    way.shape[i] = 0.25 + gradients[i].dot(entry - cell.centroid);
-    way.rise[i] = gradients[i].dot(direction);
+    segment.shape[i] = 0.25 + gradients[i].dot(entry - cell.centroid);
+    segment.rise[i] = gradients[i].dot(direction);
   }
-  return way;
+  return segment;
 }
 
 std::array<Vec3, 4> shape_gradients(const LitCell& cell) {
@@ -79,17 +79,17 @@ std::array<Vec3, 4> shape_gradients(const LitCell& cell) {
   return gradients;
 }
 
-void add_way(const RayMatter& matter, const LitCell& cell, const CellWay& way, std::span<const double> power,
-             NodalMoments& moments) {
-  const RayMatter::View view = matter.empty() ? RayMatter::View{} : matter.view(way.direction);
+void add_segment(const RayMatter& matter, const LitCell& cell, const RaySegment& segment,
+                 std::span<const double> power, NodalMoments& moments) {
+  const RayMatter::View view = matter.empty() ? RayMatter::View{} : matter.view(segment.direction);
   const bool uneven = matter.varies(cell.index);
   for (std::size_t b = 0; b < power.size(); ++b)
     if (uneven)
-      add_uneven_way(way, matter.at(cell.index, b, view, way.entry),
-                     matter.at(cell.index, b, view, way.entry + way.length * way.direction), b, power[b],
-                     moments);
+      add_varying_segment(segment, matter.at(cell.index, b, view, segment.entry),
+                          matter.at(cell.index, b, view, segment.entry + segment.length * segment.direction),
+                          b, power[b], moments);
     else
-      add_even_way(way, matter.at(cell.index, b, view), b, power[b], moments);
+      add_homogeneous_segment(segment, matter.at(cell.index, b, view), b, power[b], moments);
 }
 
 void add_losses(const std::array<double, 4>& shape, double measure, const PathCoefficients& coefficients,
