@@ -19,7 +19,7 @@ namespace {
 constexpr double faint = 1e-4;
 constexpr int most_mirrors = 1000;
 // Steps along a ray, in radii of the ball at the last one: balls of neighbouring estimates overlap.
-// And the fewest and most steps through matter of one region.
+// And the fewest and most steps through the medium of one region.
 constexpr double step_in_radii = 1;
 constexpr double fewest_steps = 4, most_steps = 200;
 

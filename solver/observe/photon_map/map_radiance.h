@@ -19,7 +19,7 @@ namespace etendue {
 /// Radiance from a photon map (Jensen 2001, sections 7.2 and 10.4): hits stand for the light that arrives.
 ///
 /// A hit p brings the power dF_p in the direction w_p. Around a point of a wall those that fell on an area A,
-/// and around one in matter those that were scattered in a volume V, give
+/// and around one in a medium those that were scattered in a volume V, give
 ///
 ///     L_wall(x, w) = sum of f_r(w_p -> w) dF_p / A        [power/(length^2 sr)]    (1)
 ///     S(x, w)      = sum of p(w_p.w) dF_p / V             [power/(length^3 sr)] (2)

@@ -29,7 +29,7 @@ namespace etendue {
 ///     S(w) = q + sigma_s (sum over n of w_n p(w.w_n) u_n) / (sum over n of w_n p(w.w_n)).
 ///
 /// In the plane 2 pi stands for 4 pi. Of leaves and flakes as DirectionalMatter says. All are continuous in
-/// w, and a constant radiance scatters into a constant one. No ordinate's radiance itself is looked at.
+/// w, and a constant radiance scatters into a constant one. No ordinate's radiance itself is evaluated.
 class CollidedSource {
  public:
   /// `options` are those of the solution (elements, meters); of linear elements the state may be a

@@ -104,7 +104,7 @@ class Radiance {
   std::vector<Surface> surfaces_;
 };
 
-/// What is looked at together.
+/// Groups that are evaluated together.
 struct Ordinate {
   OrdinateIndex number;
   Vec3 travel;

@@ -22,7 +22,7 @@ double part_mirrored(double cos_in, double refractive_index);
 /// cos / density; 0 where the light does not leave the wall.
 double reflect_glossily(const Reflectance& glossy, const double (&n)[3], double u, double v, double (&w)[3]);
 
-/// What matter that depends on the direction does to light that travels along `sense` × w, a unit vector
+/// What a medium that depends on the direction does to light that travels along `sense` × w, a unit vector
 /// [1/length].
 struct DirectedCoefficients {
   double absorption, scattering;
@@ -109,7 +109,7 @@ struct PhotonStart {
 struct PhotonTally {
   double* cells;
   double* faces;
-  double* absorbed;  ///< [cell] [power], where matter depends on the direction
+  double* absorbed;  ///< [cell] [power], where a medium depends on the direction
 };
 
 /// A photon where it met a wall, or where it scattered, as it came there.

@@ -21,7 +21,7 @@ struct PhotonSums {
   BatchStatistics irradiance;   ///< [boundary face][3][band]
   BatchStatistics face_means;   ///< [boundary face][band] of the irradiance
   BatchStatistics derived;      ///< what the observer of batches made of them
-  BatchStatistics absorbed;     ///< [cell][band] where matter depends on the direction; else empty
+  BatchStatistics absorbed;     ///< [cell][band] where a medium depends on the direction; else empty
   BatchStatistics exitance;     ///< [boundary face][3][band] where walls reflect by the angle; else empty
   std::uint64_t histories = 0;  ///< per band; also the number of the next
 

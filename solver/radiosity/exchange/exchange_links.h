@@ -43,7 +43,7 @@ class ExchangeLinks : public Exchange {
   static std::size_t bytes_of(std::size_t links);
 
  private:
-  /// A link, or a pair of nodes that is to be looked at.
+  /// A link, or a pair of nodes that is to be examined.
   struct Link {
     std::int32_t a, b;
     float mean = 0;  ///< [1/length^2]

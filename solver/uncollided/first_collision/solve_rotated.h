@@ -8,7 +8,7 @@
 
 namespace etendue {
 
-/// The mean of the solutions on several sets, which differ in nothing but their rotation: what is left of ray
+/// The mean of the solutions on several sets, which differ in nothing but their rotation: the remaining ray
 /// effects falls as one over the square root of their number, and how the solutions differ tells how much it
 /// is (Solution::direction_error). Each starts from the one before. Radiance of ordinates is not kept.
 /// `sets` is not empty; with one set this is solve_split(). Light that collides once is swept on the sets

@@ -11,7 +11,7 @@
 namespace etendue {
 namespace {
 
-/// A cell as far away as so many of its sizes, no thicker than this and in which matter leaves no
+/// A cell as far away as so many of its sizes, no thicker than this and in which a medium leaves no
 /// more of the light at one point than at another but for a factor is seen from four points.
 constexpr double far_in_sizes = 8. / 3, thin = 0.3, even_factor = 1.2;
 /// How often a cell with a shadow's edge is divided in eight.
@@ -84,7 +84,7 @@ class PointsOfCell {
     add_transmittance(cell_.position(barycentric));
     return beams_.size();
   }
-  /// What is left of all that would arrive in empty space.
+  /// Transmitted fraction of the light that would arrive in empty space.
   void add_transmittance(const Vec3& position) {
     clear_.clear();
     source_.add_beams({cell_.index, position}, Sight::clear, coarse_light, clear_);

@@ -18,7 +18,7 @@ constexpr double tolerance_of_cells = 1e-3, tolerance_of_faces = 1e-4;
 constexpr int divisions_of_cells = 2, divisions_of_faces = 5;
 /// Cells larger than the light once more for each time that their size has to be halved, so often at most.
 constexpr int divisions_to_light = 4;
-/// Cells in and near a volume that shines in many ways are looked at point by point where they are thicker
+/// Cells in and near a volume that shines in many ways are sampled point by point where they are thicker
 /// than this.
 constexpr double thick = 1;
 /// How often a cell or face with a part in the shadow is divided. Less than this part of the light in the

@@ -50,7 +50,7 @@ struct LitFace {
 
 /// How often a face with a shadow's edge is divided in four.
 constexpr int most_divisions = 3;
-/// Optical thickness of the matter along a face from which on it is divided until all that a light brings to
+/// Optical thickness of the medium along a face from which on it is divided until all that a light brings to
 /// its points agrees within a factor, as long as that is not a trifle of what the light would bring.
 constexpr double thin = 0.3, even_factor = 2;
 /// A wide light's face is not divided below this thickness.

@@ -25,7 +25,7 @@ constexpr double least_transmittance = 1e-300;
 constexpr double even = 0.03, uneven = 1.5, trifle = 15;
 constexpr int most_cuts = 9;
 
-/// Optical thickness of a cell from which on fourteen points of it are looked at, else four.
+/// Optical thickness of a cell from which on fourteen points of it are sampled, else four.
 constexpr double thick = 0.3;
 /// How finely planes are told apart: by their normals, and their places in sizes of the domain.
 constexpr double same_plane = 1e-6;

@@ -16,7 +16,7 @@
 namespace etendue {
 namespace {
 
-/// Where matter varies in a cell: the product of fluence and coefficients, both linear.
+/// Where a medium varies in a cell: the product of fluence and coefficients, both linear.
 void add_varying_losses(const LightPaths& paths, const LitCell& cell, NodalMoments& moments) {
   const RayMatter::View any;  // asked only where directions are alike
   for (std::size_t b = 0; b < paths.bands(); ++b) {

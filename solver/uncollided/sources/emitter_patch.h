@@ -33,7 +33,7 @@ struct LightPoint {
   Vec3 looking;     ///< unit
   double distance;  ///< to where the light begins [length]
   double length;    ///< of the path through a volume behind [length]
-  double weight;    ///< times the brightness, and what is left of the length of the volume: fluence
+  double weight;    ///< times the brightness, and the attenuated length of the volume: fluence
 };
 
 /// Rays from the points of an extended light, with the transmittance and fluence of each.

@@ -41,8 +41,8 @@ class ExtendedSource : public WideSource {
   const std::optional<Plane>& plane() const { return plane_; }
   /// The sides of its rim that a place lies on but for a distance.
   std::bitset<32> rim_sides_at(const Vec3& place, double distance) const;
-  /// What would arrive through matter of this extinction [band] and nothing opaque, via mirrors too,
-  /// without the images behind this plane of a mirror: in closed form where the light is made of a few
+  /// What would arrive through a homogeneous medium of this extinction [band] and nothing opaque, via mirrors
+  /// too, without the images behind this plane of a mirror: in closed form where the light is made of a few
   /// uniform flat shapes or bodies. `beams` is room to work in.
   void evaluate_homogeneous(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
                             LightBeams& beams, HomogeneousLight& light) const;

@@ -53,7 +53,7 @@ class LightSource {
   virtual const PointSource* as_point() const { return nullptr; }
   /// The light as a beam, if it is one.
   virtual const BeamSource* as_beam() const { return nullptr; }
-  /// Whether it is near enough, or wide enough, for its parts to be looked at one by one from a place of this
+  /// Whether it is near enough, or wide enough, for its parts to be sampled one by one from a place of this
   /// size: suns never are, beams with a cross-section of their own always.
   virtual bool is_near(const Vec3& place, double size) const = 0;
   /// The light as one that comes from many directions, if it is one.

@@ -21,8 +21,8 @@ constexpr double on_plane = 1e-9;
 constexpr std::size_t most_planes = 64, most_in_all = 20000;
 
 /// Whether light of this direction meets something abrupt at a shadow edge: passes over an edge, beyond which
-/// there is nothing of the surface, or comes in beside it or through matter on one of its sides. `by_mirrors`
-/// says that it may come from mirrors.
+/// there is nothing of the surface, or comes in beside it or through a medium on one of its sides.
+/// `by_mirrors` says that it may come from mirrors.
 bool is_abrupt(const ShadowEdge& edge, const Vec3& direction, std::span<const int> lit_walls,
                bool by_mirrors) {
   const Vec3 across = (edge.end - edge.begin).cross(direction);

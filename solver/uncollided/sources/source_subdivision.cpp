@@ -14,7 +14,7 @@ namespace {
 constexpr double before_mirror = 1e-10;
 /// Triangles up to which each is cut along shadow edges.
 constexpr std::size_t most_parted = 500;
-/// How finely a body is looked at, and the radius in distances below which three points of a part do.
+/// How finely a body is sampled, and the radius in distances below which three points of a part do.
 constexpr double largest_side_of_body = 0.5, small_body = 0.25;
 
 }  // namespace

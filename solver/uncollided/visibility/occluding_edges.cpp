@@ -11,11 +11,11 @@ namespace {
 
 /// Edges, with their images, that are tested for each cell and face.
 constexpr std::size_t most_edges = 2000;
-/// Corners of a light of which all are looked at; of more those of its box are.
+/// Corners of a light of which all are tested; of more those of its box are.
 constexpr std::size_t most_corners = 8;
 /// Part of the hull's size by which an edge has to reach into it: those of a face itself touch it.
 constexpr double touching = 1e-9;
-/// What is left of 1 in the cosine between the normal of one wall and the other wall where they meet at a
+/// Remainder of 1 in the cosine between the normal of one wall and the other wall where they meet at a
 /// right angle.
 constexpr double right_angle = 1e-9;
 

@@ -32,8 +32,9 @@ struct BeamSum {
   }
 };
 
-/// The extinction through which this much of clear beams is left. The logarithm of what is left falls and is
-/// convex, so Newton's steps from the left never overshoot; the mean path begins there (Jensen's inequality).
+/// The extinction at which this fluence of the clear beams is transmitted. The logarithm of the transmitted
+/// fluence falls and is convex, so Newton's steps from the left never overshoot; the mean path begins there
+/// (Jensen's inequality).
 double effective_extinction(const LightBeams& clear, std::size_t band, double left) {
   BeamSum sum(clear, band);
   double extinction = std::log(sum.fluence / left) * sum.fluence / sum.path;

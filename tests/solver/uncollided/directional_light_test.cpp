@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Lights in matter whose coefficients depend on the direction.
+// Lights in media whose coefficients depend on the direction.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -159,7 +159,7 @@ TEST(DirectionalLight, BalancesAsInOtherMatter) {
 }
 
 // From a whole ceiling light comes in all directions; how much leaves that lie flat or stand upright take of
-// it differs most between these. Where nothing differs the rules of other matter are left.
+// it differs most between these. Where nothing differs the rules of other media are left.
 TEST(DirectionalLight, OfAWallBalances) {
   const TetrahedralMesh mesh = cube_mesh(0.05);
   const auto residual = [&](const Medium& medium) {

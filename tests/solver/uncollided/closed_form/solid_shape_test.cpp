@@ -82,7 +82,7 @@ TEST(SolidShape, LosesWhatMatterTakes) {
     }
 }
 
-// In the middle of thick matter, and where the eye lies on a face, an edge or a corner of it.
+// In the middle of an optically thick medium, and where the eye lies on a face, an edge or a corner of it.
 TEST(SolidShape, FillsTheSphereOrAHalfOrAQuarterOfIt) {
   const SolidShape shape(box({0, 0, 0}, {1, 1, 1}));
   constexpr double extinction = 200;

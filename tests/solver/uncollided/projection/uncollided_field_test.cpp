@@ -329,7 +329,7 @@ TEST(UncollidedField, OfAVolumeThatTouchesMirrorsBalances) {
   EXPECT_NEAR(found / lights.sources().front()->power()[0], 1, 1e-5);
 }
 
-// Where it is another extinction that the volume has, what is left is looked at from vertices and edges.
+// Where it is another extinction that the volume has, the attenuation is sampled from vertices and edges.
 TEST(UncollidedField, OfAThickVolumeBalances) {
   EXPECT_NEAR(part_found(two_region_mesh(0.01), 0, 3), 1, 2e-4);
 }
@@ -368,7 +368,7 @@ TEST(UncollidedField, OfSlantingSunsBalancesInThickCells) {
 }
 
 // A plate 100 times as wide as it is thick: what lies side by side in a cell is reached by paths that come in
-// far from each other, through the same matter; but along one edge light comes in by the side.
+// far from each other, through the same medium; but along one edge light comes in by the side.
 TEST(UncollidedField, OfASlantingSunBalancesInWideFlatCells) {
   const TetrahedralMesh mesh =
       moved_mesh(cube_mesh(0.2), [](const Vec3& p) { return Vec3(10 * p.x(), 10 * p.y(), 0.1 * p.z()); });

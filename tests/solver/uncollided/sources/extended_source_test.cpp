@@ -81,15 +81,15 @@ TEST(ExtendedSource, DiscSeenEdgeOnIsDark) {
     }
 }
 
-/// A ball of radius 0.15 in the unit cube: a hole whose wall shines with radiance 1, or matter that would if
-/// it were thick enough.
+/// A ball of radius 0.15 in the unit cube: a hole whose wall shines with radiance 1, or a medium that would
+/// if it were thick enough.
 enum class Ball { wall, matter };
 const Vec3 ball_centre(0.5, 0.5, 0.7);
 constexpr double radius_of_ball = 0.15;
 
 class SceneWithBall {
  public:
-  /// The extinction of its matter times the radius.
+  /// The extinction of its medium times the radius.
   SceneWithBall(Ball kind, int facets, double thickness)
       : mesh_(mesh_with(kind, facets)), problem_(problem_on(mesh_, thickness)), lights_(problem_) {}
 
@@ -174,7 +174,7 @@ class SceneWithBall {
 /// Near the ball and far from it.
 std::vector<Vec3> places() { return {{0.5, 0.5, 0.5}, {0.52, 0.49, 0.1}, {0.1, 0.2, 0.9}}; }
 
-/// What a ball of matter brings to a meter that faces it, over what one of radiance 1 does, pi sin^2 a: the
+/// What a ball of a medium brings to a meter that faces it, over what one of radiance 1 does, pi sin^2 a: the
 /// integral of 1 - exp(-2 s sqrt(R^2 - d^2 sin^2)) over the ball's disc.
 double part_of_black(double thickness) {
   const double x = 2 * thickness;

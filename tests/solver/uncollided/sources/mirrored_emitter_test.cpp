@@ -31,8 +31,8 @@ std::vector<EmitterPart> source_cells(const TetrahedralMesh& mesh) {
   return parts;
 }
 
-/// A box of matter that emits in a cube of other matter, in the corner of three sides that are mirrors; or
-/// what these show, the whole of it.
+/// A box of a medium that emits in a cube of another medium, in the corner of three sides that are mirrors;
+/// or what these show, the whole of it.
 class Scene {
  public:
   Scene(double from, double reflectance)
