@@ -13,7 +13,7 @@ namespace etendue {
 namespace {
 
 // The part of the path between two points that is not traced, at either end: what single precision moves
-// there must not stand in it, nor the other side of the sheet that a path begins on.
+// there must not block it, nor the other side of the sheet that a path begins on.
 constexpr double end_of_path = 1e-4;
 // The same for rays that go on, relative to the size of the scene.
 constexpr double begin_of_ray = 1e-6;

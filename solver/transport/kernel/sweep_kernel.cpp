@@ -146,7 +146,7 @@ ETENDUE_KERNEL_INLINE void balance_constant(const Cells& packet, std::ptrdiff_t 
 constexpr int most_cells_of_block = 8;
 constexpr int cells_of_block(int lanes) { return lanes < most_cells_of_block ? lanes : most_cells_of_block; }
 
-/// Some cells of one level, and what a few cells ahead stand in the order, null where it ends.
+/// Some cells of one level, and what a few cells ahead are in the order, null where it ends.
 struct Block {
   const SweepVisit* visits;
   const SweepVisit* ahead;

@@ -18,7 +18,7 @@ namespace etendue {
 /// Walls at which a sweep accumulates the irradiance: those that reflect, or all.
 enum class AccumulateAt { reflecting, all };
 
-/// What the walls send in and take up, direction by direction:
+/// Exchange of light between the walls and the ordinates, direction by direction:
 ///
 ///     u_in = radiance + (diffuse / pi_h) E + (transmittance / pi_h) E(behind) + specular u_out(mirrored)
 ///            + f_r by a matrix (GlossyWalls),    pi_h = sum of w |w.n| over w.n < 0,

@@ -58,7 +58,7 @@ ExtendedSource::ExtendedSource(std::string name, std::vector<double> power, Emit
   views_ = images_of(body_);
 }
 
-// Where extinction is not the same everywhere, or a sheet may stand in it, the emitter is sampled in parts.
+// Where extinction is not the same everywhere, or a sheet may be in it, the emitter is sampled in parts.
 void ExtendedSource::find_mirrored_emitter() {
   const MirrorSet touched = mirrors_touched(paths_, tree_.parts());
   body_ = MirroredEmitter(paths_, tree_.parts(), touched);

@@ -74,7 +74,7 @@ TEST(FlatShape, IsNotSeenFromItsPlane) {
     }
 }
 
-/// What stands in the room: a box under the lamp; whether a medium fills a ball only; and above which height
+/// What is in the room: a box under the lamp; whether a medium fills a ball only; and above which height
 /// there is a tenth of it.
 struct Inside {
   std::optional<double> crate = {};

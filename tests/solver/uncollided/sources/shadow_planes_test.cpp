@@ -101,7 +101,7 @@ double length_of(const std::vector<ShadowEdge>& shadow_edges) {
   return length;
 }
 
-/// Path length times irradiance that the sun has in a unit cube without what stands in it: the fluence of
+/// Path length times irradiance that the sun has in a unit cube without what is in it: the fluence of
 /// parallel light is the volume it reaches.
 double lit_volume(const TetrahedralMesh& mesh) {
   const Problem problem = lit(mesh, sun(mesh), 0);
