@@ -25,8 +25,8 @@ struct PhotonKernels {
   PhotonCounts (*follow)(const PhotonSceneView& scene, const HistoryRange& range, const PhotonTally& tally);
   /// Traces histories from the lights and writes their hits into the buffers.
   PhotonCounts (*record)(const PhotonSceneView& scene, const HistoryRange& range, HitBuffers& buffers);
-  /// Against the light: starts travel the way that light came. score[i] becomes the radiance that history i
-  /// collects from media and walls, times its weight.
+  /// Against the light: starts travel the path of the light in reverse. score[i] becomes the radiance that
+  /// history i collects from media and walls, times its weight.
   PhotonCounts (*collect)(const PhotonSceneView& scene, const HistoryRange& range, double* score);
 };
 

@@ -20,7 +20,7 @@ bool has_redirecting_walls(const Problem& problem) {
 constexpr double pi = std::numbers::pi;
 // Error of row sums after closing: far below that of the factors.
 constexpr double closed = 1e-12;
-// What may be on its way where a solution is examined for refinement: of links, and of the change that
+// Residual power where a solution is examined for refinement: of links, and of the change that
 // patches are cut for.
 constexpr double rough = 0.01;
 

@@ -184,7 +184,7 @@ bool ExtendedSource::pass(const PointInCell& at, const EmitterPatch& patch, cons
   return paths_.transmit(at, direction, point.distance, mirrors, passed);
 }
 
-// A volume takes a part of what it emits itself; the light goes the way it has there, before all mirrors.
+// A volume takes a part of what it emits itself; the light has its path there, before all mirrors.
 void ExtendedSource::scale(const EmitterPatch& patch, const LightPoint& point,
                            std::span<double> fluence) const {
   const bool inside = point.length > 0;
