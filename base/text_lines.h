@@ -27,7 +27,7 @@ class TextLines {
 
   /// The next word of the line; empty after the last.
   std::string_view word();
-  /// What is left of the line.
+  /// Rest of the line.
   std::string_view rest() const { return rest_; }
 
   std::int64_t integer(std::string_view what, std::int64_t least, std::int64_t most);

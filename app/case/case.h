@@ -177,7 +177,7 @@ struct PhotonCase {
   double until = 0;      ///< relative error to reach; 0: all histories
   double probe_photons = 2e4;
   int seed = 1;
-  double map_hits = 1e6;     ///< of the photon map, on walls and in matter each, at most
+  double map_hits = 1e6;     ///< of the photon map, on walls and in media each, at most
   int map_neighbours = 100;  ///< of one of its estimates
 };
 

@@ -7,7 +7,7 @@
 #include "app/progress/progress.h"
 #include "app/request/commands.h"
 #include "app/request/verbose_log.h"
-#include "app/setup/begun_run.h"
+#include "app/setup/run_context.h"
 #include "app/write/result/output_folder.h"
 #include "app/write/result/unit_labels.h"
 #include "app/write/vtk/vtk_comparison.h"

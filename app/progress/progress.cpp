@@ -55,7 +55,7 @@ void ProgressDisplay::show(const SweepProgress& progress) {
 void ProgressDisplay::draw_bar(const SweepProgress& progress, double residual) {
   const double share = share_done(first_residual_, residual, progress.tolerance);
   const int filled = static_cast<int>(std::lround(share * bar_width));
-  // Back to the start of the line, and clear what is left of the longer line before.
+  // Back to the start of the line, and clear the rest of the longer line before.
   out_ << fmt::format("\r  [{:#<{}}{:.<{}}]  {}\x1b[K", "", filled, "", bar_width - filled,
                       state_of(progress, residual))
        << std::flush;

@@ -20,7 +20,7 @@ std::vector<Vec3> points_of(const Sensor& sensor) {
   return points;
 }
 
-/// The sensor as it stands in a mesh.
+/// The sensor as it is in a mesh.
 Sensor placed(const SensorCase& sensor, const TetrahedralMesh& mesh) {
   Sensor result = sensor.sensor;
   const auto wall = std::ranges::find(mesh.wall_names(), sensor.wall);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/case/case.h"
-#include "app/readings/ordinate_book.h"
+#include "app/readings/ordinate_sensor_tally.h"
 #include "app/write/result/run_result.h"
 #include "mesh/tetrahedra/search/cell_locator.h"
 #include "solver/observe/sensors/sensor_reading.h"
@@ -20,7 +20,7 @@ void check_sensors(const std::vector<SensorCase>& sensors, const CellLocator& lo
 /// What sensors look at; `rays` may be empty where all sensors read ordinates.
 struct SensorScene {
   const LightSetup& lights;
-  const OrdinateBook& ordinates;
+  const OrdinateSensorTally& ordinates;
   const SolveOptions& options;
   const Solution& solution;
   const std::optional<RayRadiance>& rays;

@@ -19,9 +19,8 @@ std::string kept_text(const Bands& bands, const std::vector<BandHits>& hits) {
   std::size_t bytes = 0;
   for (std::size_t b = 0; b < hits.size(); ++b) {
     const auto &walls = hits[b].walls, &matter = hits[b].matter;
-    text +=
-        fmt::format("  {}: {} hits on walls of {:.3g} histories, {} in matter of {:.3g}\n", bands.names[b],
-                    walls.hits.size(), walls.histories, matter.hits.size(), matter.histories);
+    text += fmt::format("  {}: {} hits on walls of {:.3g} histories, {} in media of {:.3g}\n", bands.names[b],
+                        walls.hits.size(), walls.histories, matter.hits.size(), matter.histories);
     bytes += (walls.hits.size() + matter.hits.size()) * sizeof(PhotonHit);
   }
   return fmt::format("photon map: {:.3g} MiB of hits\n", static_cast<double>(bytes) / (1 << 20)) + text;
@@ -42,7 +41,7 @@ void check_photon_cameras(const std::vector<CameraCase>& cameras, const Problem&
   if (!cameras.empty() && depends_on_direction(problem))
     faults.push_back(
         fault_at(cameras.front().origin, "",
-                 "looks at matter that depends on the direction, and the photon map does not know "
+                 "looks at a medium that depends on the direction, and the photon map does not know "
                  "that (not in this version); use solve.method = \"auto\""));
   if (!faults.empty()) throw InputError(std::move(faults));
 }

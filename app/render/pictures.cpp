@@ -41,9 +41,9 @@ bool uses_formulas(const Problem& problem) {
 }
 
 /// False where it was interrupted.
-bool add_errors(const ErrorScenes& scenes, int threads, const StageDisplay& stages, NamedPicture& named) {
+bool add_errors(const ErrorImages& errors, int threads, const StageDisplay& stages, NamedPicture& named) {
   for (const auto& [of, scene] :
-       {std::pair("cells", scenes.of_cells()), std::pair("directions", scenes.of_directions())}) {
+       {std::pair("cells", errors.of_cells()), std::pair("directions", errors.of_directions())}) {
     if (scene == nullptr) continue;
     ShownStage stage(stages, fmt::format("errors of {} in picture {}", of, named.camera.name));
     Picture error = take_picture(*scene, named.camera.camera, threads, stage.observer());
@@ -127,7 +127,7 @@ bool write_pictures(const PictureOrder& order, const TakePicture& take, const Ad
 }
 
 bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const RayRadiance& scene,
-                    const ErrorScenes& error_scenes, int threads, const std::filesystem::path& directory,
+                    const ErrorImages& error_images, int threads, const std::filesystem::path& directory,
                     ProgressStyle progress, std::ostream& out, const std::function<bool()>& interrupted,
                     std::optional<std::chrono::steady_clock::time_point> begun) {
   const StageDisplay stages{progress, out, interrupted};
@@ -141,7 +141,7 @@ bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, c
           return goes_on;
         });
       },
-      [&](NamedPicture& picture) { return add_errors(error_scenes, threads, stages, picture); });
+      [&](NamedPicture& picture) { return add_errors(error_images, threads, stages, picture); });
 }
 
 }  // namespace etendue

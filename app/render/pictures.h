@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/case/case.h"
-#include "app/render/error_scenes.h"
+#include "app/render/error_images.h"
 #include "app/request/command_line.h"
 #include "app/write/image/pictures.h"
 #include "solver/observe/radiance/ray_radiance.h"
@@ -43,7 +43,7 @@ bool write_pictures(const PictureOrder& order, const TakePicture& take, const Ad
 /// Takes the cameras' pictures and writes them into a directory, with progress. False where `interrupted`
 /// said so: then no picture was written.
 bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, const RayRadiance& scene,
-                    const ErrorScenes& errors, int threads, const std::filesystem::path& directory,
+                    const ErrorImages& errors, int threads, const std::filesystem::path& directory,
                     ProgressStyle progress, std::ostream& out, const std::function<bool()>& interrupted,
                     std::optional<std::chrono::steady_clock::time_point> begun = {});
 

@@ -14,8 +14,8 @@
 #include "app/render/saved_scene.h"
 #include "app/request/commands.h"
 #include "app/request/verbose_log.h"
-#include "app/setup/begun_run.h"
 #include "app/setup/memory.h"
+#include "app/setup/run_context.h"
 #include "app/write/result/output_folder.h"
 #include "solver/photons/solve/photon_mesh.h"
 
@@ -95,7 +95,7 @@ ExitCode render_results(const RenderRequest& request, std::ostream& out, std::os
   following.reset();
   const RayRadiance scene(saved.lights, saved.directions, saved.options, saved.state, saved.options.threads,
                           WallValues::joined, first);
-  const ErrorScenes errors(cameras, saved.lights, saved.directions, saved.options, saved.state,
+  const ErrorImages errors(cameras, saved.lights, saved.directions, saved.options, saved.state,
                            saved.result.direction_error, first);
   interruption.note_the_first();
   const bool done = write_pictures(saved.input, cameras, scene, errors, saved.options.threads, directory,

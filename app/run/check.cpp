@@ -16,7 +16,7 @@
 #include "app/run/report/field_text.h"
 #include "app/run/report/lamp_text.h"
 #include "app/run/report/phase_text.h"
-#include "app/setup/begun_run.h"
+#include "app/setup/run_context.h"
 #include "app/write/vtk/solution_file.h"
 #include "mesh/tetrahedra/mesh_report.h"
 
@@ -58,9 +58,9 @@ std::string summary_of(const Case& input) {
       {"directions", fmt::format("{} {}: {}{}", directions.name(), directions.order(), directions.count(),
                                  input.rotations > 1 ? fmt::format(", {} rotations", input.rotations) : "")});
   if (input.first_collided) {
-    const DirectionSet once = make_directions(input.first_collided->set, input.first_collided->order);
-    table.add_row(
-        {"of light that collided once", fmt::format("{} {}: {}", once.name(), once.order(), once.count())});
+    const DirectionSet first = make_directions(input.first_collided->set, input.first_collided->order);
+    table.add_row({"of light that collided once",
+                   fmt::format("{} {}: {}", first.name(), first.order(), first.count())});
   }
   table.add_row({"solve", fmt::format("tolerance {}, at most {} sweeps", input.solve.tolerance,
                                       input.solve.max_sweeps)});

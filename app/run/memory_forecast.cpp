@@ -8,8 +8,8 @@
 #include "app/render/photon_pictures.h"
 #include "app/run/check_run.h"
 #include "app/run/ordinates_setup.h"
-#include "app/setup/begun_run.h"
 #include "app/setup/memory.h"
+#include "app/setup/run_context.h"
 #include "solver/photons/solve/solve_photons.h"
 
 namespace etendue {

@@ -21,9 +21,9 @@
 #include "app/run/report/resolution_text.h"
 #include "app/run/report/run_log.h"
 #include "app/run/report/run_report.h"
-#include "app/setup/begun_run.h"
 #include "app/setup/fault_report.h"
 #include "app/setup/memory.h"
+#include "app/setup/run_context.h"
 #include "app/write/csv/sensor_files.h"
 #include "app/write/result/output_folder.h"
 #include "app/write/result/program_version.h"
@@ -100,10 +100,10 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
   const DirectionSet& directions = setup.set();
   const CellLocator& locator = setup.locator;
   SolveOptions& options = setup.options;
-  OrdinateBook ordinates(input.sensors, lights, locator);
-  SetReader keep_book;
+  OrdinateSensorTally ordinates(input.sensors, lights, locator);
+  DirectionSetObserver tally_ordinates;
   if (need_all_ordinates(input.sensors, problem.space()))
-    keep_book = [&](const SweptLight& swept) {
+    tally_ordinates = [&](const DirectionSetSolution& swept) {
       Stopwatch reading;
       ordinates.add(options, swept);
       seconds.sensors += reading.lap();
@@ -132,7 +132,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
     uncollided.emplace(lights, options, stage.observer());
   }
   const std::optional<Solution> solved = solve_visibly(
-      *uncollided, {input, problem, all_directions, options, stages, err, interruption}, keep_book);
+      *uncollided, {input, problem, all_directions, options, stages, err, interruption}, tally_ordinates);
   if (!solved) return ExitCode::interrupted;
   const Solution& solution = *solved;
   interruption.note_all();
@@ -175,7 +175,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
     const auto begun = std::chrono::steady_clock::now();
     bool taken = false;
     if (!interruption.noted()) {
-      const ErrorScenes errors(input.cameras, lights, directions, options, solution.state,
+      const ErrorImages errors(input.cameras, lights, directions, options, solution.state,
                                solution.direction_error, scene->first_collisions());
       taken = write_pictures(input, input.cameras, *scene, errors, options.threads, input.output.directory,
                              style, out, interrupted, begun);

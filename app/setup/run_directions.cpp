@@ -24,9 +24,9 @@ std::string directions_line(const RunDirections& directions) {
   std::string line = fmt::format("directions: {} ({} {}){}", set.count(), set.name(), set.order(),
                                  rotations > 1 ? fmt::format(", {} rotations", rotations) : "");
   if (directions.first_collided.empty()) return line;
-  const DirectionSet& once = directions.first_collided.front();
-  return line + fmt::format(", once {} ({} {}) for light that has collided once", once.count(), once.name(),
-                            once.order());
+  const DirectionSet& first = directions.first_collided.front();
+  return line + fmt::format(", once {} ({} {}) for light that has collided once", first.count(), first.name(),
+                            first.order());
 }
 
 std::string refraction_caution(const RunDirections& directions, const Problem& problem) {

@@ -6,8 +6,8 @@
 
 #include "app/case/build/build.h"
 #include "app/readings/sensors.h"
-#include "app/setup/begun_run.h"
 #include "app/setup/memory.h"
+#include "app/setup/run_context.h"
 #include "solver/uncollided/first_collision/solve_rotated.h"
 
 namespace etendue {

@@ -20,7 +20,7 @@ class GmshElements {
   /// Reads the section of names; the line is its opening.
   void read_physical_names(TextLines& lines);
   void add_point(TextLines& lines, std::int64_t tag, const Vec3& point);
-  /// Reads the points of an element from what is left of the line. Tetrahedra become cells, triangles of a
+  /// Reads the points of an element from the rest of the line. Tetrahedra become cells, triangles of a
   /// physical group become walls; lines, points and quadrangles are passed over. physical 0: in no group.
   void add_element(TextLines& lines, std::int64_t tag, std::int64_t type, std::int64_t physical);
   RawMesh take(const std::string& file) &&;

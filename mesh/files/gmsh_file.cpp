@@ -74,7 +74,7 @@ void read_elements_2(TextLines& lines, GmshElements& mesh) {
   }
 }
 
-/// The physical group of an entity from what is left of its line: their number, then their tags, negative
+/// The physical group of an entity from the rest of its line: their number, then their tags, negative
 /// where the orientation is reversed.
 void read_physical_group(TextLines& lines, int dimension, std::int64_t entity, PhysicalGroups& groups) {
   const std::int64_t count = lines.integer("number of physical tags", 0, kMostTags);

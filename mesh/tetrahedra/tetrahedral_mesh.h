@@ -18,7 +18,7 @@ namespace etendue {
 ///
 /// Cells and vertices are numbered along a space-filling curve. The vertices of each cell are sorted by
 /// their number, and so are those of each face: the three vertices that a face has in common with the
-/// cells on its two sides stand in the same order everywhere. Face f of a cell lies opposite its vertex f.
+/// cells on its two sides are in the same order everywhere. Face f of a cell lies opposite its vertex f.
 /// Boundary faces come first: face < boundary_face_count() exactly when it lies on a wall.
 class TetrahedralMesh {
  public:

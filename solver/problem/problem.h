@@ -21,7 +21,7 @@
 
 namespace etendue {
 
-/// The matter in one region, per band.
+/// The medium in one region, per band.
 struct Medium {
   std::string name;                     ///< region
   std::vector<Coefficient> absorption;  ///< [band] sigma_a [1/length]

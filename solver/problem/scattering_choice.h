@@ -8,7 +8,7 @@ namespace etendue {
 enum class ScatteringBackend { automatic, moments, dense, galerkin };
 
 /// What becomes of a peak of the phase function that the moments do not resolve. Delta-M counts it as light
-/// that does not scatter. Automatic: delta-M where what is left out is not small.
+/// that does not scatter. Automatic: delta-M where the truncated part is not small.
 enum class ForwardPeak { automatic, keep, delta_m };
 
 /// What is asked of the scattering in one medium and band.

@@ -10,8 +10,8 @@ namespace etendue {
 struct SavedState;
 
 /// A source in the cells and an inflow at the walls that depend on the direction and come on top of the
-/// problem's own: a manufactured solution, or the last step of a march in time; and light that was found on
-/// other directions.
+/// problem's own: a manufactured solution, or the last step of a march in time; and a state that
+/// was solved on other directions.
 class AngularInput {
  public:
   virtual ~AngularInput() = default;
@@ -30,10 +30,9 @@ class AngularInput {
   /// Adds the radiance that enters at the three vertices of a boundary face to `values` [3][band]
   /// [power/(length^2 sr)]. Called by several threads at a time.
   virtual void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const = 0;
-  /// Light that a sweep of this set does not find, because another one did: every sweep adds its fluence,
-  /// moments and irradiance to what it hands to the next, so that it is scattered and reflected with the
-  /// rest. Null: none.
-  virtual const SavedState* found_elsewhere() const { return nullptr; }
+  /// State that is prescribed beside the one that is solved for: every sweep adds its fluence, moments and
+  /// irradiance to those that the next sweep scatters and reflects. Null: none.
+  virtual const SavedState* prescribed_state() const { return nullptr; }
 };
 
 }  // namespace etendue

@@ -172,7 +172,7 @@ struct Run {
   }
 };
 
-/// Mean factor by which the error fell over the last sweeps above 1e-7: below, rounding may be what is left
+/// Mean factor by which the error fell over the last sweeps above 1e-7: below, only rounding may remain
 /// of thick media.
 double last_rate(const std::vector<HistoryEntry>& history) {
   constexpr std::size_t window = 5;

@@ -35,8 +35,8 @@ double bytes_per_band(int bands) {
   return static_cast<double>((record + fluence + slots) * sizeof(Real)) / bands;
 }
 
-/// Additions, multiplications and divisions of a visit for each band: those of its flows are shared by all
-/// bands, then come four inflows, the solution and the sum (cell_balance.h).
+/// Additions, multiplications and divisions of a visit for each band: those of its projected areas are shared
+/// by all bands, then come four inflows, the solution and the sum (cell_balance.h).
 double flops_per_band(int bands) { return 4 * 12 + 48 + 8 + 41.0 / bands; }
 
 /// The moments of Henyey and Greenstein with g = 0.5 up to a degree.

@@ -30,7 +30,7 @@ std::vector<TableDeclaration> make_tables() {
                "`max` of a rectangle."},
       {.path = "bands", .help = "The spectral bands, solved side by side."},
       {.path = "media", .help = "Every region has an entry; \"*\" stands for the rest."},
-      {.path = "media.NAME", .help = "The matter in the region NAME; an empty entry is a void."},
+      {.path = "media.NAME", .help = "The medium in the region NAME; an empty entry is a void."},
       {.path = field_table,
        .help =
            "A value from a file, in the place of a number or formula: `absorption = { file = \"gas.vtu\", "

@@ -93,7 +93,7 @@ std::span<const TableDeclaration> table_declarations();
 const KeyDeclaration* find_key(std::string_view table, std::string_view name);
 const TableDeclaration* find_table(std::string_view path);
 
-/// Names of the keys and tables that may stand in a table; without NAME.
+/// Names of the keys and tables that may be in a table; without NAME.
 std::vector<std::string> names_in(std::string_view table);
 /// `[table]` or `[[table]]`.
 std::string table_header(std::string_view path);

@@ -12,7 +12,7 @@ namespace etendue {
 inline constexpr const char* override_file = "--set";
 
 /// Puts `key=value` of the command line into the case. The key is dotted; entries of lists are counted from
-/// zero, `mesh.box[0].max` or `mesh.box.0.max`; parts with points stand in quotes. The value is TOML, and
+/// zero, `mesh.box[0].max` or `mesh.box.0.max`; parts with points are in quotes. The value is TOML, and
 /// text where it is not.
 void apply_override(TomlNode& root, const std::string& assignment, Faults& faults);
 

@@ -10,7 +10,7 @@
 namespace etendue {
 namespace {
 
-/// A primitive and where it stands in the file.
+/// A primitive and where it is in the file.
 struct PlacedPrimitive {
   std::int64_t position;
   Primitive primitive;

@@ -42,7 +42,7 @@ constexpr int default_azimuths = 24, default_polar_angles = 19;
 /// Pixels of half a degree across the view of an observer.
 constexpr int default_view = 360;
 
-/// Corners stand in one plane to this part of the polygon's size.
+/// Corners are in one plane to this part of the polygon's size.
 constexpr double flat = 1e-6;
 
 bool takes(SensorKind kind, const std::string& key) { return std::ranges::count(keys_of.at(kind), key) > 0; }

@@ -8,7 +8,7 @@
 namespace etendue {
 
 /// A whole case as TOML, a line for each value: [table], [[list]], and inline tables below them. Lists of
-/// tables stand in the order of the file, since later primitives overwrite earlier ones.
+/// tables are in the order of the file, since later primitives overwrite earlier ones.
 std::string render_toml(const TomlNode& root);
 
 }  // namespace etendue

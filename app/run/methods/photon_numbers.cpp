@@ -4,7 +4,7 @@
 namespace etendue {
 namespace {
 
-/// Visits every number that is drawn by lot, in a fixed order.
+/// Visits every Monte Carlo estimate, in a fixed order.
 template <class Numbers, class Visitor>
 void visit(Numbers& numbers, Visitor&& each) {
   for (auto& wall : numbers.walls)

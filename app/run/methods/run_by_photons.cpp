@@ -11,13 +11,13 @@
 #include "app/run/report/photon_text.h"
 #include "app/run/report/run_report.h"
 #include "app/run/report/unreached.h"
-#include "app/setup/begun_run.h"
 #include "app/setup/memory.h"
+#include "app/setup/run_context.h"
 #include "app/write/results.h"
 
 namespace etendue {
 
-ExitCode run_by_photons(const BegunRun& run, std::ostream& out, std::ostream& err,
+ExitCode run_by_photons(const RunContext& run, std::ostream& out, std::ostream& err,
                         const ResultReader& reader) {
   check_for_photons(run.input, run.problem);
   check_photon_cameras(run.input.cameras, run.problem);

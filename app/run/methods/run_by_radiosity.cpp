@@ -14,14 +14,14 @@
 #include "app/run/methods/run_radiosity.h"
 #include "app/run/report/radiosity_text.h"
 #include "app/run/report/run_report.h"
-#include "app/setup/begun_run.h"
 #include "app/setup/memory.h"
+#include "app/setup/run_context.h"
 #include "app/write/csv/sensor_files.h"
 #include "app/write/results.h"
 
 namespace etendue {
 
-ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& err,
+ExitCode run_by_radiosity(const RunContext& run, std::ostream& out, std::ostream& err,
                           const ResultReader& reader) {
   check_for_radiosity(run.input, run.problem);
   const CellLocator locator(run.problem.mesh());
@@ -82,10 +82,10 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
   result.patches = std::move(found.patches);
   result.pass_patches = std::move(found.pass_patches);
   seconds.measures += run.watch.lap();
-  result.sensors = read_sensors(
-      run.input.sensors,
-      {lights, OrdinateBook(run.input.sensors, lights, locator), options, found.solution, scene, locator},
-      ShownStage(stages, "sensors").observer());
+  result.sensors = read_sensors(run.input.sensors,
+                                {lights, OrdinateSensorTally(run.input.sensors, lights, locator), options,
+                                 found.solution, scene, locator},
+                                ShownStage(stages, "sensors").observer());
   seconds.sensors = run.watch.lap();
   seconds.total = run.watch.total();
   result.seconds = seconds;
@@ -98,7 +98,7 @@ ExitCode run_by_radiosity(const BegunRun& run, std::ostream& out, std::ostream& 
     const auto pictures_begun = std::chrono::steady_clock::now();
     bool taken = false;
     if (!interrupted()) {
-      const ErrorScenes none(run.input.cameras, lights, directions, options, found.solution.state, {});
+      const ErrorImages none(run.input.cameras, lights, directions, options, found.solution.state, {});
       taken = write_pictures(run.input, run.input.cameras, *scene, none, threads, run.input.output.directory,
                              style, out, interrupted, pictures_begun);
     }

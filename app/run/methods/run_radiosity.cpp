@@ -7,8 +7,8 @@
 #include <cmath>
 #include <optional>
 
-#include "app/setup/begun_run.h"
 #include "app/setup/method_checks.h"
+#include "app/setup/run_context.h"
 #include "base/errors.h"
 #include "base/parallel/parallel_for.h"
 
@@ -60,7 +60,7 @@ SavedState state_to_look_at(const RadiosityRoom& room, const RadiosityScene& sce
   return room.state(followed, half_range);
 }
 
-/// Of light that matter scatters, which there is none of here.
+/// Of light that a medium scatters, which there is none of here.
 void check_views_of_radiosity(const Case& input) {
   std::vector<Fault> faults;
   for (const SensorCase& sensor : input.sensors)
@@ -71,7 +71,7 @@ void check_views_of_radiosity(const Case& input) {
   for (const CameraCase& camera : input.cameras)
     if (camera.camera.errors)
       faults.push_back(fault_at(camera.origin, "",
-                                "errors = true in a run by radiosity (its layers are of light that matter "
+                                "errors = true in a run by radiosity (its layers are of light that a medium "
                                 "scatters, and there is none); take it out"));
   if (!faults.empty()) throw InputError(std::move(faults));
 }

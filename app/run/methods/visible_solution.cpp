@@ -2,7 +2,7 @@
 #include "app/run/methods/visible_solution.h"
 
 #include "app/progress/progress.h"
-#include "app/setup/begun_run.h"
+#include "app/setup/run_context.h"
 #include "app/write/vtk/solution_file.h"
 #include "base/errors.h"
 #include "solver/solution/solve_observer.h"
@@ -35,7 +35,7 @@ class Checkpoints {
 }  // namespace
 
 std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const VisibleSolving& solving,
-                                      const SetReader& reader) {
+                                      const DirectionSetObserver& reader) {
   const Interruption& interruption = solving.interruption;
   Checkpoints checkpoints(solving.input, solving.problem, solving.err);
   ProgressDisplay display(solving.stages.style, solving.stages.out);

@@ -28,6 +28,6 @@ struct VisibleSolving {
 /// than half a second from then on, solution.vtu alone is written with the state so far, and nothing comes
 /// back.
 std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const VisibleSolving& solving,
-                                      const SetReader& reader);
+                                      const DirectionSetObserver& reader);
 
 }  // namespace etendue

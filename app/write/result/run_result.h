@@ -45,7 +45,7 @@ struct ProbeRow {
   std::optional<std::vector<double>> irradiance;  ///< [band], where a normal was given
   /// [band] of the P1 field, where uncollided light makes `values` differ from it
   std::optional<std::vector<double>> fluence_field = {};
-  std::optional<ProbeErrors> errors = {};  ///< where values are drawn by lot
+  std::optional<ProbeErrors> errors = {};  ///< where values are Monte Carlo estimates
 };
 
 /// What a sensor of the case showed.
@@ -54,7 +54,8 @@ struct SensorRow {
   SensorReading reading;
 };
 
-/// Standard errors of what a run writes, where it was drawn by lot: each in the place of its value.
+/// Standard errors of the values that a run writes, where they are Monte Carlo estimates: each in the place
+/// of its value.
 struct RunErrors {
   std::vector<double> fluence;       ///< [cell][4][band]
   std::vector<double> fluence_mean;  ///< [cell][band]

@@ -39,7 +39,7 @@ std::string chunk(const std::string& type, std::string bytes, char filler) {
 }
 
 nlohmann::json vector_of(const Vec3& vector) {
-  // As they stand in the file: limits must hold its rounded numbers.
+  // As they are in the file: limits must hold its rounded numbers.
   return {static_cast<float>(vector.x()), static_cast<float>(vector.y()), static_cast<float>(vector.z())};
 }
 

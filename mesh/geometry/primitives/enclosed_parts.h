@@ -10,7 +10,7 @@ namespace etendue {
 
 /// A flat facet whose two sides are told apart.
 struct SidedFacet {
-  /// Points; the facet is on their left, seen from the normal's tip. Edges inside it stand in both
+  /// Points; the facet is on their left, seen from the normal's tip. Edges inside it are in both
   /// directions.
   std::vector<std::array<int, 2>> edges;
   Vec3 normal;  ///< unit

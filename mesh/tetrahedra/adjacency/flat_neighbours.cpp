@@ -35,8 +35,8 @@ Vec3 unit_normal(const TetrahedralMesh& mesh, const FaceEdge& edge) {
 Vec3 away_from(const TetrahedralMesh& mesh, const FaceEdge& edge) {
   const Vec3& tip = mesh.point(VertexIndex(mesh.vertices(FaceIndex(edge.face))[edge.opposite]));
   const Vec3 &a = mesh.point(VertexIndex(edge.ends[0])), &b = mesh.point(VertexIndex(edge.ends[1]));
-  const Vec3 along = (b - a).normalized(), way = tip - a;
-  return (way - way.dot(along) * along).normalized();
+  const Vec3 along = (b - a).normalized(), offset = tip - a;
+  return (offset - offset.dot(along) * along).normalized();
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 /// Parts of the way to the centroid that a start is moved by, one after the other until the ray is inside.
 constexpr std::array<double, 4> start_moves = {1e-11, 1e-9, 1e-6, 1e-3};
 /// The first move, in roundings of the largest coordinate: from a wall to a lamp may be very much less far
-/// than the cell is long, and the way must not come out shorter than it is.
+/// than the cell is long, and the path must not come out shorter than it is.
 constexpr double first_move = 16 * std::numeric_limits<double>::epsilon();
 
 }  // namespace

@@ -32,7 +32,7 @@ class RayMesh {
   explicit RayMesh(const TetrahedralMesh& mesh);
 
   /// Walks from a point of a cell along the unit vector `direction` and calls visit(CellIndex, double length)
-  /// for each cell on the way, in order, until `length` is covered or the ray leaves the domain: it does not
+  /// for each cell on the path, in order, until `length` is covered or the ray leaves the domain: it does not
   /// come back in. The start may lie on a face, an edge or a vertex of its cell: it is moved into it, by as
   /// little as rounding lets.
   template <class Visitor>
@@ -160,7 +160,7 @@ RayEnd RayMesh::walk(CellIndex start_cell, const Vec3& from, const Vec3& directi
     cell = across >> 2;
     const Cell& record = cells_[static_cast<std::size_t>(cell)];
     const std::int32_t opposite = across & 3;
-    // Vertices are sorted in all cells: the face's corners stand in the same order on its other side.
+    // Vertices are sorted in all cells: the face's corners are in the same order on its other side.
     for (Projected& corner : exit.corner) {
       const std::int32_t rank = corner.local - (corner.local > exit.opposite);
       corner.local = rank + (rank >= opposite);

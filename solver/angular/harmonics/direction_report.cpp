@@ -19,7 +19,7 @@ using std::numbers::pi;
 int exact_degree(const DirectionSet& set) {
   constexpr int highest = 159;
   constexpr double tolerance = 1e-9;
-  // Most sets end early: degrees are looked at in steps that double.
+  // Most sets end early: degrees are checked in steps that double.
   for (int degree = 9;; degree = std::min(2 * degree + 1, highest)) {
     const auto count = static_cast<std::size_t>(harmonic_count(set.space(), degree));
     std::vector<double> integrals(count, 0.0), values(count);

@@ -22,7 +22,7 @@ std::string reason_text(const char* why, int degree, double moment) {
   return text;
 }
 
-/// Largest |moment| from degree + 1 to the highest that is looked at.
+/// Largest |moment| from degree + 1 to the highest that is evaluated.
 double largest_beyond(const PhaseFunction& phase, int degree) {
   double largest = 0;
   for (int l = degree + 1; l <= std::max(highest_degree, degree) + 1; ++l)
@@ -30,7 +30,7 @@ double largest_beyond(const PhaseFunction& phase, int degree) {
   return largest;
 }
 
-/// At most as many ordinates as this are looked at from, evenly, for the signs of a kernel.
+/// At most as many ordinates as this are sampled, evenly, for the signs of a kernel.
 constexpr int most_looked_at = 200;
 
 }  // namespace

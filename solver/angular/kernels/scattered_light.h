@@ -17,7 +17,7 @@ namespace etendue {
 double scattering_value(const DirectionalScattering& scattering, const LeafNormals& normals,
                         const Vec3& before, const Vec3& after);
 
-/// Where light of any directions goes that matter scatters which depends on the directions themselves: into
+/// Where light of any directions goes that a medium scatters which depends on the directions themselves: into
 /// the ordinates of a set.
 class ScatteredLight {
  public:

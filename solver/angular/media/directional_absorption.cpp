@@ -11,7 +11,7 @@
 namespace etendue {
 namespace {
 
-// What is left of a difference that is zero, relative to the extinction.
+// Rounding residual of a difference that is zero, relative to the extinction.
 constexpr double rounding = 1e-9;
 
 std::array<Vec3, 4> corners(const TetrahedralMesh& mesh, CellIndex cell) {

@@ -20,7 +20,7 @@ struct PathCoefficients {
 /// Absorption and scattering as a ray of light sees them: linear in cells where a formula of the place gives
 /// them, and in its own direction where they depend on it: leaves, flakes,
 /// kernels by formula, and absorption by formula. What a direction meets of a density of 1 is one number for
-/// each kind of matter; a formula that depends on the place too is asked in each cell, for its mean there.
+/// each kind of medium; a formula that depends on the place too is asked in each cell, for its mean there.
 /// May be used by several threads at a time.
 class RayMatter {
  public:
@@ -70,7 +70,7 @@ class RayMatter {
   const Problem& problem_;
   std::size_t bands_;
   PathCoefficients turned(PathCoefficients here, CellIndex cell, std::size_t band, const View& view) const;
-  /// Coefficients of a cell whose kind of matter is `unit` for a density of 1, and whose formula `value`.
+  /// Coefficients of a cell whose kind of medium is `unit` for a density of 1, and whose formula `value`.
   PathCoefficients composed(PathCoefficients here, const Entry& entry, const PathCoefficients& unit,
                             double value) const;
 

@@ -16,7 +16,7 @@ namespace etendue {
 
 /// Directions in which light travels, and the solid angle of each. Weights sum to 4 pi (in the plane: angles
 /// that sum to 2 pi, and every direction has z = 0), the opposite of every direction is in the set, and the
-/// directions stand in pairs: 2k and 2k+1 are opposite. Consecutive pairs are close in angle, octant by
+/// directions are in pairs: 2k and 2k+1 are opposite. Consecutive pairs are close in angle, octant by
 /// octant.
 class DirectionSet {
  public:

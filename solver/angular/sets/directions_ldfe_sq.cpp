@@ -77,7 +77,7 @@ Vec4 smallest_step(const Mat4& slope, const Vec4& excess) {
   return svd.solve(excess);
 }
 
-/// The quarters of a quadrilateral and the points in them. Corners stand in the order (u0, v0), (u1, v0),
+/// The quarters of a quadrilateral and the points in them. Corners are in the order (u0, v0), (u1, v0),
 /// (u0, v1), (u1, v1).
 class Quadrilateral {
  public:

@@ -29,10 +29,10 @@ WallSurface wall_surface(const TetrahedralMesh& mesh);
 struct BakePlace {
   FaceIndex face;
   std::array<double, 3> weights;  ///< of the face's vertices; their sum is 1
-  Vec3 position;                  ///< where lights are looked at
+  Vec3 position;                  ///< where lights are sampled
 };
 
-/// The vertices of a surface. Lights are looked at 2 % of the way to the middle of a face: at an edge of the
+/// The vertices of a surface. Lights are sampled 2 % of the way to the middle of a face: at an edge of the
 /// room it would not be known on which side.
 std::vector<BakePlace> vertex_places(const WallSurface& surface, const TetrahedralMesh& mesh);
 

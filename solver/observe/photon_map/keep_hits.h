@@ -13,7 +13,7 @@ namespace etendue {
 
 struct PhotonMapOptions {
   double photons = 1e6;          ///< histories of each band, at most
-  double hits = 1e6;             ///< on walls, and as many in matter, of each band, at most
+  double hits = 1e6;             ///< on walls, and as many in media, of each band, at most
   std::size_t neighbours = 100;  ///< of an estimate
   std::uint64_t seed = 1;
   int threads = 1;
@@ -32,7 +32,7 @@ struct BandHits {
   KeptHits matter;
 };
 
-/// Hits band by band. Histories are walked, the same as by solve_photons(), until walls and matter both have
+/// Hits band by band. Histories are walked, the same as by solve_photons(), until walls and media both have
 /// as many hits as wanted, those of 64 histories at least, or until enough histories were walked; where one
 /// is full, only the other one grows. The same for any number of threads.
 std::vector<BandHits> keep_hits(const Problem& problem, const CellLocator& locator,

@@ -19,7 +19,7 @@ namespace {
 constexpr double faint = 1e-4;
 constexpr int most_mirrors = 1000;
 // Steps along a ray, in radii of the ball at the last one: balls of neighbouring estimates overlap.
-// And the fewest and most steps through matter of one region.
+// And the fewest and most steps through the medium of one region.
 constexpr double step_in_radii = 1;
 constexpr double fewest_steps = 4, most_steps = 200;
 
@@ -37,8 +37,8 @@ struct Sum {
 
 }  // namespace
 
-/// A straight part of a ray, between mirrors.
-struct MapRadiance::Stretch {
+/// Straight segment of a ray between mirrors.
+struct MapRadiance::RaySegment {
   Vec3 from;
   Vec3 direction;
   int band;
@@ -125,13 +125,13 @@ double MapRadiance::along(const PointInCell& start, const Vec3& direction, int b
   PointInCell at = start;
   Vec3 towards = direction;
   for (int i = 0; i < most_mirrors && left > faint; ++i) {
-    const Stretch stretch{at.position, towards, band};
+    const RaySegment segment{at.position, towards, band};
     work.parts.clear();
     const RayEnd end =
         rays_.walk(at.cell, at.position, towards, std::numeric_limits<double>::infinity(),
                    [&](CellIndex cell, double length) { work.parts.emplace_back(cell, length); });
-    radiance += left * add_flat_lights(stretch, end.distance, work);
-    add_matter(stretch, work, radiance, left);
+    radiance += left * add_flat_lights(segment, end.distance, work);
+    add_matter(segment, work, radiance, left);
     const Wall& wall = problem_.wall(problem_.mesh().wall(*end.wall));
     const auto b = static_cast<std::size_t>(band);
     const Vec3 normal = problem_.mesh().area_normal(*end.wall).normalized();
@@ -145,23 +145,24 @@ double MapRadiance::along(const PointInCell& start, const Vec3& direction, int b
   return radiance;
 }
 
-// Lights inside of the domain stand in nobody's way: all that the stretch passes are seen.
-double MapRadiance::add_flat_lights(const Stretch& stretch, double length, const Workspace& work) const {
+// Lights inside the domain block no rays: all lights that the segment crosses are visible.
+double MapRadiance::add_flat_lights(const RaySegment& segment, double length, const Workspace& work) const {
   double radiance = 0;
   for (const auto& [surface, distance] :
-       lights_passed(problem_.lights(), stretch.from, stretch.direction, length)) {
+       transmitted_lights(problem_.lights(), segment.from, segment.direction, length)) {
     double depth = 0, reached = 0;
     for (const auto& [cell, part] : work.parts) {
-      if (reached < distance) depth += extinction(cell, stretch.band) * std::min(part, distance - reached);
+      if (reached < distance) depth += extinction(cell, segment.band) * std::min(part, distance - reached);
       reached += part;
     }
-    radiance += std::exp(-depth) * surface->radiance[static_cast<std::size_t>(stretch.band)];
+    radiance += std::exp(-depth) * surface->radiance[static_cast<std::size_t>(segment.band)];
   }
   return radiance;
 }
 
 /// Takes the parts of each region that the ray crosses together.
-void MapRadiance::add_matter(const Stretch& stretch, Workspace& work, double& radiance, double& left) const {
+void MapRadiance::add_matter(const RaySegment& segment, Workspace& work, double& radiance,
+                             double& left) const {
   const TetrahedralMesh& mesh = problem_.mesh();
   double begin = 0;
   for (std::size_t first = 0, last = 0; first < work.parts.size() && left > faint; first = last) {
@@ -169,21 +170,21 @@ void MapRadiance::add_matter(const Stretch& stretch, Workspace& work, double& ra
     const int region = mesh.region(work.parts[first].first);
     for (; last < work.parts.size() && mesh.region(work.parts[last].first) == region; ++last) {
       length += work.parts[last].second;
-      depth += extinction(work.parts[last].first, stretch.band) * work.parts[last].second;
+      depth += extinction(work.parts[last].first, segment.band) * work.parts[last].second;
     }
-    radiance += left * march(stretch, first, last, begin, work);
+    radiance += left * march(segment, first, last, begin, work);
     left *= std::exp(-depth);
     begin += length;
   }
 }
 
 /// Light of the parts [first, last), the first of which begins at the distance `begin`, where they begin.
-double MapRadiance::march(const Stretch& stretch, std::size_t first, std::size_t last, double begin,
+double MapRadiance::march(const RaySegment& segment, std::size_t first, std::size_t last, double begin,
                           Workspace& work) const {
   double length = 0, scattering = 0;
   for (std::size_t i = first; i < last; ++i) {
     length += work.parts[i].second;
-    scattering = std::max(scattering, problem_.scattering(work.parts[i].first, stretch.band));
+    scattering = std::max(scattering, problem_.scattering(work.parts[i].first, segment.band));
   }
   double radiance = 0, left = 1, reached = 0, used = 0, step = length / fewest_steps;
   for (std::size_t i = first; i < last && left > faint;) {
@@ -193,18 +194,18 @@ double MapRadiance::march(const Stretch& stretch, std::size_t first, std::size_t
       for (double to = work.parts[i].second - used; middle + 1 < last && to < step / 2;)
         to += work.parts[++middle].second;
       const double where = std::min(reached + step / 2, length);
-      source = scattered(work.parts[middle].first, stretch.at(begin + where), -stretch.direction,
-                         stretch.band, work)
+      source = scattered(work.parts[middle].first, segment.at(begin + where), -segment.direction,
+                         segment.band, work)
                    .value;
       step = std::clamp(step_in_radii * work.volume.radius, length / most_steps, length / fewest_steps);
     }
     reached += rest;
     while (rest > 0 && i < last) {
       const auto [cell, part] = work.parts[i];
-      const double piece = std::min(rest, part - used), sigma = extinction(cell, stretch.band);
-      const bool scatters = problem_.scattering(cell, stretch.band) > 0;
-      radiance += left * (problem_.emission(cell, stretch.band) + (scatters ? source : 0)) *
-                  attenuated_way(sigma, piece).constant;
+      const double piece = std::min(rest, part - used), sigma = extinction(cell, segment.band);
+      const bool scatters = problem_.scattering(cell, segment.band) > 0;
+      radiance += left * (problem_.emission(cell, segment.band) + (scatters ? source : 0)) *
+                  attenuation_integrals(sigma, piece).constant;
       left *= std::exp(-sigma * piece);
       rest -= piece;
       used += piece;

@@ -19,15 +19,15 @@ namespace etendue {
 /// Radiance from a photon map (Jensen 2001, sections 7.2 and 10.4): hits stand for the light that arrives.
 ///
 /// A hit p brings the power dF_p in the direction w_p. Around a point of a wall those that fell on an area A,
-/// and around one in matter those that were scattered in a volume V, give
+/// and around one in a medium those that were scattered in a volume V, give
 ///
 ///     L_wall(x, w) = sum of f_r(w_p -> w) dF_p / A        [power/(length^2 sr)]    (1)
 ///     S(x, w)      = sum of p(w_p.w) dF_p / V             [power/(length^3 sr)] (2)
 ///
 /// with f_r = diffuse/pi + that of the lobe, and transmittance/pi for hits on the other side of a sheet, and
-/// where (2) is what scattering adds to the radiance on its way: photons are scattered at the rate sigma_s
-/// times the fluence, so that Jensen's division by sigma_s, which gives a mean of radiance, and the factor
-/// sigma_s of the transport equation cancel.
+/// where (2) is what scattering adds to the radiance along its path: photons are scattered at the rate
+/// sigma_s times the fluence, so that Jensen's division by sigma_s, which gives a mean of radiance, and the
+/// factor sigma_s of the transport equation cancel.
 class MapRadiance {
  public:
   /// The problem must outlive it. Takes over the hits, [band].
@@ -60,13 +60,13 @@ class MapRadiance {
   double along(const PointInCell& start, const Vec3& direction, int band, Workspace& work) const;
 
  private:
-  struct Stretch;
+  struct RaySegment;
   /// Sum of share(hit) over the hits on an area around a point, over the area.
   template <class Share>
   Estimate on_wall(FaceIndex face, const Vec3& point, int band, Workspace& work, const Share& share) const;
-  void add_matter(const Stretch& stretch, Workspace& work, double& radiance, double& left) const;
-  double add_flat_lights(const Stretch& stretch, double length, const Workspace& work) const;
-  double march(const Stretch& stretch, std::size_t first, std::size_t last, double begin,
+  void add_matter(const RaySegment& segment, Workspace& work, double& radiance, double& left) const;
+  double add_flat_lights(const RaySegment& segment, double length, const Workspace& work) const;
+  double march(const RaySegment& segment, std::size_t first, std::size_t last, double begin,
                Workspace& work) const;
   /// What a wall sends by itself at a point of a face.
   double emitted(FaceIndex face, const Vec3& point, const Vec3& travel, int band) const;

@@ -39,23 +39,23 @@ VolumeHits::VolumeHits(const TetrahedralMesh& mesh, const RayMesh& rays, std::si
   if (neighbours_ > 1) tree_.emplace(kept.hits);
 }
 
-double VolumeHits::way_in_region(CellIndex start, const Vec3& point, const Vec3& direction,
-                                 double length) const {
+double VolumeHits::path_in_region(CellIndex start, const Vec3& point, const Vec3& direction,
+                                  double length) const {
   const int region = mesh_.region(start);
-  double way = 0;
+  double path_length = 0;
   bool inside = true;
   rays_.walk(start, point, direction, length, [&](CellIndex cell, double part) {
     inside = inside && mesh_.region(cell) == region;
-    if (inside) way += part;
+    if (inside) path_length += part;
   });
-  return way;
+  return path_length;
 }
 
 double VolumeHits::volume_seen(CellIndex cell, const Vec3& point, double radius) const {
   static const auto directions = spiral<feelers>();
   double cubes = 0;
   for (const Vec3& direction : directions)
-    cubes += std::pow(std::min(way_in_region(cell, point, direction, radius), radius), 3);
+    cubes += std::pow(std::min(path_in_region(cell, point, direction, radius), radius), 3);
   return 4 * std::numbers::pi / 3 * cubes / feelers;
 }
 
@@ -67,7 +67,7 @@ bool VolumeHits::around(CellIndex cell, const Vec3& point, Around& found) const 
   const double radius = found.radius = found.near.radius;
   if (radius == 0) return false;
   const bool is_free = std::ranges::all_of(directions, [&](const Vec3& direction) {
-    return way_in_region(cell, point, direction, scouted * radius) >= whole * scouted * radius;
+    return path_in_region(cell, point, direction, scouted * radius) >= whole * scouted * radius;
   });
   if (is_free) {
     found.hits = found.near.number;
@@ -77,7 +77,7 @@ bool VolumeHits::around(CellIndex cell, const Vec3& point, Around& found) const 
   for (const std::uint32_t number : found.near.number) {
     const Vec3 to = position_of(kept_.hits[number]) - point;
     const double distance = to.norm();
-    if (distance == 0 || way_in_region(cell, point, to / distance, distance) >= whole * distance)
+    if (distance == 0 || path_in_region(cell, point, to / distance, distance) >= whole * distance)
       found.hits.push_back(number);
   }
   found.volume = volume_seen(cell, point, radius);

@@ -10,7 +10,7 @@
 
 namespace etendue {
 
-/// Hits in matter in one band and what they say of the light that is scattered there.
+/// Hits in media in one band and what they say of the light that is scattered there.
 class VolumeHits {
  public:
   /// The arguments must outlive it.
@@ -24,8 +24,8 @@ class VolumeHits {
     double radius = 0;  ///< [length]
   };
   /// Those of the nearest hits that are seen from the point through its region alone, and how much of the
-  /// ball around them is seen so: neither walls nor where matter ends darken the estimate. False without any
-  /// hits.
+  /// ball around them is seen so: neither walls nor the ends of a medium darken the estimate. False without
+  /// any hits.
   bool around(CellIndex cell, const Vec3& point, Around& found) const;
 
   const PhotonHit& hit(std::uint32_t number) const { return kept_.hits[number]; }
@@ -34,7 +34,7 @@ class VolumeHits {
  private:
   /// How much of a ball is seen from its middle through the region alone [length^3].
   double volume_seen(CellIndex cell, const Vec3& point, double radius) const;
-  double way_in_region(CellIndex cell, const Vec3& point, const Vec3& direction, double length) const;
+  double path_in_region(CellIndex cell, const Vec3& point, const Vec3& direction, double length) const;
 
   const TetrahedralMesh& mesh_;
   const RayMesh& rays_;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "solver/observe/radiance/bent_state.h"
+#include "solver/observe/radiance/quadratic_reconstruction.h"
 
 namespace etendue {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 /// Values that a cell has in each band.
 std::size_t nodes_of(const SolveOptions& options, const SavedState& state, std::size_t cells_and_bands) {
   if (options.order != SpaceOrder::linear) return 1;
-  return state.fluence.size() == bent_nodes * cells_and_bands ? bent_nodes : 4;
+  return state.fluence.size() == quadratic_nodes * cells_and_bands ? quadratic_nodes : 4;
 }
 
 }  // namespace

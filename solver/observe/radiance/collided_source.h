@@ -29,12 +29,12 @@ namespace etendue {
 ///     S(w) = q + sigma_s (sum over n of w_n p(w.w_n) u_n) / (sum over n of w_n p(w.w_n)).
 ///
 /// In the plane 2 pi stands for 4 pi. Of leaves and flakes as DirectionalMatter says. All are continuous in
-/// w, and a constant radiance scatters into a constant one. No ordinate's radiance itself is looked at.
+/// w, and a constant radiance scatters into a constant one. No ordinate's radiance itself is evaluated.
 class CollidedSource {
  public:
   /// `options` are those of the solution (elements, meters); of linear elements the state may be a
-  /// bent_state() as well. The arguments must outlive it. Throws InputError where the state is not of this
-  /// kind.
+  /// quadratic_reconstruction() as well. The arguments must outlive it. Throws InputError where the state is
+  /// not of this kind.
   CollidedSource(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
                  const SavedState& state);
 
@@ -58,9 +58,9 @@ class CollidedSource {
     if (matter < 0) return extinction_[cell.at() * bands_ + band];
     return matter_.density(cell, band) * view.matter[static_cast<std::size_t>(matter)].extinction;
   }
-  /// 4, or bent_nodes where the state bends.
+  /// 4, or quadratic_nodes where the state is a quadratic reconstruction.
   std::size_t value_count() const { return std::max<std::size_t>(4, nodes_); }
-  /// Writes the values at the vertices, and those of bends behind them, [value_count()][band]
+  /// Writes the values at the vertices, and those of the quadratic part behind them, [value_count()][band]
   /// [power/(length^3 sr)].
   void values(CellIndex cell, const View& view, std::span<double> values) const;
 

@@ -16,16 +16,16 @@ std::optional<double> distance_to_front(std::span<const Vec3> corners, const Vec
   return std::nullopt;
 }
 
-std::vector<PassedLight> lights_passed(std::span<const Light> lights, const Vec3& from, const Vec3& direction,
-                                       double length) {
-  std::vector<PassedLight> passed;
+std::vector<TransmittedLight> transmitted_lights(std::span<const Light> lights, const Vec3& from,
+                                                 const Vec3& direction, double length) {
+  std::vector<TransmittedLight> found;
   for (const Light& light : lights) {
     const auto* surface = std::get_if<SurfaceLight>(&light.kind);
     if (surface == nullptr) continue;
     const std::optional<double> distance = distance_to_front(surface->triangles, from, direction);
-    if (distance && *distance <= length) passed.push_back({surface, *distance});
+    if (distance && *distance <= length) found.push_back({surface, *distance});
   }
-  return passed;
+  return found;
 }
 
 }  // namespace etendue

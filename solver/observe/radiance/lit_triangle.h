@@ -15,13 +15,13 @@ namespace etendue {
 std::optional<double> distance_to_front(std::span<const Vec3> corners, const Vec3& from,
                                         const Vec3& direction);
 
-/// A flat light that a ray passes.
-struct PassedLight {
+/// Flat light that a ray crosses, and the distance to it; such lights transmit rays.
+struct TransmittedLight {
   const SurfaceLight* light;
   double distance;  ///< [length]
 };
-/// Those among the lights that a ray along a unit direction passes on this length.
-std::vector<PassedLight> lights_passed(std::span<const Light> lights, const Vec3& from, const Vec3& direction,
-                                       double length);
+/// Returns the flat lights that a ray along a unit direction crosses within `length`.
+std::vector<TransmittedLight> transmitted_lights(std::span<const Light> lights, const Vec3& from,
+                                                 const Vec3& direction, double length);
 
 }  // namespace etendue

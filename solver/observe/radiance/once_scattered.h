@@ -21,7 +21,7 @@ inline constexpr LightDetail shaft_light{0.7, 0.03, 0.6, 0.9, TriangleRule::thre
 ///
 ///     S_1(w) = sigma_s sum over the beams i of p(w.w_i) phi_i,
 ///
-/// where matter depends on the directions themselves with its kernel k(w_i -> w) in place of sigma_s p.
+/// where a medium depends on the directions themselves with its kernel k(w_i -> w) in place of sigma_s p.
 class OnceScattered {
  public:
   /// The lights must outlive it.
@@ -40,8 +40,8 @@ class OnceScattered {
     std::uint32_t ray = 1;
     std::vector<std::uint32_t> known;  ///< [incident direction] the ray for which its values hold
     std::vector<double> values;        ///< [incident direction][way to scatter] P - 1/(4 pi) [1/sr]
-    std::optional<Vec3> beam;          ///< of which matter was asked last: the sun's is the same everywhere
-    std::vector<double> matter;        ///< [kind] what it scatters along the ray
+    std::optional<Vec3> beam;  ///< for which the medium was evaluated last: the sun's is the same everywhere
+    std::vector<double> matter;  ///< [kind] what it scatters along the ray
   };
 
   /// Adds it at the vertices [4][band], from what is projected on the cell (CollisionField).
@@ -51,7 +51,7 @@ class OnceScattered {
               std::span<double> values) const;
 
  private:
-  /// The way to scatter of a region and band: a phase function, or behind these a kind of matter that depends
+  /// The way to scatter of a region and band: a phase function, or behind these a kind of medium that depends
   /// on the directions; -1 where all are alike.
   int way_of(int region, std::size_t band) const;
   /// [kind] k(beam -> travel) for a density of 1 [1/sr].

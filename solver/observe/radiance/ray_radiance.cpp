@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/quadrature/gauss_legendre.h"
-#include "solver/observe/radiance/bent_state.h"
 #include "solver/observe/radiance/lit_triangle.h"
-#include "solver/observe/radiance/ray_stretch.h"
+#include "solver/observe/radiance/quadratic_reconstruction.h"
+#include "solver/observe/radiance/ray_radiance_segment.h"
 #include "solver/problem/mirror.h"
 #include "solver/uncollided/rays/attenuation.h"
 #include "solver/uncollided/sources/sky_source.h"
@@ -22,7 +22,7 @@ namespace {
 constexpr double faint = 1e-8;
 constexpr int most_mirrors = 10000;
 
-/// A ray has come back to where it was where place and direction are within this part of the way of it.
+/// A ray has come back to where it was where place and direction are within this part of its path length.
 constexpr double same_place = 1e-12;
 
 std::array<double, 4> barycentric(const TetrahedralMesh& mesh, CellIndex cell, const Vec3& point) {
@@ -36,7 +36,8 @@ std::array<double, 4> barycentric(const TetrahedralMesh& mesh, CellIndex cell, c
   return {1 - x - y - z, x, y, z};
 }
 
-/// With the bends of a bent_state() where there are any.
+/// Interpolates values at the vertices, with the quadratic part of a quadratic_reconstruction() if there is
+/// one.
 double interpolated(std::span<const double> values, const std::array<double, 4>& at, std::size_t band,
                     std::size_t bands) {
   double sum = 0;
@@ -48,9 +49,9 @@ double interpolated(std::span<const double> values, const std::array<double, 4>&
 
 }  // namespace
 
-/// Where a ray left its first mirror, the light that it had brought until then [band], and the weight of what
-/// is beyond [band].
-struct RayRadiance::Turn {
+/// State of a ray at its first mirror: the radiance before it [band] and the weight of the radiance beyond it
+/// [band].
+struct RayRadiance::FirstReflection {
   Vec3 position;
   Vec3 towards;
   std::vector<double> radiance;
@@ -111,25 +112,25 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
   std::fill(work.factor.begin(), work.factor.end(), 1.0);
   PointInCell at = start;
   Vec3 towards = direction;
-  std::optional<Turn> first;
-  double way = 0;
+  std::optional<FirstReflection> first;
+  double path_length = 0;
   for (int i = 0; i < most_mirrors; ++i) {
     const RayEnd end = walk(at, towards, work);
-    const Stretch stretch{at.position, towards, view, lights_.paths().matter().view(-towards),
-                          i > 0 || view.first_wall_diffuse};
-    if (view.lights_shown) add_flat_lights(stretch, end.distance, work, radiance);
-    add_cells(stretch, work, radiance);
-    add_wall(*end.wall, end.point, stretch, work, radiance);
-    if (view.lights_shown) add_skies(*end.wall, stretch, work, radiance);
-    add_glossy(*end.wall, end.point, stretch, work, radiance);
+    const RaySegment segment{at.position, towards, view, lights_.paths().matter().view(-towards),
+                             i > 0 || view.first_wall_diffuse};
+    if (view.lights_shown) add_flat_lights(segment, end.distance, work, radiance);
+    add_cells(segment, work, radiance);
+    add_wall(*end.wall, end.point, segment, work, radiance);
+    if (view.lights_shown) add_skies(*end.wall, segment, work, radiance);
+    add_glossy(*end.wall, end.point, segment, work, radiance);
     const Vec3 normal = problem_.mesh().area_normal(*end.wall).normalized();
     if (!reflect(*end.wall, towards.dot(normal), work)) return;
     towards = (towards - 2 * towards.dot(normal) * normal).normalized();
     at = {end.cell, end.point};
-    way += end.distance;
+    path_length += end.distance;
     if (!first)
-      first = Turn{at.position, towards, {radiance.begin(), radiance.end()}, weights_left(work)};
-    else if ((at.position - first->position).norm() < same_place * way &&
+      first = FirstReflection{at.position, towards, {radiance.begin(), radiance.end()}, weights_left(work)};
+    else if ((at.position - first->position).norm() < same_place * path_length &&
              (towards - first->towards).norm() < same_place && end_series(*first, work, radiance))
       return;
   }
@@ -154,7 +155,8 @@ std::vector<double> RayRadiance::weights_left(const Workspace& work) const {
 // Between mirrors that face each other the ray goes round and round: with X of light on the first round and
 // w < 1 of the weight left after it the series X (1 + w + w^2 + …) is X/(1 - w). Not so where lights and the
 // rest see different extinctions.
-bool RayRadiance::end_series(const Turn& first, const Workspace& work, std::span<double> radiance) const {
+bool RayRadiance::end_series(const FirstReflection& first, const Workspace& work,
+                             std::span<double> radiance) const {
   if (work.depth != work.depth_rest) return false;
   const std::vector<double> left = weights_left(work);
   for (std::size_t b = 0; b < bands_; ++b) {
@@ -165,100 +167,100 @@ bool RayRadiance::end_series(const Turn& first, const Workspace& work, std::span
   return true;
 }
 
-void RayRadiance::add_cells(const Stretch& stretch, Workspace& work, std::span<double> radiance) const {
+void RayRadiance::add_cells(const RaySegment& segment, Workspace& work, std::span<double> radiance) const {
   work.view.reset();
   work.memory.forget();
   for (const Workspace::Part& part : work.parts) {
-    if (!work.view) work.view = collided_.view(stretch.travel());
-    if (stretch.view.shafts > 0 && !lights_.empty()) add_shafts(stretch, part, work, radiance);
-    add_part(stretch, part, work, radiance);
+    if (!work.view) work.view = collided_.view(segment.travel());
+    if (segment.view.shafts > 0 && !lights_.empty()) add_shafts(segment, part, work, radiance);
+    add_part(segment, part, work, radiance);
   }
 }
 
-// With S(s) = S_a + (S_b - S_a) s/l over the length l of the part, and E_0, E_1 of attenuated_way:
+// With S(s) = S_a + (S_b - S_a) s/l over the length l of the part, and E_0, E_1 of attenuation_integrals:
 //   integral of S e^(-sigma s) ds = S_a E_0 + (S_b - S_a) E_1/l,
-// and what a bent state has in the middle beyond that, times attenuated_bend.
-void RayRadiance::add_part(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
+// and the quadratic part in the middle times attenuated_quadratic.
+void RayRadiance::add_part(const RaySegment& segment, const Workspace::Part& part, Workspace& work,
                            std::span<double> radiance) const {
   collided_.values(part.cell, *work.view, work.values);
-  collided_.swept_lights().add_points(stretch.travel(), part.cell, std::span(work.values).first(4 * bands_));
-  if (stretch.view.shafts == 0) once_.add_at_vertices(part.cell, stretch.travel(), work.memory, work.values);
-  const auto here = barycentric(problem_.mesh(), part.cell, stretch.at(part.from));
-  const auto there = barycentric(problem_.mesh(), part.cell, stretch.at(part.from + part.length));
-  const bool bends = collided_.value_count() > 4;
+  collided_.swept_lights().add_points(segment.travel(), part.cell, std::span(work.values).first(4 * bands_));
+  if (segment.view.shafts == 0) once_.add_at_vertices(part.cell, segment.travel(), work.memory, work.values);
+  const auto here = barycentric(problem_.mesh(), part.cell, segment.at(part.from));
+  const auto there = barycentric(problem_.mesh(), part.cell, segment.at(part.from + part.length));
+  const bool is_quadratic = collided_.value_count() > 4;
   std::array<double, 4> middle;
   for (std::size_t i = 0; i < 4; ++i) middle[i] = (here[i] + there[i]) / 2;
-  const bool is_light = stretch.view.lights_shown && lights_.has_region(problem_.mesh().region(part.cell));
+  const bool is_light = segment.view.lights_shown && lights_.has_region(problem_.mesh().region(part.cell));
   for (std::size_t b = 0; b < bands_; ++b) {
     const double near = interpolated(work.values, here, b, bands_);
     const double far = interpolated(work.values, there, b, bands_);
     const double extinction = collided_.extinction(part.cell, b, *work.view);
-    const AttenuatedWay way = attenuated_way(extinction, part.length);
-    double arrives = near * way.constant + (far - near) * way.linear / part.length;
-    if (bends)
+    const AttenuationIntegrals integrals = attenuation_integrals(extinction, part.length);
+    double arrives = near * integrals.constant + (far - near) * integrals.linear / part.length;
+    if (is_quadratic)
       arrives += (interpolated(work.values, middle, b, bands_) - (near + far) / 2) *
-                 attenuated_bend(extinction, part.length);
+                 attenuated_quadratic(extinction, part.length);
     radiance[b] += work.factor[b] * std::exp(-work.depth_rest[b]) * arrives;
-    const double whole = lights_.paths().extinction(part.cell, b, stretch.light);
+    const double whole = lights_.paths().extinction(part.cell, b, segment.light);
     if (is_light)
       radiance[b] += work.factor[b] * std::exp(-work.depth[b]) *
                      problem_.emission(part.cell, static_cast<int>(b)) *
-                     attenuated_way(whole, part.length).constant;
+                     attenuation_integrals(whole, part.length).constant;
     work.depth_rest[b] += extinction * part.length;
     work.depth[b] += whole * part.length;
   }
 }
 
-void RayRadiance::add_shafts(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
+void RayRadiance::add_shafts(const RaySegment& segment, const Workspace::Part& part, Workspace& work,
                              std::span<double> radiance) const {
-  const GaussRule rule = gauss_legendre(stretch.view.shafts);
+  const GaussRule rule = gauss_legendre(segment.view.shafts);
   bool scatters = false;
   for (int b = 0; b < problem_.band_count(); ++b)
     scatters = scatters || problem_.scattering(part.cell, b) > 0;
   for (std::size_t i = 0; i < rule.nodes.size() && scatters; ++i) {
     const double along = part.length * (1 + rule.nodes[i]) / 2;
     std::fill(work.at_point.begin(), work.at_point.end(), 0.0);
-    once_.add_at({part.cell, stretch.at(part.from + along)}, stretch.travel(), work.beams, work.at_point);
+    once_.add_at({part.cell, segment.at(part.from + along)}, segment.travel(), work.beams, work.at_point);
     for (std::size_t b = 0; b < bands_; ++b)
       radiance[b] += work.factor[b] * part.length * rule.weights[i] / 2 * work.at_point[b] *
                      std::exp(-work.depth_rest[b] - collided_.extinction(part.cell, b, *work.view) * along);
   }
 }
 
-// Lights inside of the domain stand in nobody's way: all that the stretch passes are seen.
-void RayRadiance::add_flat_lights(const Stretch& stretch, double length, Workspace& work,
+// Lights inside the domain block no rays: all lights that the segment crosses are visible.
+void RayRadiance::add_flat_lights(const RaySegment& segment, double length, Workspace& work,
                                   std::span<double> radiance) const {
   for (const auto& [surface, distance] :
-       lights_passed(problem_.lights(), stretch.from, stretch.direction, length))
+       transmitted_lights(problem_.lights(), segment.from, segment.direction, length))
     for (std::size_t band = 0; band < bands_; ++band) {
       double depth = work.depth[band];
       for (const Workspace::Part& part : work.parts)
         if (part.from < distance)
-          depth += lights_.paths().extinction(part.cell, band, stretch.light) *
+          depth += lights_.paths().extinction(part.cell, band, segment.light) *
                    std::min(part.length, distance - part.from);
       radiance[band] += work.factor[band] * std::exp(-depth) * surface->radiance[band];
     }
 }
 
-void RayRadiance::add_skies(FaceIndex face, const Stretch& stretch, const Workspace& work,
+void RayRadiance::add_skies(FaceIndex face, const RaySegment& segment, const Workspace& work,
                             std::span<double> radiance) const {
   for (const auto& source : lights_.sources()) {
     const WideSource* wide = source->as_wide();
     const SkySource* sky = wide != nullptr ? wide->as_sky() : nullptr;
     if (sky == nullptr || !sky->shows_radiance() || !sky->comes_in_by(problem_.mesh().wall(face))) continue;
-    const std::span<const double> of_sky = sky->radiance(stretch.direction);
+    const std::span<const double> of_sky = sky->radiance(segment.direction);
     for (std::size_t b = 0; b < bands_; ++b)
       radiance[b] += work.factor[b] * std::exp(-work.depth[b]) * of_sky[b];
   }
 }
 
-void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
+void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const RaySegment& segment, Workspace& work,
                            std::span<double> radiance) const {
-  const RayView& view = stretch.view;
+  const RayView& view = segment.view;
   const int number = problem_.mesh().wall(face);
   const Wall& wall = problem_.wall(number);
   std::fill(work.at_point.begin(), work.at_point.end(), 0.0);
-  if (stretch.wall_is_diffuse)
+  if (segment.wall_is_diffuse)
     walls_.add_reflected(face, point, view.brought != nullptr ? *view.brought : walls_.brought(),
                          view.shadow_rays, work.beams, work.at_point);
   for (std::size_t b = 0; b < bands_; ++b) {
@@ -266,14 +268,14 @@ void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const Stretch& str
     double emitted = rest;
     if (lights_.has_wall(number)) emitted = view.lights_shown ? std::exp(-work.depth[b]) : 0;
     const double sent = radiance_sent(
-        wall, b, -stretch.travel().dot(problem_.mesh().area_normal(face)) / problem_.mesh().area(face));
+        wall, b, -segment.travel().dot(problem_.mesh().area_normal(face)) / problem_.mesh().area(face));
     radiance[b] += work.factor[b] * (rest * work.at_point[b] + emitted * sent);
   }
   const auto& formulas = work.wall_formulas[static_cast<std::size_t>(number)];
   for (std::size_t b = 0; b < formulas.size(); ++b)
     if (formulas[b])
       radiance[b] +=
-          work.factor[b] * std::exp(-work.depth_rest[b]) * formulas[b]->at(point, stretch.travel());
+          work.factor[b] * std::exp(-work.depth_rest[b]) * formulas[b]->at(point, segment.travel());
 }
 
 /// Whether the ray goes on.

@@ -96,30 +96,30 @@ class RayRadiance {
   const Problem& problem() const { return problem_; }
 
  private:
-  struct Stretch;
-  struct Turn;
+  struct RaySegment;
+  struct FirstReflection;
   RayEnd walk(const PointInCell& from, const Vec3& direction, Workspace& work) const;
-  void add_cells(const Stretch& stretch, Workspace& work, std::span<double> radiance) const;
-  void add_part(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
+  void add_cells(const RaySegment& segment, Workspace& work, std::span<double> radiance) const;
+  void add_part(const RaySegment& segment, const Workspace::Part& part, Workspace& work,
                 std::span<double> radiance) const;
-  void add_shafts(const Stretch& stretch, const Workspace::Part& part, Workspace& work,
+  void add_shafts(const RaySegment& segment, const Workspace::Part& part, Workspace& work,
                   std::span<double> radiance) const;
-  void add_flat_lights(const Stretch& stretch, double length, Workspace& work,
+  void add_flat_lights(const RaySegment& segment, double length, Workspace& work,
                        std::span<double> radiance) const;
-  void add_wall(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
+  void add_wall(FaceIndex face, const Vec3& point, const RaySegment& segment, Workspace& work,
                 std::span<double> radiance) const;
-  void add_skies(FaceIndex face, const Stretch& stretch, const Workspace& work,
+  void add_skies(FaceIndex face, const RaySegment& segment, const Workspace& work,
                  std::span<double> radiance) const;
-  void add_glossy(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
+  void add_glossy(FaceIndex face, const Vec3& point, const RaySegment& segment, Workspace& work,
                   std::span<double> radiance) const;
-  void add_glossy_lights(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
+  void add_glossy_lights(FaceIndex face, const Vec3& point, const RaySegment& segment, Workspace& work,
                          std::span<double> sum) const;
-  void add_glossy_rays(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
+  void add_glossy_rays(FaceIndex face, const Vec3& point, const RaySegment& segment, Workspace& work,
                        std::span<double> sum) const;
   bool reflect(FaceIndex face, double cosine, Workspace& work) const;
   std::vector<double> weights_left(const Workspace& work) const;
   /// Whether the rounds of a ray that is back at its first mirror could be added up.
-  bool end_series(const Turn& first, const Workspace& work, std::span<double> radiance) const;
+  bool end_series(const FirstReflection& first, const Workspace& work, std::span<double> radiance) const;
   void find_dark_cells();
 
   const LightSetup& lights_;

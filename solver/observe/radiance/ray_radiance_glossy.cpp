@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "solver/observe/radiance/ray_radiance.h"
-#include "solver/observe/radiance/ray_stretch.h"
+#include "solver/observe/radiance/ray_radiance_segment.h"
 #include "solver/uncollided/sources/sky_source.h"
 #include "solver/uncollided/sources/wide_source.h"
 
@@ -52,26 +52,26 @@ const Reflectance* drawn_from(const Wall& wall) {
 
 }  // namespace
 
-void RayRadiance::add_glossy(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
+void RayRadiance::add_glossy(FaceIndex face, const Vec3& point, const RaySegment& segment, Workspace& work,
                              std::span<double> radiance) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   if (!wall.is_glossy()) return;
   std::vector<double> sum(bands_, 0);
-  if (stretch.view.glossy == 0) {
+  if (segment.view.glossy == 0) {
     std::vector<double> share;
     for (std::size_t b = 0; b < bands_; ++b)
       share.push_back(wall.glossy_in(b) != nullptr ? wall.glossy_in(b)->albedo().mean() : 0);
-    walls_.add_sent_on(face, point, share, walls_.brought(), stretch.view.shadow_rays, work.beams, sum);
+    walls_.add_sent_on(face, point, share, walls_.brought(), segment.view.shadow_rays, work.beams, sum);
   } else {
-    add_glossy_lights(face, point, stretch, work, sum);
-    add_glossy_rays(face, point, stretch, work, sum);
+    add_glossy_lights(face, point, segment, work, sum);
+    add_glossy_rays(face, point, segment, work, sum);
   }
   for (std::size_t b = 0; b < bands_; ++b)
     radiance[b] += work.factor[b] * std::exp(-work.depth_rest[b]) * sum[b];
 }
 
 // f_r E of each beam of the lights that the drawn rays do not see.
-void RayRadiance::add_glossy_lights(FaceIndex face, const Vec3& point, const Stretch& stretch,
+void RayRadiance::add_glossy_lights(FaceIndex face, const Vec3& point, const RaySegment& segment,
                                     Workspace& work, std::span<double> sum) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   const Vec3 inwards = -problem_.mesh().area_normal(face).normalized();
@@ -80,33 +80,33 @@ void RayRadiance::add_glossy_lights(FaceIndex face, const Vec3& point, const Str
   for (const auto& source : lights_.sources()) {
     const WideSource* wide = source->as_wide();
     if (rays_see_lamps && wide != nullptr && rays_see(*wide)) continue;
-    walls_.find_beams(*source, {problem_.mesh().owner(face), point}, stretch.view.shadow_rays, work.beams,
+    walls_.find_beams(*source, {problem_.mesh().owner(face), point}, segment.view.shadow_rays, work.beams,
                       clear);
     for (std::size_t k = 0; k < work.beams.size(); ++k) {
       const double cosine = -inwards.dot(work.beams.direction(k));
       for (std::size_t b = 0; b < bands_ && cosine > 0; ++b)
         if (const Reflectance* lobe = wall.glossy_in(b))
-          sum[b] += lobe->between(work.beams.direction(k), stretch.travel(), inwards) * cosine *
+          sum[b] += lobe->between(work.beams.direction(k), segment.travel(), inwards) * cosine *
                     work.beams.fluence(k)[b];
     }
   }
 }
 
 // By reciprocity light comes from where a lobe around the light's own way back points.
-void RayRadiance::add_glossy_rays(FaceIndex face, const Vec3& point, const Stretch& stretch, Workspace& work,
-                                  std::span<double> sum) const {
+void RayRadiance::add_glossy_rays(FaceIndex face, const Vec3& point, const RaySegment& segment,
+                                  Workspace& work, std::span<double> sum) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   const Reflectance& drawn = *drawn_from(wall);
   const Vec3 inwards = -problem_.mesh().area_normal(face).normalized();
-  const Vec3 travel = stretch.travel();
+  const Vec3 travel = segment.travel();
   const double cosine = std::min(1.0, travel.dot(inwards));
   if (cosine <= 0) return;
   if (work.inner == nullptr) work.inner = std::make_unique<Workspace>(*this);
   // Many rays meet walls beyond: the steps of a penumbra that few rays leave are lost among them.
   const RayView view{.glossy = 0,
                      .lights_shown = drawn.width() < narrow,
-                     .shadow_rays = std::min(stretch.view.shadow_rays, quick_shadow_rays)};
-  const int rays = stretch.view.glossy;
+                     .shadow_rays = std::min(segment.view.shadow_rays, quick_shadow_rays)};
+  const int rays = segment.view.glossy;
   const Shift shift = shift_at(point);
   std::vector<double> incoming(bands_);
   for (int i = 0; i < rays; ++i) {

@@ -31,9 +31,9 @@ bool is_flat(const LightSource& source, std::size_t most) {
   return wide != nullptr && !wide->flat_parts().empty() && wide->flat_parts().size() <= most;
 }
 
-bool is_of_walls(const Crease& crease) {
-  return std::ranges::any_of(crease.surfaces,
-                             [](const Crease::Surface& surface) { return surface.wall >= 0; });
+bool is_of_walls(const ShadowEdge& edge) {
+  return std::ranges::any_of(edge.surfaces,
+                             [](const ShadowEdge::Surface& surface) { return surface.wall >= 0; });
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, c
       bands_(lights.paths().bands()),
       irradiance_(lights),
       behind_(faces_behind(problem_.mesh())) {
-  std::ranges::copy_if(lights.creases(), std::back_inserter(edges_), is_of_walls);
+  std::ranges::copy_if(lights.shadow_edges(), std::back_inserter(edges_), is_of_walls);
   const TetrahedralMesh& mesh = problem_.mesh();
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     brought_.half_range.push_back(directions.half_range(mesh.area_normal(FaceIndex(f)).normalized()));
@@ -130,12 +130,12 @@ void WallLight::find_beams(const LightSource& source, const PointInCell& point, 
   if (source.as_wide() == nullptr) return look(Sight::attenuated, wall_light_detail, beams);
   if (shadow_rays > few_rays && is_flat(source, most_cut)) {
     LightDetail cut = cut_detail;
-    cut.creases = &edges_;
+    cut.shadow_edges = &edges_;
     look(Sight::clear, cut, clear);
     look(Sight::attenuated, cut, beams);
     if (!are_unlike(clear, beams)) return;
     cut = penumbra_detail;
-    cut.creases = &edges_;
+    cut.shadow_edges = &edges_;
     look(Sight::clear, cut, clear);
     return look(Sight::attenuated, cut, beams);
   }

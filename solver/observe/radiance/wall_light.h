@@ -90,7 +90,7 @@ class WallLight {
   const Problem& problem_;
   std::size_t bands_;
   LightIrradiance irradiance_;
-  std::vector<Crease> edges_;         ///< of walls
+  std::vector<ShadowEdge> edges_;     ///< of walls
   std::vector<std::int32_t> behind_;  ///< [boundary face] other side of a sheet, -1: none
   WallIrradiance brought_;
 };

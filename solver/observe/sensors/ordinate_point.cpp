@@ -5,7 +5,7 @@
 
 namespace etendue {
 
-OrdinatesAtPoint ordinates_at_point(const TetrahedralMesh& mesh, const SweptLight& swept,
+OrdinatesAtPoint ordinates_at_point(const TetrahedralMesh& mesh, const DirectionSetSolution& swept,
                                     std::span<const CellPoint> cells, const Vec3& normal) {
   const std::size_t bands = swept.solution.fluence.size() / 4 / static_cast<std::size_t>(mesh.cell_count());
   OrdinatesAtPoint found{std::vector<double>(bands, 0), std::vector<double>(bands, 0)};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesh/tetrahedra/search/cell_locator.h"
-#include "solver/solution/swept_light.h"
+#include "solver/solution/direction_set_solution.h"
 
 namespace etendue {
 
@@ -21,7 +21,7 @@ struct OrdinatesAtPoint {
 ///
 /// from their radiance, which the solution must have kept; where the point lies in several cells the mean
 /// over them, weighted by volume. Rays of the directions are in them.
-OrdinatesAtPoint ordinates_at_point(const TetrahedralMesh& mesh, const SweptLight& swept,
+OrdinatesAtPoint ordinates_at_point(const TetrahedralMesh& mesh, const DirectionSetSolution& swept,
                                     std::span<const CellPoint> cells, const Vec3& normal);
 
 }  // namespace etendue

@@ -104,7 +104,7 @@ class Radiance {
   std::vector<Surface> surfaces_;
 };
 
-/// What is looked at together.
+/// Groups that are evaluated together.
 struct Ordinate {
   OrdinateIndex number;
   Vec3 travel;
@@ -137,7 +137,7 @@ double mean_of(std::span<const double> values, std::size_t band, std::size_t ban
 class Bookkeeping {
  public:
   /// `sources` tells extinction, and what is scattered where everything feeds the light.
-  Bookkeeping(const Problem& problem, const CollidedSource& sources, const SweptLight& swept,
+  Bookkeeping(const Problem& problem, const CollidedSource& sources, const DirectionSetSolution& swept,
               const AccountScope& scope, FedBy fed)
       : problem_(problem),
         sources_(sources),
@@ -201,7 +201,7 @@ class Bookkeeping {
 
   const Problem& problem_;
   const CollidedSource& sources_;
-  const SweptLight& swept_;
+  const DirectionSetSolution& swept_;
   const AccountScope& scope_;
   FedBy fed_;
   Radiance radiance_;
@@ -246,14 +246,14 @@ AccountScope region_scope(const TetrahedralMesh& mesh, int region, const std::op
   return {region, surface_of(mesh, region), cone};
 }
 
-RegionAccount region_account(const LightSetup& lights, const SolveOptions& options, const SweptLight& swept,
-                             const AccountScope& scope) {
+RegionAccount region_account(const LightSetup& lights, const SolveOptions& options,
+                             const DirectionSetSolution& swept, const AccountScope& scope) {
   const Problem problem = lights.remaining();
   const CollidedSource sources(lights, swept.directions, options, swept.solution.state);
   RegionAccount account = Bookkeeping(problem, sources, swept, scope, FedBy::everything).account();
-  if (swept.once == nullptr) return account;
+  if (swept.first_collided == nullptr) return account;
   const double solid_angle = account.solid_angle;
-  account.add(Bookkeeping(problem, sources, *swept.once, scope, FedBy::input).account(), 1);
+  account.add(Bookkeeping(problem, sources, *swept.first_collided, scope, FedBy::input).account(), 1);
   account.solid_angle = solid_angle;
   return account;
 }

@@ -6,8 +6,8 @@
 
 #include "base/quadrature/cone_cubature.h"
 #include "solver/observe/sensors/region_surface.h"
+#include "solver/solution/direction_set_solution.h"
 #include "solver/solution/solve_options.h"
-#include "solver/solution/swept_light.h"
 #include "solver/uncollided/lights/light_setup.h"
 
 namespace etendue {
@@ -53,7 +53,7 @@ AccountScope region_scope(const TetrahedralMesh& mesh, int region, const std::op
 /// the iteration has converged. Light of lights that scatters for the first time, or is reflected diffusely,
 /// comes with the input: it is scattered in, or flows in. Light that has collided once on a set of its own is
 /// added; the solid angle is that of the rest.
-RegionAccount region_account(const LightSetup& lights, const SolveOptions& options, const SweptLight& swept,
-                             const AccountScope& scope);
+RegionAccount region_account(const LightSetup& lights, const SolveOptions& options,
+                             const DirectionSetSolution& swept, const AccountScope& scope);
 
 }  // namespace etendue

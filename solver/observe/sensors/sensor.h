@@ -54,7 +54,7 @@ struct Sensor {
 Vec3 grid_point(const Sensor& sensor, int i, int j);
 
 /// Unit normal of a polygon, from which its corners stand counterclockwise; the length is lost where they
-/// stand in a line.
+/// are in a line.
 Vec3 polygon_normal(const std::vector<Vec3>& polygon);
 
 }  // namespace etendue

@@ -25,7 +25,7 @@ class SensorReader {
       : scene_(scene), lights_(lights), direct_(lights), on_wall_(on_wall_within(scene.problem().mesh())) {}
 
   /// `locate` finds a cell that holds a point; where there is none, a grid has no numbers (NaN) and nothing
-  /// flows through a polygon. Other sensors must stand in a cell. A polygon is cut into triangles about its
+  /// flows through a polygon. Other sensors must be in a cell. A polygon is cut into triangles about its
   /// first corner, each of them into count^2 equal ones with three points of degree 2: the sum converges at
   /// least at order 2 in 1/count; so are the faces of a wall. The same bits for any number of threads.
   using Locate = std::function<std::optional<PointInCell>(const Vec3&)>;

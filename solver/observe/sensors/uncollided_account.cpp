@@ -74,7 +74,7 @@ std::vector<double> share_of(const LightSetup& lights, CellIndex cell, const Con
   return share;
 }
 
-/// [band] what the light in a cell meets on its way in the mean, of what travels within the cone.
+/// [band] what the light in a cell meets on its mean path, of what travels within the cone.
 std::vector<PathCoefficients> coefficients_of(const LightSetup& lights, CellIndex cell,
                                               const std::optional<Cone>& cone) {
   const RayMatter& matter = lights.paths().matter();

@@ -38,7 +38,7 @@ struct Photon {
     depth = events.depth[0];
   }
 
-  /// Turns if it scatters, and has the way to the next collision then. There are no branches on that: which
+  /// Turns if it scatters, and has the path to the next collision then. There are no branches on that: which
   /// steps end in a collision cannot be foreseen, and a wrong guess costs as much as the step.
   ETENDUE_PHOTON_MEMBER void turn(const PhotonSceneView& scene, std::int32_t here, bool scatters,
                                   double rest) {
@@ -74,7 +74,7 @@ struct Photon {
   }
 };
 
-/// The way through a cell.
+/// Path through a cell.
 struct Passage {
   Four coordinate;  ///< barycentric, where it begins
   Four rate;        ///< their change for each length
@@ -83,20 +83,20 @@ struct Passage {
 };
 
 ETENDUE_PHOTON_INLINE Passage passage_of(const PhotonCell& cell, const Photon& photon) {
-  Passage way;
+  Passage passage;
   const Four gx = load(cell.gx), gy = load(cell.gy), gz = load(cell.gz);
-  way.rate = gx * photon.w[0] + gy * photon.w[1] + gz * photon.w[2];
-  way.coordinate = gx * photon.x[0] + gy * photon.x[1] + gz * photon.x[2] + load(cell.offset);
-  Four distance = -way.coordinate / way.rate;
+  passage.rate = gx * photon.w[0] + gy * photon.w[1] + gz * photon.w[2];
+  passage.coordinate = gx * photon.x[0] + gy * photon.x[1] + gz * photon.x[2] + load(cell.offset);
+  Four distance = -passage.coordinate / passage.rate;
   const Four never = {endless, endless, endless, endless};
-  distance = way.rate < 0 ? distance : never;
+  distance = passage.rate < 0 ? distance : never;
   // The face that it came in by is behind it, whatever rounding says.
   using Places = long long __attribute__((vector_size(32)));
   const Places place = {0, 1, 2, 3};
   distance = place == static_cast<long long>(photon.entered) ? never : distance;
-  way.exit = place_of_least(distance, way.length);
-  way.length = way.length > 0 ? way.length : 0;
-  return way;
+  passage.exit = place_of_least(distance, passage.length);
+  passage.length = passage.length > 0 ? passage.length : 0;
+  return passage;
 }
 
 /// Mean of exp(-x t) over 0 < t < 1, and the mean of t exp(-x t).

@@ -35,16 +35,16 @@ ETENDUE_PHOTON_INLINE Meeting meet(const PhotonFace& wall, const double (&w)[3])
 /// its direction weighed by what the sample is off it.
 template <class Score>
 ETENDUE_PHOTON_INLINE bool arrive(const PhotonSceneView& scene, Photon& photon, std::int32_t face,
-                                  const Passage& way, Score& score) {
+                                  const Passage& passage, Score& score) {
   const PhotonFace& wall = scene.faces[face];
   const Meeting meeting = meet(wall, photon.w);
-  score.arrive(photon, face, wall, way.coordinate + way.rate * way.length, meeting);
+  score.arrive(photon, face, wall, passage.coordinate + passage.rate * passage.length, meeting);
   const double back = wall.diffuse + meeting.glossy, kept = back + wall.transmittance + meeting.mirrored;
   if (kept <= 0) return false;
   photon.weight *= kept;
   std::uint32_t word[4];
   photon.random.next(word);
-  photon.entered = way.exit;
+  photon.entered = passage.exit;
   const double lot = uniform(word[0]) * kept;
   if (lot < wall.diffuse || lot >= back + wall.transmittance) {
     reflect(scene, wall, lot < wall.diffuse, word, photon.w);
@@ -88,31 +88,32 @@ template <Turning turning, class Score>
 ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, Photon& photon, Score& score,
                                 PhotonCounts& counts) {
   const PhotonCell& cell = scene.cells[photon.cell];
-  Passage way = passage_of(cell, photon);
-  if (way.length == endless) {
+  Passage passage = passage_of(cell, photon);
+  if (passage.length == endless) {
     ++counts.lost;
     return false;
   }
   const Matter matter = matter_of<turning>(scene, cell, photon);
   const double flight = photon.depth * matter.free_path;
-  const bool scatters = flight <= way.length;
-  way.length = flight < way.length ? flight : way.length;
-  const Attenuated part = attenuated(matter.absorption * way.length);
-  const double weighted = photon.weight * way.length;
+  const bool scatters = flight <= passage.length;
+  passage.length = flight < passage.length ? flight : passage.length;
+  const Attenuated part = attenuated(matter.absorption * passage.length);
+  const double weighted = photon.weight * passage.length;
   const double integral = weighted * part.mean;
-  const Four moments = way.coordinate * integral + way.rate * (weighted * way.length * part.first);
+  const Four moments =
+      passage.coordinate * integral + passage.rate * (weighted * passage.length * part.first);
   score.pass(photon, cell, moments, integral);
   if constexpr (turning == Turning::by_direction)
     if (const FormulaEmitter* emitter = scene.deflections[cell.deflection].emitter)
       score.pass_emitter(*emitter, photon, moments);
   photon.weight -= matter.absorption * integral;
   if constexpr (turning == Turning::by_direction) score.absorb(photon.cell, matter.absorption * integral);
-  for (int axis = 0; axis < 3; ++axis) photon.x[axis] += way.length * photon.w[axis];
+  for (int axis = 0; axis < 3; ++axis) photon.x[axis] += passage.length * photon.w[axis];
   ++photon.steps;
-  photon.standing = way.length > 0 ? 0 : photon.standing + 1;
-  const std::int32_t across = cell.across[way.exit];
+  photon.standing = passage.length > 0 ? 0 : photon.standing + 1;
+  const std::int32_t across = cell.across[passage.exit];
   if (matter.scattering > 0) {
-    const double rest = photon.depth - way.length * matter.scattering;
+    const double rest = photon.depth - passage.length * matter.scattering;
     score.collide(photon, scatters);
     if (turning == Turning::by_direction && matter.turns != nullptr)
       photon.turn_by_direction(*matter.turns, scatters, rest > 0 ? rest : 0);
@@ -121,7 +122,7 @@ ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, P
     counts.collisions += scatters;
   }
   if (!scatters & (across < 0)) {
-    if (!arrive(scene, photon, -1 - across, way, score)) return false;
+    if (!arrive(scene, photon, -1 - across, passage, score)) return false;
   } else {
     photon.cell = scatters ? photon.cell : across >> 2;
     photon.entered = scatters ? -1 : across & 3;
@@ -184,8 +185,8 @@ PhotonCounts follow_all(const PhotonSceneView& scene, const HistoryRange& range,
   return walk_in_turn(scene, range, RandomUse::flight, [&](std::uint64_t) -> Forward& { return score; });
 }
 
-PhotonCounts record_all(const PhotonSceneView& scene, const HistoryRange& range, HitRooms& rooms) {
-  Recording score{rooms};
+PhotonCounts record_all(const PhotonSceneView& scene, const HistoryRange& range, HitBuffers& buffers) {
+  Recording score{buffers};
   return walk_in_turn(scene, range, RandomUse::flight, [&](std::uint64_t) -> Recording& { return score; });
 }
 

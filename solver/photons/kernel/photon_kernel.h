@@ -23,10 +23,10 @@ struct PhotonKernels {
   const char* name;
   /// From the light on: what the photons leave is added to the tally.
   PhotonCounts (*follow)(const PhotonSceneView& scene, const HistoryRange& range, const PhotonTally& tally);
-  /// From the light on: hits are put into the rooms.
-  PhotonCounts (*record)(const PhotonSceneView& scene, const HistoryRange& range, HitRooms& rooms);
-  /// Against the light: starts travel the way that light came. score[i] becomes the radiance that history i
-  /// collects from media and walls, times its weight.
+  /// Traces histories from the lights and writes their hits into the buffers.
+  PhotonCounts (*record)(const PhotonSceneView& scene, const HistoryRange& range, HitBuffers& buffers);
+  /// Against the light: starts travel the path of the light in reverse. score[i] becomes the radiance that
+  /// history i collects from media and walls, times its weight.
   PhotonCounts (*collect)(const PhotonSceneView& scene, const HistoryRange& range, double* score);
 };
 

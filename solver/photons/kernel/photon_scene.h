@@ -22,7 +22,7 @@ double part_mirrored(double cos_in, double refractive_index);
 /// cos / density; 0 where the light does not leave the wall.
 double reflect_glossily(const Reflectance& glossy, const double (&n)[3], double u, double v, double (&w)[3]);
 
-/// What matter that depends on the direction does to light that travels along `sense` × w, a unit vector
+/// What a medium that depends on the direction does to light that travels along `sense` × w, a unit vector
 /// [1/length].
 struct DirectedCoefficients {
   double absorption, scattering;
@@ -34,7 +34,7 @@ void scatter_by_direction(const DirectionalMedium& medium, std::int32_t cell, Ra
                           double (&w)[3]);
 
 /// The emission of a cell by a formula in the direction -w, times the moments of its barycentric coordinates
-/// on the way of a history that goes back along the light; and the radiance of a wall's face, where the
+/// on the path of a history that goes back along the light; and the radiance of a wall's face, where the
 /// shares of its corners are those of a point.
 double emission_along(const FormulaEmitter& emitter, std::int32_t cell, const double (&w)[3],
                       const double (&moments)[4]);
@@ -109,7 +109,7 @@ struct PhotonStart {
 struct PhotonTally {
   double* cells;
   double* faces;
-  double* absorbed;  ///< [cell] [power], where matter depends on the direction
+  double* absorbed;  ///< [cell] [power], where a medium depends on the direction
 };
 
 /// A photon where it met a wall, or where it scattered, as it came there.
@@ -120,15 +120,15 @@ struct PhotonHit {
   std::int32_t place;  ///< boundary face or cell
 };
 
-/// Where hits are kept; those that find no room are counted too.
-struct HitRoom {
+/// Buffer for the hits of a walk. `count` includes the hits beyond the capacity.
+struct HitBuffer {
   PhotonHit* hits = nullptr;
-  std::size_t room = 0;
+  std::size_t capacity = 0;
   std::size_t count = 0;
 };
-struct HitRooms {
-  HitRoom walls;   ///< those walls that reflect otherwise than as mirrors, or transmit
-  HitRoom matter;  ///< where light is scattered
+struct HitBuffers {
+  HitBuffer walls;   ///< those walls that reflect otherwise than as mirrors, or transmit
+  HitBuffer matter;  ///< where light is scattered
 };
 
 struct PhotonCounts {

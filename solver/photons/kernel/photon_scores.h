@@ -8,7 +8,7 @@
 
 namespace etendue {
 
-// What histories leave on their way: each score is told of cells, collisions and walls.
+// Scores of histories along their paths: each score is told of cells, collisions and walls.
 
 ETENDUE_PHOTON_INLINE void add(double* to, const Four& value) {
   const Four sum = load(to) + value;
@@ -62,7 +62,7 @@ struct Forward {
 
 /// Hits, for a photon map.
 struct Recording {
-  HitRooms& rooms;
+  HitBuffers& buffers;
 
   ETENDUE_PHOTON_MEMBER void expect(const PhotonSceneView& scene, std::int32_t cell) {
     fetch(scene.cells + cell, sizeof(PhotonCell));
@@ -71,15 +71,15 @@ struct Recording {
   ETENDUE_PHOTON_MEMBER void pass_emitter(const FormulaEmitter&, const Photon&, const Four&) {}
   ETENDUE_PHOTON_MEMBER void absorb(std::int32_t, double) {}
   ETENDUE_PHOTON_MEMBER void collide(const Photon& photon, bool scatters) {
-    if (scatters) keep(photon, photon.cell, rooms.matter);
+    if (scatters) keep(photon, photon.cell, buffers.matter);
   }
   ETENDUE_PHOTON_MEMBER void arrive(const Photon& photon, std::int32_t face, const PhotonFace& wall,
                                     const Four&, const Meeting& meeting) {
-    if (wall.diffuse + wall.transmittance + meeting.glossy > 0) keep(photon, face, rooms.walls);
+    if (wall.diffuse + wall.transmittance + meeting.glossy > 0) keep(photon, face, buffers.walls);
   }
-  ETENDUE_PHOTON_MEMBER static void keep(const Photon& photon, std::int32_t place, HitRoom& room) {
-    if (room.count++ >= room.room) return;
-    PhotonHit& hit = room.hits[room.count - 1];
+  ETENDUE_PHOTON_MEMBER static void keep(const Photon& photon, std::int32_t place, HitBuffer& buffer) {
+    if (buffer.count++ >= buffer.capacity) return;
+    PhotonHit& hit = buffer.hits[buffer.count - 1];
     for (int axis = 0; axis < 3; ++axis) {
       hit.position[axis] = photon.x[axis];
       hit.direction[axis] = static_cast<float>(photon.w[axis]);

@@ -69,8 +69,8 @@ ETENDUE_PHOTON_INLINE Four henyey_greenstein(const Deflection& how, const Four& 
 
 constexpr int events_at_a_time = 8;
 
-/// What some scatterings need of chance, drawn together: the processor computes it beside the way through the
-/// next cells, which does not wait for it.
+/// What some scatterings need of chance, drawn together: the processor computes it beside the path through
+/// the next cells, which does not wait for it.
 struct EventBlock {
   alignas(32) double depth[events_at_a_time];        ///< scattering optical depth to the next
   alignas(32) double cosine_draw[events_at_a_time];  ///< uniform number for the cosine of deflection

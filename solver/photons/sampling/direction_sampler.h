@@ -9,8 +9,8 @@
 
 namespace etendue {
 
-/// Draws where light goes that is scattered by matter which depends on the directions themselves: a direction
-/// v as likely as k(w -> v) dv is. May be used by several threads at a time.
+/// Draws where light goes that is scattered by a medium which depends on the directions themselves: a
+/// direction v as likely as k(w -> v) dv is. May be used by several threads at a time.
 class DirectionSampler {
  public:
   virtual ~DirectionSampler() = default;

@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 // Rings are even in t, where 1 - cosine = 2 t^2.
 constexpr std::size_t rings = 240;
-// In each ring so many angles and azimuths are looked at: at one place, or at each of many.
+// In each ring so many angles and azimuths are sampled: at one place, or at each of many.
 struct Looks {
   int angles, azimuths;
 };

@@ -63,15 +63,16 @@ PhotonBatches::Hits PhotonBatches::hits(int number, std::uint64_t first, std::si
                       old_matter = hits.matter.size();
     hits.walls.resize(old_walls + walls);
     hits.matter.resize(old_matter + matter);
-    HitRooms rooms{{hits.walls.data() + old_walls, walls, 0}, {hits.matter.data() + old_matter, matter, 0}};
+    HitBuffers buffers{{hits.walls.data() + old_walls, walls, 0},
+                       {hits.matter.data() + old_matter, matter, 0}};
     const std::vector<PhotonStart> starts = band.sources.starts(seed_, {first, count}, done, now);
-    kernels_.record(band.mesh.view(), {starts, first + done, seed_, roulette_of_hits}, rooms);
-    const bool fits = rooms.walls.count <= walls && rooms.matter.count <= matter;
-    hits.walls.resize(old_walls + (fits ? rooms.walls.count : 0));
-    hits.matter.resize(old_matter + (fits ? rooms.matter.count : 0));
-    walls = std::max(walls, rooms.walls.count);
-    matter = std::max(matter, rooms.matter.count);
-    // Else they are walked again, with room enough.
+    kernels_.record(band.mesh.view(), {starts, first + done, seed_, roulette_of_hits}, buffers);
+    const bool fits = buffers.walls.count <= walls && buffers.matter.count <= matter;
+    hits.walls.resize(old_walls + (fits ? buffers.walls.count : 0));
+    hits.matter.resize(old_matter + (fits ? buffers.matter.count : 0));
+    walls = std::max(walls, buffers.walls.count);
+    matter = std::max(matter, buffers.matter.count);
+    // Else the histories are walked again, with buffers that are large enough.
     if (fits) done += now;
   }
   return hits;

@@ -135,15 +135,15 @@ void PhotonMesh::add_deflections(const Problem& problem, const DirectionalInput&
   }
 }
 
-double PhotonMesh::way_through(CellIndex index, const Vec3& x, const Vec3& w) const {
+double PhotonMesh::distance_through(CellIndex index, const Vec3& x, const Vec3& w) const {
   const PhotonCell& cell = cells_[index.at()];
-  double way = HUGE_VAL;
+  double path_length = HUGE_VAL;
   for (int i = 0; i < 4; ++i) {
     const double rate = cell.gx[i] * w.x() + cell.gy[i] * w.y() + cell.gz[i] * w.z();
     const double at = cell.gx[i] * x.x() + cell.gy[i] * x.y() + cell.gz[i] * x.z() + cell.offset[i];
-    if (rate < 0) way = std::min(way, -at / rate);
+    if (rate < 0) path_length = std::min(path_length, -at / rate);
   }
-  return way;
+  return path_length;
 }
 
 void refuse_for_photons(const Problem& problem) {

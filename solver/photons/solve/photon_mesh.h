@@ -41,7 +41,7 @@ class PhotonMesh {
     return deflections_[static_cast<std::size_t>(region)].emitter;
   }
   /// How far a ray goes in a cell; below zero where it starts outside.
-  double way_through(CellIndex cell, const Vec3& point, const Vec3& direction) const;
+  double distance_through(CellIndex cell, const Vec3& point, const Vec3& direction) const;
 
  private:
   void add_cells(const Problem& problem, int band);

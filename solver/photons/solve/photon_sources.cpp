@@ -203,9 +203,9 @@ Vec3 PhotonSources::lambert(const Vec3& normal, const Vec3& tangent, DrawnNumber
 void PhotonSources::start_inside(const Vec3& point, const Vec3& direction, PhotonStart& start) const {
   double longest = -HUGE_VAL;
   for (const CellPoint& place : locator_.find(point)) {
-    const double way = mesh_.way_through(place.cell, point, direction);
-    if (way <= longest) continue;
-    longest = way;
+    const double path_length = mesh_.distance_through(place.cell, point, direction);
+    if (path_length <= longest) continue;
+    longest = path_length;
     start.cell = place.cell.value();
   }
 }

@@ -33,7 +33,7 @@ class TallySums {
   std::vector<double> absorbed_;  ///< [cell]
 };
 
-/// A solution with zeros in its fields; what is absorbed is one where matter depends on the direction.
+/// A solution with zeros in its fields; what is absorbed is one where a medium depends on the direction.
 Solution empty_fields(const Problem& problem);
 
 /// What a solution by photons has beside its fields, so that all measures can be taken of it: half ranges,

@@ -18,7 +18,7 @@ namespace etendue {
 namespace {
 
 constexpr int batches = 32;
-// Relative to the weight at the start. Nothing is tallied on the way, so few light photons are followed.
+// Relative to the weight at the start. Nothing is tallied on the path, so few light photons are followed.
 constexpr double roulette = 1e-3;
 
 /// Directions that fill the sphere evenly, shifted by two random numbers: a lattice of two irrational steps
@@ -78,15 +78,16 @@ class Walk {
     return sums;
   }
 
-  /// In the cell, of those that hold the point, through which the way is longest.
+  /// In the cell, of those that hold the point, through which the path is longest.
   PhotonStart start_towards(const Vec3& direction) const {
     PhotonStart start{{}, {}, 1, 0, -1};
     std::copy(probe_.point.begin(), probe_.point.end(), start.position);
     std::copy(direction.begin(), direction.end(), start.direction);
     double longest = -HUGE_VAL;
     for (const CellPoint& place : cells_)
-      if (const double way = mesh_.way_through(place.cell, probe_.point, direction); way > longest) {
-        longest = way;
+      if (const double path_length = mesh_.distance_through(place.cell, probe_.point, direction);
+          path_length > longest) {
+        longest = path_length;
         start.cell = place.cell.value();
       }
     return start;

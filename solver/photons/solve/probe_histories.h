@@ -12,7 +12,7 @@
 
 namespace etendue {
 
-/// A point at which light is looked at, and the side of a surface that it may fall on (w.n < 0).
+/// A point at which light is evaluated, and the side of a surface that it may fall on (w.n < 0).
 struct PhotonProbe {
   Vec3 point;
   std::optional<Vec3> normal;  ///< unit

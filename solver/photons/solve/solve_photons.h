@@ -21,7 +21,7 @@ struct PhotonSums {
   BatchStatistics irradiance;   ///< [boundary face][3][band]
   BatchStatistics face_means;   ///< [boundary face][band] of the irradiance
   BatchStatistics derived;      ///< what the observer of batches made of them
-  BatchStatistics absorbed;     ///< [cell][band] where matter depends on the direction; else empty
+  BatchStatistics absorbed;     ///< [cell][band] where a medium depends on the direction; else empty
   BatchStatistics exitance;     ///< [boundary face][3][band] where walls reflect by the angle; else empty
   std::uint64_t histories = 0;  ///< per band; also the number of the next
 
@@ -72,7 +72,7 @@ struct PhotonSolution {
 std::size_t estimate_photon_memory(const Problem& problem, int threads);
 
 /// Solves by Monte Carlo: histories of photons through the cells, with the light that they lose to absorption
-/// taken out along the way, and track lengths as estimators of the fluence and net flux in each cell.
+/// taken out along the path, and track lengths as estimators of the fluence and net flux in each cell.
 /// Throws InputError where photons do not know what the problem asks.
 PhotonSolution solve_photons(const Problem& problem, const CellLocator& locator, const PhotonOptions& options,
                              const PhotonObserver& observer = {}, const BatchReader& reader = {});

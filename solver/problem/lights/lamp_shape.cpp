@@ -17,7 +17,7 @@ using std::numbers::pi;
 constexpr double sharp_bend = 0.3;
 constexpr std::size_t most_edges = 4;
 
-/// A place between two of the values given: index of the second, and the part of the way to it.
+/// A place between two of the values given: index of the second, and the fraction of the distance to it.
 struct Between {
   std::size_t next = 0;
   double part = 0;

@@ -192,11 +192,11 @@ std::vector<double> ExchangeLinks::found_times(std::span<const double> x, std::s
       }
       for (const std::int32_t child : {nodes[n].children, nodes[n].children + 1}) {
         const auto c = static_cast<std::size_t>(child);
-        const Vec3 way = nodes[c].center - nodes[n].center;
+        const Vec3 separation = nodes[c].center - nodes[n].center;
         const Four& part = sent[c * bands + b];
         whole[0] += part[0];
         for (std::size_t i = 0; i < 3; ++i)
-          whole[i + 1] += part[i + 1] + way[static_cast<Eigen::Index>(i)] * part[0];
+          whole[i + 1] += part[i + 1] + separation[static_cast<Eigen::Index>(i)] * part[0];
       }
     }
 #pragma omp parallel for schedule(dynamic, 64) num_threads(threads())
@@ -227,11 +227,11 @@ std::vector<double> ExchangeLinks::found_times(std::span<const double> x, std::s
       }
       for (const std::int32_t child : {nodes[n].children, nodes[n].children + 1}) {
         const auto c = static_cast<std::size_t>(child);
-        const Vec3 way = nodes[c].center - nodes[n].center;
+        const Vec3 separation = nodes[c].center - nodes[n].center;
         Four& part = incident[c * bands + b];
         part[0] += whole[0];
         for (std::size_t i = 0; i < 3; ++i) {
-          part[0] += way[static_cast<Eigen::Index>(i)] * whole[i + 1];
+          part[0] += separation[static_cast<Eigen::Index>(i)] * whole[i + 1];
           part[i + 1] += whole[i + 1];
         }
       }

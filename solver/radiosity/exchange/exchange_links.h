@@ -23,8 +23,8 @@ struct LinkRule {
 /// the other by one kernel, G_jk = k(x_j, x_k) A_j A_k (Hanrahan, Salzman, Aupperle 1991; there it is
 /// constant, here linear in both places, node_kernel(), and the tree is joined upwards from patches, so that
 /// it serves many small faces too). A link is split where the kernel is too far from that between the samples
-/// of both nodes, times what the node sends (their BF refinement), or where something stands in a part of the
-/// way; between single patches it is the exchange area. Both directions are one link: the matrix that it
+/// of both nodes, times what the node sends (their BF refinement), or where something blocks a part of the
+/// paths; between single patches it is the exchange area. Both directions are one link: the matrix that it
 /// stands for is symmetric. Links and time are about in proportion to patches.
 class ExchangeLinks : public Exchange {
  public:
@@ -43,7 +43,7 @@ class ExchangeLinks : public Exchange {
   static std::size_t bytes_of(std::size_t links);
 
  private:
-  /// A link, or a pair of nodes that is to be looked at.
+  /// A link, or a pair of nodes that is to be examined.
   struct Link {
     std::int32_t a, b;
     float mean = 0;  ///< [1/length^2]

@@ -12,24 +12,24 @@ namespace {
 
 // Largest |normal - mean normal| of a node that looks to one side: some 30 degrees.
 constexpr double one_side = 0.5;
-// Height above a plane, relative to the way to it, that is rounding.
+// Height above a plane, relative to the distance to it, that is rounding.
 constexpr double in_plane = 1e-12;
 
 /// Whether all of b is behind all patches of a.
 bool is_behind(const PatchNode& a, const PatchNode& b) {
-  const Vec3 way = b.center - a.center;
+  const Vec3 separation = b.center - a.center;
   const double cosine = a.axis.dot(b.axis), across = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-  const double reach = way.norm() + a.radius + b.radius;
+  const double reach = separation.norm() + a.radius + b.radius;
   // Of b above its centre along the axis of a: it lies in a ball and between two planes across its own axis.
   const double rise = std::min(b.radius, across * b.radius + std::abs(cosine) * b.thickness);
-  return a.axis.dot(way) + a.thickness + rise + a.spread * reach <= in_plane * reach;
+  return a.axis.dot(separation) + a.thickness + rise + a.spread * reach <= in_plane * reach;
 }
 
 double kernel_between(const SurfaceSample& p, const SurfaceSample& q) {
-  const Vec3 way = q.position - p.position;
-  const double r2 = way.squaredNorm();
-  const double leaving = std::max(0.0, p.area_normal.dot(way)),
-               arriving = std::max(0.0, -q.area_normal.dot(way));
+  const Vec3 separation = q.position - p.position;
+  const double r2 = separation.squaredNorm();
+  const double leaving = std::max(0.0, p.area_normal.dot(separation)),
+               arriving = std::max(0.0, -q.area_normal.dot(separation));
   return leaving * arriving / (std::numbers::pi * r2 * r2 * p.area * q.area);
 }
 

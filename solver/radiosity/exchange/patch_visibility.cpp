@@ -16,10 +16,11 @@ constexpr int rays_of_shadows = 8;
 // Distance behind a plane, relative to the size of a patch and its distance, that is rounding.
 constexpr double behind = 1e-9;
 
-/// Whether nothing of a node, or of what is left of it, lies behind a plane.
+/// Whether nothing of a node, or of the remaining part of it, lies behind a plane.
 bool all_before(const PatchTree& tree, const PatchNode& node, const FlatPatch& plane) {
-  const Vec3 way = node.center - plane.centroid();
-  const double height = plane.normal().dot(way), close = behind * (way.norm() + node.radius + plane.radius());
+  const Vec3 separation = node.center - plane.centroid();
+  const double height = plane.normal().dot(separation),
+               close = behind * (separation.norm() + node.radius + plane.radius());
   if (height > node.radius - close) return true;
   if (!node.is_patch()) {
     const auto child = static_cast<std::size_t>(node.children);
@@ -60,9 +61,9 @@ Seen look(const RayScene& scene, int rays, const Draw& draw) {
   const auto send = [&](int count) {
     for (int i = 0; i < count; ++i) {
       const auto [from, to] = draw();
-      const Vec3 way = to.position - from.position;
-      const double r2 = way.squaredNorm();
-      const double leaving = from.normal.dot(way), arriving = -to.normal.dot(way);
+      const Vec3 separation = to.position - from.position;
+      const double r2 = separation.squaredNorm();
+      const double leaving = from.normal.dot(separation), arriving = -to.normal.dot(separation);
       if (!(leaving > 0 && arriving > 0)) continue;
       const double carried = leaving * arriving / (r2 * r2);
       ++seen.sent;
@@ -120,8 +121,8 @@ double PatchVisibility::share_from(const Vec3& point, std::size_t patch, int ray
   double open = 0, all = 0;
   for (int i = 0; i < rays; ++i) {
     const std::array<double, 4>& at = points.next();
-    const Vec3 to = seen.point_at(at[0], at[1]), way = to - point;
-    const double carried = -seen.normal().dot(way) / (way.squaredNorm() * way.norm());
+    const Vec3 to = seen.point_at(at[0], at[1]), separation = to - point;
+    const double carried = -seen.normal().dot(separation) / (separation.squaredNorm() * separation.norm());
     if (!(carried > 0)) continue;
     all += carried;
     if (!scene_->is_blocked(point, to)) open += carried;

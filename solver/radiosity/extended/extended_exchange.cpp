@@ -52,7 +52,7 @@ ExtendedExchange::ExtendedExchange(const Exchange& straight, const Problem& prob
   }
 }
 
-// Of straight ways the rays say at which angles they meet, and G_0 how much is exchanged. Their mean lies
+// Of straight paths the rays say at which angles they meet, and G_0 how much is exchanged. Their mean lies
 // between the most and the least that a wall redirects, so no more is redirected than arrives.
 void ExtendedExchange::weigh_straight_change() {
   straight_change_ = straight_share_;

@@ -17,15 +17,15 @@ struct ExtendedClosing {
   int passes = 0;
 };
 
-/// The exchange areas of patches for diffuse light, straight and by way of mirrors and glossy walls (extended
+/// The exchange areas of patches for diffuse light, straight and via mirrors and glossy walls (extended
 /// form factors, Sillion and Puech 1989): a symmetric matrix for each band,
 ///
 ///     G = D (G_0 + G_1) D,                                                                             (1)
 ///
 /// G_0 between patches that see each other, and G_1 of rays that leave each patch evenly over its area and
-/// as the cosine, and are followed over walls that redirect them. As both ways are looked at, G_1 is the mean
-/// of what the rays of either patch find. Of what arrives at a patch, A_j H_j = sum over k of G_jk B_k, the
-/// wall redirects the part
+/// as the cosine, and are followed over walls that redirect them. As both directions are sampled, G_1 is the
+/// mean of what the rays of either patch find. Of what arrives at a patch, A_j H_j = sum over k of G_jk B_k,
+/// the wall redirects the part
 ///
 ///     sum over k of (a_j G_jk + C_jk) B_k,                                                             (2)
 ///

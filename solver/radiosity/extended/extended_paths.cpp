@@ -11,7 +11,7 @@
 namespace etendue {
 namespace {
 
-// A path with less weight than this goes on by lot.
+// A path with less weight than this survives by Russian roulette.
 constexpr double light_path = 0.05;
 // Lobes of one model and the same shape are wide by the same, but for what a Fresnel factor changes.
 constexpr double same_width = 0.1;
@@ -87,7 +87,7 @@ bool ExtendedPaths::turn_on(std::size_t patch, PathNumbers& numbers, Vec3& towar
   if (left <= 0) return false;
   const auto [lot, u, v] = numbers.next();
   const double by_mirror = mirrored / whole;
-  // One number serves for both choices: what is left of it is uniform again.
+  // One number serves for both choices: its remainder is uniform again.
   const double stays = left < light_path ? left / light_path : 1;
   if (lot >= stays) return false;
   const double choice = lot / stays;

@@ -40,13 +40,13 @@ class PathNumbers {
 };
 
 /// Follows rays from wall to wall over mirrors and glossy walls, up to where all that is left is diffuse: the
-/// ways of extended form factors (Sillion and Puech 1989).
+/// paths of extended form factors (Sillion and Puech 1989).
 class ExtendedPaths {
  public:
   /// The arguments must outlive it.
   ExtendedPaths(const Problem& problem, const WallPatches& patches, Redirection by, int threads);
 
-  /// A patch on the way.
+  /// A patch on the path.
   struct Meeting {
     std::size_t patch;
     bool first;                         ///< straight from where the path began

@@ -17,7 +17,7 @@ struct TracedRays {
     SparseRows more_where_left;  ///< the wall of the patch left, of light that comes back along the ray
     SparseRows more_where_met;
   };
-  /// Of first meetings, which are straight ways, `light` is there only where a wall redirects by the angle.
+  /// Of first meetings, which are straight paths, `light` is there only where a wall redirects by the angle.
   Sums straight, extended;
 };
 

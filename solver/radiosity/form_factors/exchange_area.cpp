@@ -57,9 +57,9 @@ double by_points(const FlatPatch& a, const FlatPatch& b) {
   double sum = 0;
   for (const SurfacePoint& p : a.points())
     for (const SurfacePoint& q : b.points()) {
-      const Vec3 way = q.position - p.position;
-      const double r2 = way.squaredNorm();
-      sum -= p.area * q.area * a.normal().dot(way) * b.normal().dot(way) / (r2 * r2);
+      const Vec3 separation = q.position - p.position;
+      const double r2 = separation.squaredNorm();
+      sum -= p.area * q.area * a.normal().dot(separation) * b.normal().dot(separation) / (r2 * r2);
     }
   return sum / std::numbers::pi;
 }

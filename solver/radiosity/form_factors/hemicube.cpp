@@ -118,8 +118,8 @@ std::vector<double> Hemicube::factors(const Vec3& point, const Vec3& normal, dou
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     std::array<Vec3, 3> local;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 way = triangles[t][i] - point;
-      local[i] = {way.dot(along), way.dot(up), way.dot(normal)};
+      const Vec3 separation = triangles[t][i] - point;
+      local[i] = {separation.dot(along), separation.dot(up), separation.dot(normal)};
     }
     const Vec3 front = (local[1] - local[0]).cross(local[2] - local[0]);
     if (front.dot(local[0]) >= 0 || std::max({local[0][2], local[1][2], local[2][2]}) <= 0) continue;

@@ -9,7 +9,7 @@
 
 namespace etendue {
 
-/// A form factor that was drawn by lot.
+/// Monte Carlo estimate of a form factor.
 struct DrawnFactor {
   double value = 0;
   double error = 0;  ///< standard error of a share of independent rays

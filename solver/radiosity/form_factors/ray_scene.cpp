@@ -12,9 +12,9 @@
 namespace etendue {
 namespace {
 
-// The part of the way between two points that is not looked at, at either end: what single precision moves
-// there must not stand in it, nor the other side of the sheet that a way begins on.
-constexpr double end_of_way = 1e-4;
+// The part of the path between two points that is not traced, at either end: what single precision moves
+// there must not block it, nor the other side of the sheet that a path begins on.
+constexpr double end_of_path = 1e-4;
 // The same for rays that go on, relative to the size of the scene.
 constexpr double begin_of_ray = 1e-6;
 
@@ -106,7 +106,7 @@ std::optional<SceneHit> RayScene::first_hit(const Vec3& from, const Vec3& direct
 }
 
 bool RayScene::is_blocked(const Vec3& from, const Vec3& to) const {
-  RTCRay ray = ray_from(from, to - from, end_of_way, 1 - end_of_way);
+  RTCRay ray = ray_from(from, to - from, end_of_path, 1 - end_of_path);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded1(embree_->scene, &context, &ray);

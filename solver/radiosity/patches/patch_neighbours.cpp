@@ -49,7 +49,8 @@ class PatchFinder {
     for (std::vector<FacePart>& parts : parts_) std::ranges::sort(parts, {}, &FacePart::quarters);
   }
 
-  /// What lies at a point just beyond an edge of a piece; none across creases and feet.
+  /// What lies at a point just beyond an edge of a piece; none across edges between planes and feet of
+  /// sheets.
   std::optional<FacePart> at(std::int32_t face, const Vec3& point) const {
     const TriangleCorners corners = inward_triangle(mesh_, FaceIndex(face));
     const Weights weights = weights_in(corners, point);

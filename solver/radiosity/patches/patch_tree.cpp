@@ -43,8 +43,8 @@ std::vector<SurfaceSample> samples_of(const FlatPatch& patch) {
 Eigen::Matrix3d inverse_inertia(const PatchNode& node) {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < static_cast<std::size_t>(node.sample_count); ++i) {
-    const Vec3 way = node.samples[i].position - node.center;
-    inertia += node.samples[i].area / node.area * way * way.transpose();
+    const Vec3 separation = node.samples[i].position - node.center;
+    inertia += node.samples[i].area / node.area * separation * separation.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia);
   Vec3 inverse = Vec3::Zero();

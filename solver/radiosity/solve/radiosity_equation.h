@@ -51,7 +51,7 @@ struct RadiosityState {
   /// What mirrors and glossy walls redirect of it [patch][band] [power/length^2].
   std::vector<double> redirected = {};
   std::vector<Bounce> bounces;   ///< pass by pass, band by band; none of a direct solution
-  std::vector<double> residual;  ///< [band] power that is still on its way, of all that arrives
+  std::vector<double> residual;  ///< [band] power that is still to be reflected, of all that arrives
   int passes = 0;                ///< of gathering, or rows of shooting in units of all patches
   bool converged = false;
 };

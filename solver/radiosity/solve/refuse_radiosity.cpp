@@ -43,7 +43,7 @@ void refuse_for_radiosity(const Problem& problem) {
   MatterFaults faults(problem);
   faults.find(
       "scattering", problem.scattering(),
-      "is not 0 (radiosity carries light from wall to wall alone: matter that scatters has no part in it)");
+      "is not 0 (radiosity carries light from wall to wall alone: a medium that scatters has no part in it)");
   faults.find("absorption", problem.absorption(),
               "is not 0 (radiosity carries light from wall to wall alone: nothing may be lost between them)");
   faults.find("emission", problem.emission(), "is not 0 (in radiosity only walls emit)");

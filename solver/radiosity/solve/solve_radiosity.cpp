@@ -20,7 +20,7 @@ bool has_redirecting_walls(const Problem& problem) {
 constexpr double pi = std::numbers::pi;
 // Error of row sums after closing: far below that of the factors.
 constexpr double closed = 1e-12;
-// What may be on its way where a solution is looked at for refinement: of links, and of the change that
+// Residual power where a solution is examined for refinement: of links, and of the change that
 // patches are cut for.
 constexpr double rough = 0.01;
 
@@ -45,7 +45,7 @@ RadiosityMemory radiosity_memory(const Problem& problem, const RadiosityOptions&
   memory.bytes = (memory.kept ? matrix : 0) + memory.patches * (4096 + 8 * bands * sizeof(double)) +
                  static_cast<std::size_t>(mesh.cell_count()) * 16 * bands * sizeof(double);
   if (options.method == RadiosityMethod::direct) memory.bytes += 2 * matrix;
-  // Twice: pictures and sensors want what lights bring by way of mirrors.
+  // Twice: pictures and sensors want what lights bring via mirrors.
   memory.bytes += 2 * bytes_of_traced_rays(problem, patches, options.path_rays);
   return memory;
 }
@@ -77,7 +77,7 @@ RadiosityRoom::RadiosityRoom(const Problem& problem, const RadiosityOptions& opt
   report_.factor_seconds = seconds_since(start);
 }
 
-// What arrives by way of mirrors and glossy walls has the noise of the rays: patches would be cut for that,
+// What arrives via mirrors and glossy walls has the noise of the rays: patches would be cut for that,
 // and the smaller they are the more.
 std::vector<double> RadiosityRoom::straight_irradiance(const RadiosityLimits& limits) const {
   const RadiosityEquation now = equation();

@@ -60,7 +60,8 @@ struct RadiosityReport {
   double factor_seconds = 0, solve_seconds = 0, field_seconds = 0;
 };
 
-/// Walls that exchange light through a domain without matter: patches, their factors and what they send.
+/// Walls that exchange light through a domain with a non-participating medium: patches, their factors and
+/// what they send.
 class RadiosityRoom {
  public:
   /// The problem must outlive it. Throws InputError where it asks for what radiosity does not know. Patches
@@ -118,7 +119,7 @@ class RadiosityRoom {
   std::vector<double> exitance_;  ///< [patch][band] of the solution, the diffuse part
 };
 
-/// Throws InputError that names all in a problem that radiosity does not know: matter that scatters, absorbs
+/// Throws InputError that names all in a problem that radiosity does not know: media that scatter, absorb
 /// or emits, lights, radiance that depends on the direction, directions of the plane.
 void refuse_for_radiosity(const Problem& problem);
 

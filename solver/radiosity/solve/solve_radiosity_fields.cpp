@@ -54,7 +54,7 @@ WallLightField RadiosityRoom::light(int rays, int path_rays) const {
   return field;
 }
 
-// What comes from these walls as lights are followed along rays: straight, and by way of mirrors, but not of
+// What comes from these walls as lights are followed along rays: straight, and via mirrors, but not of
 // glossy walls. H_j = sum over k of G_jk E_k / A_j.
 std::vector<double> RadiosityRoom::irradiance_by_rays(const std::vector<bool>& walls) const {
   std::vector<double> emission = equation().emission;

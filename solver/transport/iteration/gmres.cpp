@@ -20,8 +20,9 @@ namespace {
 
 /// The residual that GMRES carries along may differ from the true one: aim a little below the tolerance.
 constexpr double safety = 0.5;
-/// What is left of an error by a cycle whose sweeps are in single precision. Less would be their rounding,
-/// 1e-7 to 4e-7 of what each is given: in a void a cycle that goes on to 5e-7 takes twice as many sweeps.
+/// Residual fraction of an error after a cycle whose sweeps are in single precision. Less would be their
+/// rounding, 1e-7 to 4e-7 of what each is given: in a void a cycle that goes on to 5e-7 takes twice as many
+/// sweeps.
 constexpr double single_cycle = 1e-6;
 /// Relative residuals below this are rounding.
 constexpr double rounding = 1e-15;
@@ -159,7 +160,7 @@ class Run {
   }
 
   /// Whether the last cycle, which should have ended the iteration, has hardly changed the true error, for
-  /// the second time: what is left is rounding.
+  /// the second time: only rounding remains.
   bool stagnates(const std::vector<double>& errors) {
     const double error = *std::max_element(errors.begin(), errors.end());
     const bool as_before = measured_ && found_done_ && error > 0.5 * last_error_;

@@ -20,36 +20,36 @@ namespace etendue {
 //
 // T is a number, or a packet of them (packet.h).
 
-/// The areas of the four faces seen along one direction [length^2].
+/// Projected areas of the four faces of a cell along one direction [length^2].
 template <class T>
-struct FaceFlows {
-  T leaving[4];   ///< p_f
-  T entering[4];  ///< n_f
+struct ProjectedAreas {
+  T outgoing[4];  ///< p_f
+  T incoming[4];  ///< n_f
   T total;        ///< P
 };
 
 template <class T>
-ETENDUE_KERNEL_INLINE FaceFlows<T> face_flows(const T (&a)[4]) {
-  FaceFlows<T> flows;
+ETENDUE_KERNEL_INLINE ProjectedAreas<T> projected_areas(const T (&a)[4]) {
+  ProjectedAreas<T> areas;
   ETENDUE_UNROLL
   for (int f = 0; f < 4; ++f) {
-    flows.leaving[f] = a[f] > 0 ? a[f] : T{};
-    flows.entering[f] = flows.leaving[f] - a[f];
+    areas.outgoing[f] = a[f] > 0 ? a[f] : T{};
+    areas.incoming[f] = areas.outgoing[f] - a[f];
   }
-  flows.total = (flows.leaving[0] + flows.leaving[1]) + (flows.leaving[2] + flows.leaving[3]);
-  return flows;
+  areas.total = (areas.outgoing[0] + areas.outgoing[1]) + (areas.outgoing[2] + areas.outgoing[3]);
+  return areas;
 }
 
 /// Adds to the right-hand side what enters through face f with the nodal values u[0 … 2] at its vertices:
 /// 12 times n_f times the face's mass matrix, n_f (sum of u + u_i).
 template <class T>
-ETENDUE_KERNEL_INLINE void add_inflow(const FaceFlows<T>& flows, int f, const T* u, T (&right)[4]) {
-  const T sum = flows.entering[f] * (u[0] + u[1] + u[2]);
+ETENDUE_KERNEL_INLINE void add_inflow(const ProjectedAreas<T>& areas, int f, const T* u, T (&right)[4]) {
+  const T sum = areas.incoming[f] * (u[0] + u[1] + u[2]);
   int corner = 0;
   ETENDUE_UNROLL
   for (int i = 0; i < 4; ++i) {
     if (i == f) continue;
-    right[i] += sum + flows.entering[f] * u[corner++];
+    right[i] += sum + areas.incoming[f] * u[corner++];
   }
 }
 
@@ -66,14 +66,14 @@ struct CellInverse {
 };
 
 template <class T>
-ETENDUE_KERNEL_INLINE CellInverse<T> invert_cell(const FaceFlows<T>& flows, const T& alpha_mass,
+ETENDUE_KERNEL_INLINE CellInverse<T> invert_cell(const ProjectedAreas<T>& areas, const T& alpha_mass,
                                                  const T& beta_mass) {
   CellInverse<T> cell;
   cell.alpha_mass = alpha_mass;
-  cell.beta = beta_mass + flows.total;
+  cell.beta = beta_mass + areas.total;
   cell.first = alpha_mass + 4.0 * cell.beta;
-  cell.beta_total = cell.beta * flows.total;
-  const T alpha = alpha_mass + flows.total;
+  cell.beta_total = cell.beta * areas.total;
+  const T alpha = alpha_mass + areas.total;
   const T determinant = cell.first * alpha_mass + 4.0 * cell.beta_total;
   // One division serves both the determinant and alpha.
   const T inverse = 1.0 / (determinant * alpha);
@@ -85,16 +85,16 @@ ETENDUE_KERNEL_INLINE CellInverse<T> invert_cell(const FaceFlows<T>& flows, cons
 /// The nodal values from 12 times the right-hand side, in closed form: with S the sum of the values and
 /// T = p . u, two equations in two unknowns whose determinant is positive, in vacuum too.
 template <class T>
-ETENDUE_KERNEL_INLINE void solve_cell(const FaceFlows<T>& flows, const CellInverse<T>& cell,
+ETENDUE_KERNEL_INLINE void solve_cell(const ProjectedAreas<T>& areas, const CellInverse<T>& cell,
                                       const T (&right)[4], T (&u)[4]) {
   const T sum_right = (right[0] + right[1]) + (right[2] + right[3]);
-  const T weighted_right = (flows.leaving[0] * right[0] + flows.leaving[1] * right[1]) +
-                           (flows.leaving[2] * right[2] + flows.leaving[3] * right[3]);
+  const T weighted_right = (areas.outgoing[0] * right[0] + areas.outgoing[1] * right[1]) +
+                           (areas.outgoing[2] * right[2] + areas.outgoing[3] * right[3]);
   const T sum = (cell.alpha_mass * sum_right + 4.0 * weighted_right) * cell.by_determinant;
   const T weighted = (cell.first * weighted_right - cell.beta_total * sum_right) * cell.by_determinant;
   const T common = weighted - cell.beta * sum;
   ETENDUE_UNROLL
-  for (int i = 0; i < 4; ++i) u[i] = (right[i] + common + flows.entering[i] * sum) * cell.by_alpha;
+  for (int i = 0; i < 4; ++i) u[i] = (right[i] + common + areas.incoming[i] * sum) * cell.by_alpha;
 }
 
 }  // namespace etendue

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 
+#include "solver/transport/kernel/flush_denormals.h"
 #include "solver/transport/kernel/lanes.h"
 #include "solver/transport/kernel/sweep_kernel.h"
-#include "solver/transport/kernel/tiny_as_zero.h"
 
 // Part of the kernel files, which are compiled once for each instruction set.
 namespace etendue {
@@ -170,13 +170,13 @@ void collect_orbits(const MomentTaskOf<Real>& task) {
 
 template <int Rows, int W>
 void moments_to_directions(const MomentTaskOf<Real>& task) {
-  [[maybe_unused]] const TinyAsZero<Real> mode;
+  [[maybe_unused]] const FlushDenormals<Real> mode;
   task.orbit_size == 8 ? expand_orbits<8, Rows, W>(task) : expand_orbits<2, Rows, W>(task);
 }
 
 template <int Rows, int W>
 void directions_to_moments(const MomentTaskOf<Real>& task) {
-  [[maybe_unused]] const TinyAsZero<Real> mode;
+  [[maybe_unused]] const FlushDenormals<Real> mode;
   task.orbit_size == 8 ? collect_orbits<8, Rows, W>(task) : collect_orbits<2, Rows, W>(task);
 }
 

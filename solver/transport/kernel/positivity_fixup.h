@@ -12,9 +12,9 @@ namespace etendue {
 
 /// c_j = alpha_mass + 4 beta_mass + 4 (P - p_j) >= 0, the same sum for the consistent and the lumped mass.
 template <class T>
-ETENDUE_KERNEL_INLINE void balance_weights(const FaceFlows<T>& flows, const T& alpha_mass, const T& beta_mass,
-                                           T (&c)[4]) {
-  for (int j = 0; j < 4; ++j) c[j] = alpha_mass + 4.0 * beta_mass + 4.0 * (flows.total - flows.leaving[j]);
+ETENDUE_KERNEL_INLINE void balance_weights(const ProjectedAreas<T>& areas, const T& alpha_mass,
+                                           const T& beta_mass, T (&c)[4]) {
+  for (int j = 0; j < 4; ++j) c[j] = alpha_mass + 4.0 * beta_mass + 4.0 * (areas.total - areas.outgoing[j]);
 }
 
 /// Sets negative values to zero and scales the others back to the balance (zero and rescale).

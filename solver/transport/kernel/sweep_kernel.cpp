@@ -6,13 +6,13 @@
 // (kernel_inline.h says why).
 #include "solver/transport/kernel/sweep_kernel.h"
 
-#include "solver/transport/kernel/block_flows.h"
+#include "solver/transport/kernel/block_projected_areas.h"
 #include "solver/transport/kernel/cell_balance.h"
+#include "solver/transport/kernel/flush_denormals.h"
 #include "solver/transport/kernel/moment_kernel.h"
 #include "solver/transport/kernel/packet.h"
 #include "solver/transport/kernel/positivity_fixup.h"
 #include "solver/transport/kernel/product_kernel.h"
-#include "solver/transport/kernel/tiny_as_zero.h"
 #include "solver/transport/kernel/visited_cells.h"
 
 namespace etendue {
@@ -90,26 +90,26 @@ ETENDUE_KERNEL_INLINE bool nothing_enters(const Lanes<C * B>& entering) {
 /// Linear basis.
 template <int C, int B, class Cells>
 ETENDUE_KERNEL_INLINE void balance_linear(const Cells& packet, std::ptrdiff_t stride, std::ptrdiff_t mass_at,
-                                          const FaceFlows<Lanes<C * B>>& flows, std::ptrdiff_t band) {
+                                          const ProjectedAreas<Lanes<C * B>>& areas, std::ptrdiff_t band) {
   using T = Lanes<C * B>;
   const T mass = gather_from<C, B>([&](int j) { return packet.record(j); }, mass_at + band);
   const T alpha_mass = mass < 0 ? -mass : mass;
   const T beta_mass = mass < 0 ? T{} : mass;
-  const CellInverse<T> inverse = invert_cell(flows, alpha_mass, beta_mass);
+  const CellInverse<T> inverse = invert_cell(areas, alpha_mass, beta_mass);
   T right[4];
   load_source<C, B>(packet, stride, band, right);
   ETENDUE_UNROLL
   for (int f = 0; f < 4; ++f) {
-    if (nothing_enters<C, B>(flows.entering[f])) continue;
+    if (nothing_enters<C, B>(areas.incoming[f])) continue;
     T inflow[4];
     load_face<C, B>(packet, f, stride, band, inflow);
-    add_inflow(flows, f, inflow, right);
+    add_inflow(areas, f, inflow, right);
   }
   T u[4];
-  solve_cell(flows, inverse, right, u);
+  solve_cell(areas, inverse, right, u);
   if constexpr (Cells::sign == Sign::positive) {
     T weights[4];
-    balance_weights(flows, alpha_mass, beta_mass, weights);
+    balance_weights(areas, alpha_mass, beta_mass, weights);
     packet.template keep_positive<B>(weights, (right[0] + right[1]) + (right[2] + right[3]), band, u);
   }
   if constexpr (transposes<C, B>) {
@@ -129,23 +129,24 @@ ETENDUE_KERNEL_INLINE void balance_linear(const Cells& packet, std::ptrdiff_t st
 /// Piecewise constants: (sigma_t V + P) u = V q + sum of n_f u_f.
 template <int C, int B, class Cells>
 ETENDUE_KERNEL_INLINE void balance_constant(const Cells& packet, std::ptrdiff_t mass_at,
-                                            const FaceFlows<Lanes<C * B>>& flows, std::ptrdiff_t band) {
+                                            const ProjectedAreas<Lanes<C * B>>& areas, std::ptrdiff_t band) {
   using T = Lanes<C * B>;
   T right = gather_from<C, B>([&](int j) { return packet.source(j); }, band);
   ETENDUE_UNROLL
   for (int f = 0; f < 4; ++f)
-    right += flows.entering[f] * gather_from<C, B>([&](int j) { return packet.behind(j, f); }, band);
+    right += areas.incoming[f] * gather_from<C, B>([&](int j) { return packet.behind(j, f); }, band);
   const T mass = gather_from<C, B>([&](int j) { return packet.record(j); }, mass_at + band);
-  const T u = right / (mass + flows.total);
+  const T u = right / (mass + areas.total);
   ETENDUE_UNROLL
   for (int j = 0; j < C; ++j) packet.template keep<B>(j, band, chunk<C, B>(u, j));
 }
 
-/// Cells whose flows are found together: as many as there are lanes, whatever the bands, but for sixteen.
+/// Cells whose projected areas are found together: as many as there are lanes, whatever the bands, but for
+/// sixteen.
 constexpr int most_cells_of_block = 8;
 constexpr int cells_of_block(int lanes) { return lanes < most_cells_of_block ? lanes : most_cells_of_block; }
 
-/// Some cells of one level, and what a few cells ahead stand in the order, null where it ends.
+/// Some cells of one level, and what a few cells ahead are in the order, null where it ends.
 struct Block {
   const SweepVisit* visits;
   const SweepVisit* ahead;
@@ -155,7 +156,7 @@ struct Block {
 template <Basis basis, int C, int B, Angular angular, Flux flux, Sign sign>
 ETENDUE_KERNEL_INLINE void balance_packet(const SweepTaskOf<Real>& task, const RecordLayout& layout,
                                           const Block& block, int first,
-                                          const FaceFlows<Lanes<C * B>>& flows) {
+                                          const ProjectedAreas<Lanes<C * B>>& areas) {
   const Packet<basis, C, angular, flux, sign> packet(task, layout, block.visits + first);
   if (block.ahead != nullptr) ETENDUE_UNROLL
   for (int j = 0; j < C; ++j)
@@ -164,9 +165,9 @@ ETENDUE_KERNEL_INLINE void balance_packet(const SweepTaskOf<Real>& task, const R
   const auto mass = static_cast<std::ptrdiff_t>(layout.mass);
   for (std::ptrdiff_t band = 0; band < task.stride; band += B) {
     if constexpr (basis == Basis::linear) {
-      balance_linear<C, B>(packet, task.stride, mass, flows, band);
+      balance_linear<C, B>(packet, task.stride, mass, areas, band);
     } else {
-      balance_constant<C, B>(packet, mass, flows, band);
+      balance_constant<C, B>(packet, mass, areas, band);
     }
   }
 }
@@ -175,11 +176,12 @@ template <Basis basis, int C, int B, Angular angular, Flux flux, Sign sign>
 ETENDUE_KERNEL_INLINE void balance_block(const SweepTaskOf<Real>& task, const RecordLayout& layout,
                                          const Block& block) {
   constexpr int block_cells = cells_of_block(C * B);
-  const FaceFlows<Lanes<block_cells>> flows = seen_faces<block_cells>(task, layout, block.visits);
+  const ProjectedAreas<Lanes<block_cells>> areas =
+      block_projected_areas<block_cells>(task, layout, block.visits);
   if constexpr (B == 1) {
-    balance_packet<basis, C, B, angular, flux, sign>(task, layout, block, 0, flows);
+    balance_packet<basis, C, B, angular, flux, sign>(task, layout, block, 0, areas);
   } else {
-    const BlockFlows<block_cells> stored(flows);
+    const BlockProjectedAreas<block_cells> stored(areas);
 #pragma GCC unroll 1
     for (int first = 0; first < block.count; first += C)
       balance_packet<basis, C, B, angular, flux, sign>(task, layout, block, first,
@@ -229,7 +231,7 @@ ETENDUE_KERNEL_INLINE void sweep_cells(SweepTaskOf<Real> task) {
 
 template <Basis basis, int C, int B, int Bands, Sign sign>
 void sweep(const SweepTaskOf<Real>& task) {
-  [[maybe_unused]] const TinyAsZero<Real> mode;
+  [[maybe_unused]] const FlushDenormals<Real> mode;
   const bool angular = task.angular_index != nullptr;
   const bool flux = task.net_flux != nullptr;
   if (angular && flux) {

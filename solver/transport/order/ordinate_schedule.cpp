@@ -111,7 +111,8 @@ void OrdinateSchedule::find_groups(const DirectionSet& directions) {
   }
 }
 
-// A mirror at the lower end of an axis sends light up, and is served where ordinates that go up come later.
+// A mirror at the lower end of an axis reflects light upwards, and is applied where upward ordinates come
+// later.
 void OrdinateSchedule::find_axes(const Problem& problem) {
   const TetrahedralMesh& mesh = problem.mesh();
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {

@@ -9,8 +9,8 @@
 #include <span>
 
 #include "solver/transport/order/cycle_breaking.h"
+#include "solver/transport/order/projected_area.h"
 #include "solver/transport/order/ready_cells.h"
-#include "solver/transport/order/seen_area.h"
 
 namespace etendue {
 namespace {
@@ -27,7 +27,7 @@ void find_passages(const TetrahedralMesh& mesh, const Vec3& direction, std::vect
   result.resize(static_cast<std::size_t>(mesh.face_count()));
   const auto normals = mesh.face_area_normals();
   for (std::size_t f = 0; f < result.size(); ++f) {
-    const double a = seen_area(normals[f], direction);
+    const double a = projected_area(normals[f], direction);
     result[f] = static_cast<Passage>((a > 0) - (a < 0));
   }
 }

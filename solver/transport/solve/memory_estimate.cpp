@@ -131,7 +131,7 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   // They judge even where they do not accelerate.
   const double low_order = s.cells * problem.band_count() * 150;
   // A sweep of fewer bands, once others are done: half the lanes at most, and two states.
-  const double narrower =
+  const double of_active_bands =
       problem.band_count() > 1 ? (workspaces + records + moments + radiance) / 2 + state : 0;
   // The same sweep in single precision, but for what its matrices scatter.
   const double single =
@@ -139,7 +139,7 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double orders =
       std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * sizeof(SweepVisit));
   return static_cast<std::size_t>(8 * ((2 + std::max(basis, positive)) * state + workspaces + records +
-                                       results + kept + low_order + narrower + single) +
+                                       results + kept + low_order + of_active_bands + single) +
                                   orders);
 }
 

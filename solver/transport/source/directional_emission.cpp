@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "solver/problem/problem_checks.h"
-#include "solver/transport/order/seen_area.h"
+#include "solver/transport/order/projected_area.h"
 
 namespace etendue {
 namespace {
@@ -101,7 +101,7 @@ void DirectionalEmission::check_walls() const {
     const Emitter& wall = walls_[static_cast<std::size_t>(mesh.wall(face))];
     for (const std::size_t t : wall.tables)
       for (std::size_t m = 0; m < directions_.directions().size(); ++m) {
-        if (seen_area(mesh.area_normal(face), directions_.directions()[m]) >= 0) continue;
+        if (projected_area(mesh.area_normal(face), directions_.directions()[m]) >= 0) continue;
         for (const std::int32_t v : mesh.vertices(face)) {
           const double value =
               tables_[t]
@@ -178,10 +178,11 @@ DirectionalPowers DirectionalEmission::powers() const {
     }
     for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
       const auto wall = static_cast<std::size_t>(mesh.wall(FaceIndex(f)));
-      const double seen = seen_area(mesh.area_normal(FaceIndex(f)), directions_.direction(ordinate));
-      if (seen < 0)
+      const double projected =
+          projected_area(mesh.area_normal(FaceIndex(f)), directions_.direction(ordinate));
+      if (projected < 0)
         integrate(walls_[wall], ordinate, mesh.vertices(FaceIndex(f)),
-                  -seen * directions_.weight(ordinate) / 3, powers.walls[wall]);
+                  -projected * directions_.weight(ordinate) / 3, powers.walls[wall]);
     }
   }
   return powers;

@@ -25,8 +25,8 @@ class DirectionalEmission : public AngularInput {
     if (other_ != nullptr) other_->add_projected_source(m, cell, values);
   }
   void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const override;
-  const SavedState* found_elsewhere() const override {
-    return other_ != nullptr ? other_->found_elsewhere() : nullptr;
+  const SavedState* prescribed_state() const override {
+    return other_ != nullptr ? other_->prescribed_state() : nullptr;
   }
 
   /// As the discretisation sees them, on the discrete half ranges.

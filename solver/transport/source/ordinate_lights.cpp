@@ -8,7 +8,7 @@
 #include "mesh/tetrahedra/search/cell_locator.h"
 #include "solver/problem/lights/beam_pieces.h"
 #include "solver/problem/lights/lamp_shape.h"
-#include "solver/transport/order/seen_area.h"
+#include "solver/transport/order/projected_area.h"
 
 namespace etendue {
 namespace {
@@ -135,16 +135,16 @@ void OrdinateLights::add(const BeamLight& light) {
     std::int32_t nearest = -1;
     for (std::int32_t m = 0; m < directions_.count(); ++m) {
       const Vec3& direction = directions_.directions()[static_cast<std::size_t>(m)];
-      if (seen_area(mesh.area_normal(face), direction) < 0 &&
+      if (projected_area(mesh.area_normal(face), direction) < 0 &&
           (nearest < 0 || direction.dot(light.direction) >
                               directions_.direction(OrdinateIndex(nearest)).dot(light.direction)))
         nearest = m;
     }
     const OrdinateIndex m(nearest);
-    const double seen = -seen_area(mesh.area_normal(face), directions_.direction(m));
+    const double projected = -projected_area(mesh.area_normal(face), directions_.direction(m));
     FacePart part{nearest, {}};
     for (std::size_t b = 0; b < power_inside_.size(); ++b) {
-      part.radiance.push_back(light.irradiance[b] * entering / (directions_.weight(m) * seen));
+      part.radiance.push_back(light.irradiance[b] * entering / (directions_.weight(m) * projected));
       power_through_walls_[static_cast<std::size_t>(wall)][b] += light.irradiance[b] * entering;
     }
     at_faces_[f].push_back(std::move(part));

@@ -31,8 +31,8 @@ class OrdinateLights : public AngularInput {
   /// Adds the source of the points in a cell at any direction of travel, [vertex][band] [power/(length^3
   /// sr)].
   void add_points(const Vec3& travel, CellIndex cell, std::span<double> values) const;
-  const SavedState* found_elsewhere() const override {
-    return other_ != nullptr ? other_->found_elsewhere() : nullptr;
+  const SavedState* prescribed_state() const override {
+    return other_ != nullptr ? other_->prescribed_state() : nullptr;
   }
 
   /// [band] What points and flat lights send [power].

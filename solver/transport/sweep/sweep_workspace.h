@@ -34,7 +34,7 @@ struct TransportSweepOf<Real>::Workspace {
       records;  ///< as those of the sweep, with the mass of one ordinate where it depends on it
 };
 
-/// One ordinate on its way through the mesh.
+/// One ordinate as it sweeps the mesh.
 template <class Real>
 struct TransportSweepOf<Real>::Passage {
   OrdinateIndex ordinate;

@@ -11,11 +11,11 @@
 
 #include "base/parallel/processor_timer.h"
 #include "solver/solution/saved_state.h"
-#include "solver/transport/sweep/narrow_sweep.h"
+#include "solver/transport/sweep/active_band_sweep.h"
 #include "solver/transport/sweep/sweep_workspace.h"
+#include "solver/transport/sweep/transport_sweep_active_bands.h"
 #include "solver/transport/sweep/transport_sweep_by_direction.h"
 #include "solver/transport/sweep/transport_sweep_group.h"
-#include "solver/transport/sweep/transport_sweep_narrow.h"
 
 namespace etendue {
 namespace {
@@ -222,8 +222,8 @@ template <class Real>
 void TransportSweepOf<Real>::apply(const TransportState& last, TransportState& next, SweepRecord* record) {
   emission_ = Emission::included;
   sweep_all(last, next, record);
-  if (options_.angular_input != nullptr && options_.angular_input->found_elsewhere() != nullptr)
-    add_saved(*options_.angular_input->found_elsewhere(), cells_.bands(), next);
+  if (options_.angular_input != nullptr && options_.angular_input->prescribed_state() != nullptr)
+    add_saved(*options_.angular_input->prescribed_state(), cells_.bands(), next);
 }
 
 template <class Real>

@@ -53,8 +53,8 @@ class TransportSweepOf {
   void apply(const TransportState& last, TransportState& next, SweepRecord* record = nullptr);
   /// next = T last, the linear part of F.
   void apply_linear(const TransportState& last, TransportState& next);
-  /// The same in the bands that are `active`, [band]; the others have to be zero in `last`. Once those left
-  /// fit into fewer lanes, a narrower sweep of them alone does it.
+  /// The same in the bands that are `active`, [band]; the others have to be zero in `last`. Once the active
+  /// bands fit into fewer lanes, a sweep of these bands alone does it.
   void apply_linear(const TransportState& last, TransportState& next, std::span<const char> active);
   /// next = what a unit isotropic source in all cells gives through extinction alone, with walls that send
   /// back nothing but what mirrors reflect within the sweep. Its fluence over 4 pi is the mean distance that
@@ -97,7 +97,7 @@ class TransportSweepOf {
 
   struct Workspace;
   struct Passage;
-  struct Narrow;
+  struct ActiveBandSweep;
 
   /// How the media scatter.
   struct Scattering {
@@ -117,8 +117,8 @@ class TransportSweepOf {
   static constexpr bool adds_in_place = scalar_of<Real> == Scalar::double_precision;
 
   void make_workspaces();
-  /// Null where those bands would not save lanes.
-  Narrow* narrow(std::span<const char> active);
+  /// Returns the sweep of the active bands; null where it would not need fewer lanes.
+  ActiveBandSweep* active_band_sweep(std::span<const char> active);
 
   void sweep_all(const TransportState& last, TransportState& next, SweepRecord* record);
   void sweep_source(const TransportState& last, TransportState& next, SweepRecord* record);
@@ -204,8 +204,8 @@ class TransportSweepOf {
   Fixup fixup_ = Fixup::rescale;
   std::vector<FixupCensus> census_;         ///< [ordinate][stride]; empty: values are not kept positive
   Emission emission_ = Emission::included;  ///< of the sweep that is under way
-  std::unique_ptr<Narrow> narrow_;          ///< of those bands that were active last; null: of all
-  bool may_narrow_ = true;                  ///< whether sweeps of some bands have had the rows of this one
+  std::unique_ptr<ActiveBandSweep> active_band_sweep_;  ///< of the last active bands; null: all bands
+  bool can_sweep_active_bands_ = true;                  ///< false where a subset has other rows in its state
   std::int64_t band_sweep_count_ = 0;
   double processor_seconds_ = 0;
   std::atomic<bool> stopped_ = false;

@@ -6,7 +6,7 @@
 // Part of TransportSweep, for its source file alone.
 #include <algorithm>
 
-#include "solver/transport/order/seen_area.h"
+#include "solver/transport/order/projected_area.h"
 #include "solver/transport/order/sweep_order.h"
 #include "solver/transport/sweep/transport_sweep.h"
 
@@ -64,7 +64,7 @@ void TransportSweepOf<Real>::add_angular_inflow(OrdinateIndex m, const SweepSlot
   std::vector<double> values(3 * bands);
   for (std::int32_t f = 0; f < problem_.mesh().boundary_face_count(); ++f) {
     const FaceIndex face(f);
-    const double seen = seen_area(problem_.mesh().area_normal(face), directions_.direction(m));
+    const double seen = projected_area(problem_.mesh().area_normal(face), directions_.direction(m));
     if (seen >= 0) continue;
     std::fill(values.begin(), values.end(), 0.0);
     options_.angular_input->add_inflow(m, face, values);

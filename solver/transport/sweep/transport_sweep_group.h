@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-// The way of a batch of ordinates through the mesh, group by group.
+// The sweep of a batch of ordinates through the mesh, group by group.
 // Part of TransportSweep, for its source file alone.
 #include <algorithm>
 
@@ -140,8 +140,8 @@ void TransportSweepOf<Real>::end_passage(const Passage& passage, TransportState&
   if (!dense_.empty()) dense_.keep_radiance(m, scattering_.index(), passage.angular, next);
   if (record != nullptr && dense_.absorbs_by_direction())
     dense_.add_absorbed(m, scattering_.index(), passage.angular, work.absorbed);
-  walls_.receive(m, slots, record != nullptr ? TakeUp::all : TakeUp::reflecting, work.irradiance.span(),
-                 next.mirrors(), passing_.span());
+  walls_.accumulate_irradiance(m, slots, record != nullptr ? AccumulateAt::all : AccumulateAt::reflecting,
+                               work.irradiance.span(), next.mirrors(), passing_.span());
   keep_lagged(m, *passage.order, next, slots);
   if (record != nullptr && !options_.meters.empty()) read_meters(m, passage.angular, work.meters);
 }

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "solver/transport/order/seen_area.h"
+#include "solver/transport/order/projected_area.h"
 #include "solver/transport/order/sweep_order.h"
 
 namespace etendue {
@@ -104,7 +104,7 @@ void GlossyWalls::add_reflected(OrdinateIndex m, std::span<const double> inflow,
                                 const SweepSlotsOf<Real>& slots) const {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const Face& face = faces_[f];
-    if (seen_area(face.area_normal, directions_.direction(m)) >= 0) continue;
+    if (projected_area(face.area_normal, directions_.direction(m)) >= 0) continue;
     Real* trace = slots.slot(wall_slots_.inflow(face.index));
     if (!face.is_mirror)
       std::copy_n(inflow.data() + static_cast<std::size_t>(face.index) * face_length_, face_length_, trace);
@@ -114,9 +114,10 @@ void GlossyWalls::add_reflected(OrdinateIndex m, std::span<const double> inflow,
 }
 
 template <class Real>
-void GlossyWalls::receive(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<double> arrived) const {
+void GlossyWalls::store_arriving(OrdinateIndex m, const SweepSlotsOf<Real>& slots,
+                                 std::span<double> arrived) const {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    if (seen_area(faces_[f].area_normal, directions_.direction(m)) <= 0) continue;
+    if (projected_area(faces_[f].area_normal, directions_.direction(m)) <= 0) continue;
     double* kept = arrived.data() + f * row_size_ + m.at() / 2 * face_length_;
     for (std::size_t i = 0; i < face_length_; i += stride_)
       std::copy_n(slots.face_node(wall_slots_.inside(faces_[f].index), i / stride_), stride_, kept + i);
@@ -136,8 +137,8 @@ void GlossyWalls::add_arriving(FaceIndex face, std::size_t band, std::span<const
   if (place < 0) return;
   double* row = arrived.data() + static_cast<std::size_t>(place) * row_size_ + band;
   for (std::int32_t m = 0; m < directions_.count(); ++m) {
-    if (seen_area(faces_[static_cast<std::size_t>(place)].area_normal,
-                  directions_.direction(OrdinateIndex(m))) <= 0)
+    if (projected_area(faces_[static_cast<std::size_t>(place)].area_normal,
+                       directions_.direction(OrdinateIndex(m))) <= 0)
       continue;
     for (std::size_t i = 0; i < radiance.size(); ++i)
       row[static_cast<std::size_t>(m / 2) * face_length_ + i * stride_] += radiance[i];
@@ -178,10 +179,11 @@ GlossyWalls::Size GlossyWalls::size_of(const Problem& problem, const DirectionSe
 
 template void GlossyWalls::add_reflected(OrdinateIndex, std::span<const double>,
                                          const SweepSlotsOf<double>&) const;
-template void GlossyWalls::receive(OrdinateIndex, const SweepSlotsOf<double>&, std::span<double>) const;
+template void GlossyWalls::store_arriving(OrdinateIndex, const SweepSlotsOf<double>&,
+                                          std::span<double>) const;
 
 template void GlossyWalls::add_reflected(OrdinateIndex, std::span<const double>,
                                          const SweepSlotsOf<float>&) const;
-template void GlossyWalls::receive(OrdinateIndex, const SweepSlotsOf<float>&, std::span<double>) const;
+template void GlossyWalls::store_arriving(OrdinateIndex, const SweepSlotsOf<float>&, std::span<double>) const;
 
 }  // namespace etendue

@@ -31,10 +31,10 @@ class GlossyWalls {
   /// [boundary face][face node][stride] too, since nothing else wrote them.
   template <class Real>
   void add_reflected(OrdinateIndex m, std::span<const double> inflow, const SweepSlotsOf<Real>& slots) const;
-  /// Writes what arrives along ordinate m to `arrived`.
+  /// Writes the radiance that arrives along ordinate m to `arrived`.
   template <class Real>
-  void receive(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<double> arrived) const;
-  /// Of even light that arrives at a face, the part that is reflected.
+  void store_arriving(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<double> arrived) const;
+  /// Of isotropic light that arrives at a face, the part that is reflected.
   double albedo(FaceIndex face, std::size_t band) const;
   /// Adds a radiance to all that arrives at a face, at each of its nodes, in one band.
   void add_arriving(FaceIndex face, std::size_t band, std::span<const double> radiance,

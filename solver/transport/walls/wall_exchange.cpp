@@ -9,7 +9,7 @@
 #include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/angular/refraction/ordinate_reflectance.h"
 #include "solver/problem/mirror.h"
-#include "solver/transport/order/seen_area.h"
+#include "solver/transport/order/projected_area.h"
 #include "solver/transport/order/sweep_order.h"
 
 namespace etendue {
@@ -123,7 +123,7 @@ void WallExchange::find_mirrors(const OrdinateSchedule& schedule) {
       }
     }
     mirror_of_[face.at()] = static_cast<std::int32_t>(mirrors_.size());
-    mirrors_.push_back({plane, rows_[static_cast<std::size_t>(planes_[plane].turn)]++});
+    mirrors_.push_back({plane, rows_[static_cast<std::size_t>(planes_[plane].pass)]++});
   }
   if (!faults.empty()) throw InputError(std::move(faults));
 }
@@ -131,11 +131,12 @@ void WallExchange::find_mirrors(const OrdinateSchedule& schedule) {
 WallExchange::MirrorPlane WallExchange::mirror_plane(FaceIndex face, const OrdinateSchedule& schedule) const {
   const Vec3 normal = mesh_.area_normal(face).normalized();
   const Wall& wall = problem_.wall(mesh_.wall(face));
-  MirrorPlane plane{normal,
-                    wall.refractive_index,
-                    schedule.knows_reflections(normal) ? Turn::this_sweep : Turn::next_sweep,
-                    {},
-                    {}};
+  MirrorPlane plane{
+      normal,
+      wall.refractive_index,
+      schedule.knows_reflections(normal) ? ReflectionPass::this_sweep : ReflectionPass::next_sweep,
+      {},
+      {}};
   for (std::int32_t m = 0; m < directions_.count(); ++m)
     plane.partner.push_back(directions_.mirrored(OrdinateIndex(m), normal));
   if (wall.refractive_index != 1) plane.reflected = ordinate_reflectances(directions_, wall, normal);
@@ -165,9 +166,9 @@ std::size_t WallExchange::row_size() const {
 double WallExchange::fed_back(FaceIndex face, std::size_t band) const {
   const int wall = mesh_.wall(face);
   const Mirror* of = mirror(face);
-  const bool turns_later = of != nullptr && planes_[of->plane].turn == Turn::next_sweep;
+  const bool reflects_later = of != nullptr && planes_[of->plane].pass == ReflectionPass::next_sweep;
   return std::min(1.0, diffuse_[static_cast<std::size_t>(wall) * stride_ + band] +
-                           (turns_later ? mirrored_part_of_isotropic(problem_.wall(wall), band) : 0) +
+                           (reflects_later ? mirrored_part_of_isotropic(problem_.wall(wall), band) : 0) +
                            glossy_.albedo(face, band));
 }
 
@@ -212,11 +213,11 @@ void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::spa
                            std::span<const double> inflow, const SweepSlotsOf<Real>& slots) const {
   for (const std::int32_t f : mirror_faces_) {
     const Face& face = faces_[static_cast<std::size_t>(f)];
-    if (seen_area(face.area_normal, directions_.direction(m)) >= 0) continue;
+    if (projected_area(face.area_normal, directions_.direction(m)) >= 0) continue;
     const Mirror& by = *mirror(FaceIndex(f));
     const MirrorPlane& plane = planes_[by.plane];
     const std::span<const double> from =
-        plane.turn == Turn::this_sweep ? passing : last.mirrors().subspan(glossy_.size());
+        plane.pass == ReflectionPass::this_sweep ? passing : last.mirrors().subspan(glossy_.size());
     const double* mirrored = from.data() + mirror_at(by.row, plane.partner[m.at()]);
     const double* own = inflow.data() + static_cast<std::size_t>(f) * face_length_;
     Real* trace = slots.slot(wall_slots_.inflow(f));
@@ -235,7 +236,7 @@ template <class Real>
 void WallExchange::add_exitance(OrdinateIndex m, const SweepSlotsOf<Real>& slots,
                                 std::span<double> exitance) const {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const double seen = seen_area(faces_[f].area_normal, directions_.direction(m));
+    const double seen = projected_area(faces_[f].area_normal, directions_.direction(m));
     if (seen >= 0) continue;
     const double factor = -seen * faces_[f].by_area * directions_.weight(m);
     const Real* trace = slots.slot(wall_slots_.inflow(static_cast<std::int32_t>(f)));
@@ -244,27 +245,28 @@ void WallExchange::add_exitance(OrdinateIndex m, const SweepSlotsOf<Real>& slots
 }
 
 template <class Real>
-void WallExchange::receive(OrdinateIndex m, const SweepSlotsOf<Real>& slots, TakeUp what,
-                           std::span<double> irradiance, std::span<double> mirrors,
-                           std::span<double> passing) const {
-  const std::span<const std::int32_t> faces = what == TakeUp::all ? all_ : reflecting_;
+void WallExchange::accumulate_irradiance(OrdinateIndex m, const SweepSlotsOf<Real>& slots, AccumulateAt what,
+                                         std::span<double> irradiance, std::span<double> mirrors,
+                                         std::span<double> passing) const {
+  const std::span<const std::int32_t> faces = what == AccumulateAt::all ? all_ : reflecting_;
   if (stride_ == 1 && face_length_ == 3) {
     add_irradiance<1, Real>(m, slots, faces, irradiance);
   } else {
     add_irradiance<0, Real>(m, slots, faces, irradiance);
   }
   for (const std::int32_t f : mirror_faces_) {
-    if (seen_area(faces_[static_cast<std::size_t>(f)].area_normal, directions_.direction(m)) <= 0) continue;
+    if (projected_area(faces_[static_cast<std::size_t>(f)].area_normal, directions_.direction(m)) <= 0)
+      continue;
     const Mirror& by = *mirror(FaceIndex(f));
     const std::span<double> to =
-        planes_[by.plane].turn == Turn::this_sweep ? passing : mirrors.subspan(glossy_.size());
+        planes_[by.plane].pass == ReflectionPass::this_sweep ? passing : mirrors.subspan(glossy_.size());
     double* kept = to.data() + mirror_at(by.row, m.value());
     for (std::size_t i = 0; i < face_length_; i += stride_) {
       const Real* trace = slots.face_node(wall_slots_.inside(f), i / stride_);
       std::copy(trace, trace + stride_, kept + i);
     }
   }
-  glossy_.receive(m, slots, mirrors);
+  glossy_.store_arriving(m, slots, mirrors);
 }
 
 template <std::size_t LinearBands, class Real>
@@ -275,7 +277,7 @@ void WallExchange::add_irradiance(OrdinateIndex m, const SweepSlotsOf<Real>& slo
   const Vec3 direction = directions_.direction(m);
   for (const std::int32_t f : faces) {
     const auto at = static_cast<std::size_t>(f);
-    const double seen = seen_area(faces_[at].area_normal, direction);
+    const double seen = projected_area(faces_[at].area_normal, direction);
     if (seen <= 0) continue;
     const double factor = seen * faces_[at].by_area * directions_.weight(m);
     const FaceCode inside = wall_slots_.inside(f);
@@ -298,10 +300,10 @@ void WallExchange::add_leaving(FaceIndex face, std::size_t band, std::span<const
     glossy_.add_arriving(face, band, even, mirrors);
   }
   const Mirror* by = mirror(face);
-  if (by == nullptr || planes_[by->plane].turn == Turn::this_sweep) return;
+  if (by == nullptr || planes_[by->plane].pass == ReflectionPass::this_sweep) return;
   mirrors = mirrors.subspan(glossy_.size());
   for (std::int32_t m = 0; m < directions_.count(); ++m) {
-    if (seen_area(mesh_.area_normal(face), directions_.direction(OrdinateIndex(m))) <= 0) continue;
+    if (projected_area(mesh_.area_normal(face), directions_.direction(OrdinateIndex(m))) <= 0) continue;
     double* radiance = mirrors.data() + mirror_at(by->row, m);
     for (std::size_t i = band; i < face_length_; i += stride_) {
       const std::size_t at = face.at() * face_length_ + i;
@@ -314,14 +316,16 @@ template void WallExchange::fill(std::span<const double>, const SweepSlotsOf<dou
 template void WallExchange::reflect(OrdinateIndex, const TransportState&, std::span<const double>,
                                     std::span<const double>, const SweepSlotsOf<double>&) const;
 template void WallExchange::add_exitance(OrdinateIndex, const SweepSlotsOf<double>&, std::span<double>) const;
-template void WallExchange::receive(OrdinateIndex, const SweepSlotsOf<double>&, TakeUp, std::span<double>,
-                                    std::span<double>, std::span<double>) const;
+template void WallExchange::accumulate_irradiance(OrdinateIndex, const SweepSlotsOf<double>&, AccumulateAt,
+                                                  std::span<double>, std::span<double>,
+                                                  std::span<double>) const;
 
 template void WallExchange::fill(std::span<const double>, const SweepSlotsOf<float>&) const;
 template void WallExchange::reflect(OrdinateIndex, const TransportState&, std::span<const double>,
                                     std::span<const double>, const SweepSlotsOf<float>&) const;
 template void WallExchange::add_exitance(OrdinateIndex, const SweepSlotsOf<float>&, std::span<double>) const;
-template void WallExchange::receive(OrdinateIndex, const SweepSlotsOf<float>&, TakeUp, std::span<double>,
-                                    std::span<double>, std::span<double>) const;
+template void WallExchange::accumulate_irradiance(OrdinateIndex, const SweepSlotsOf<float>&, AccumulateAt,
+                                                  std::span<double>, std::span<double>,
+                                                  std::span<double>) const;
 
 }  // namespace etendue

@@ -15,10 +15,10 @@
 
 namespace etendue {
 
-/// Whether a sweep takes up what arrives at all walls or only at those that reflect.
-enum class TakeUp { reflecting, all };
+/// Walls at which a sweep accumulates the irradiance: those that reflect, or all.
+enum class AccumulateAt { reflecting, all };
 
-/// What the walls send in and take up, direction by direction:
+/// Exchange of light between the walls and the ordinates, direction by direction:
 ///
 ///     u_in = radiance + (diffuse / pi_h) E + (transmittance / pi_h) E(behind) + specular u_out(mirrored)
 ///            + f_r by a matrix (GlossyWalls),    pi_h = sum of w |w.n| over w.n < 0,
@@ -35,8 +35,10 @@ class WallExchange {
 
   std::size_t irradiance_size() const;
   /// Of what the mirrors reflect in the next sweep, and of what they reflect within the same.
-  std::size_t mirror_size() const { return glossy_.size() + mirror_rows(Turn::next_sweep) * row_size(); }
-  std::size_t passing_size() const { return mirror_rows(Turn::this_sweep) * row_size(); }
+  std::size_t mirror_size() const {
+    return glossy_.size() + mirror_rows(ReflectionPass::next_sweep) * row_size();
+  }
+  std::size_t passing_size() const { return mirror_rows(ReflectionPass::this_sweep) * row_size(); }
   /// Whether the next sweep brings back some of what arrives at a wall.
   bool feeds_back() const { return feeds_back_; }
   /// Of what arrives at a face, the part that the next sweep brings back to this side.
@@ -66,12 +68,12 @@ class WallExchange {
   template <class Real>
   void add_exitance(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<double> exitance) const;
 
-  /// Takes up what left along ordinate m, from the radiance of the cells at the walls: adds to `irradiance`,
-  /// and writes the mirrors' part of `next`, or `passing`. What black walls receive matters for nothing but
-  /// the results.
+  /// Adds the radiance that leaves the cells at the walls along ordinate m to `irradiance`, and writes the
+  /// mirrors' part of `next`, or `passing`. The irradiance of black walls matters for the results alone.
   template <class Real>
-  void receive(OrdinateIndex m, const SweepSlotsOf<Real>& slots, TakeUp what, std::span<double> irradiance,
-               std::span<double> mirrors, std::span<double> passing) const;
+  void accumulate_irradiance(OrdinateIndex m, const SweepSlotsOf<Real>& slots, AccumulateAt what,
+                             std::span<double> irradiance, std::span<double> mirrors,
+                             std::span<double> passing) const;
 
   /// Adds radiance that brings the irradiance `after` - `before` to one face, the same in all directions, to
   /// what leaves along the ordinates there, in one band. Does nothing where the face is neither glossy nor a
@@ -87,13 +89,13 @@ class WallExchange {
     std::size_t wall;
   };
 
-  /// When a mirror sends back what arrives.
-  enum class Turn { this_sweep, next_sweep };
+  /// Sweep in which a mirror reflects the radiance that arrives.
+  enum class ReflectionPass { this_sweep, next_sweep };
 
   struct MirrorPlane {
     Vec3 normal;
     double refractive_index;  ///< 1: that of a mirror
-    Turn turn;
+    ReflectionPass pass;
     std::vector<std::int32_t> partner;  ///< [ordinate]
     std::vector<double> reflected;      ///< [ordinate] where it refracts
   };
@@ -101,7 +103,7 @@ class WallExchange {
   /// A face that is a mirror.
   struct Mirror {
     std::size_t plane;
-    std::size_t row;  ///< among those of its turn
+    std::size_t row;  ///< among those of its pass
   };
 
   void find_mirrors(const OrdinateSchedule& schedule);
@@ -114,7 +116,7 @@ class WallExchange {
     return at < 0 ? nullptr : &mirrors_[static_cast<std::size_t>(at)];
   }
   std::size_t row_size() const;
-  std::size_t mirror_rows(Turn turn) const { return rows_[static_cast<std::size_t>(turn)]; }
+  std::size_t mirror_rows(ReflectionPass pass) const { return rows_[static_cast<std::size_t>(pass)]; }
   MirrorPlane mirror_plane(FaceIndex face, const OrdinateSchedule& schedule) const;
   std::size_t mirror_at(std::size_t row, std::int32_t ordinate) const;
 
@@ -136,7 +138,7 @@ class WallExchange {
   std::vector<std::int32_t> mirror_of_;  ///< [boundary face] its mirror, -1 where it is none
   std::vector<Mirror> mirrors_;
   std::vector<MirrorPlane> planes_;
-  std::array<std::size_t, 2> rows_{};  ///< [turn]
+  std::array<std::size_t, 2> rows_{};  ///< [pass]
   std::vector<Face> faces_;
   std::vector<std::int32_t> all_;           ///< boundary faces
   std::vector<std::int32_t> reflecting_;    ///< boundary faces

@@ -24,12 +24,12 @@ void append_common(const Triangle& entry, const Triangle& exit, const Vec3& exit
     if (inwards.dot(exit[(i + 2) % 3] - a) < 0) inwards = -inwards;
     common = clipped(common, inwards, a);
   }
-  const auto way = [&](const Vec3& from) {
+  const auto path_length = [&](const Vec3& from) {
     return std::max(0.0, exit_normal.dot(exit[0] - from) / exit_normal.dot(direction));
   };
   for (std::size_t i = 2; i < common.size(); ++i) {
     const Triangle part{common[0], common[i - 1], common[i]};
-    columns.push_back({part, {way(part[0]), way(part[1]), way(part[2])}});
+    columns.push_back({part, {path_length(part[0]), path_length(part[1]), path_length(part[2])}});
   }
 }
 

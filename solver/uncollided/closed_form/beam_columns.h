@@ -9,10 +9,10 @@
 namespace etendue {
 
 /// Parallel light falls through a tetrahedron in columns: what comes in by one face and goes out by another,
-/// so that the length of the way is linear between the three corners of a column.
+/// so that the path length is linear between the three corners of a column.
 struct Column {
   std::array<Vec3, 3> entry;     ///< corners, on the face by which light comes in
-  std::array<double, 3> length;  ///< of the way from each to the face by which it goes out
+  std::array<double, 3> length;  ///< of the path from each to the face by which it goes out
 
   /// As light of a unit direction sees it.
   double cross_section(const Vec3& direction) const;

@@ -16,15 +16,16 @@ void cut_simplex(const std::array<std::array<double, corners>, corners>& simplex
   if (*lowest >= -touching || *highest <= touching) return use(simplex, measure);
   const auto below = static_cast<std::size_t>(lowest - height.begin());
   const auto above = static_cast<std::size_t>(highest - height.begin());
-  const double way = height[above] / (height[above] - height[below]);
+  const double fraction = height[above] / (height[above] - height[below]);
   auto upper = simplex, lower = simplex;
   for (std::size_t k = 0; k < corners; ++k)
-    upper[below][k] = lower[above][k] = simplex[above][k] + way * (simplex[below][k] - simplex[above][k]);
+    upper[below][k] = lower[above][k] =
+        simplex[above][k] + fraction * (simplex[below][k] - simplex[above][k]);
   std::array<double, corners> upper_height = height;
   upper_height[below] = 0;
   height[above] = 0;
-  cut_simplex<corners>(upper, upper_height, touching, way * measure, use);
-  cut_simplex<corners>(lower, height, touching, (1 - way) * measure, use);
+  cut_simplex<corners>(upper, upper_height, touching, fraction * measure, use);
+  cut_simplex<corners>(lower, height, touching, (1 - fraction) * measure, use);
 }
 
 }  // namespace etendue

@@ -16,7 +16,7 @@ namespace {
 /// Unit normals that agree to this lie in one plane; so do the corners of walls that a file gives.
 constexpr double one_plane = 1e-6;
 
-/// A group whose points lie farther beside it than this part of its radius is looked at in parts.
+/// A group whose points lie farther beside it than this part of its radius is sampled in parts.
 constexpr double beside = 0.1;
 
 std::size_t corner_count(EmitterShape shape) { return shape == EmitterShape::triangles ? 3 : 4; }

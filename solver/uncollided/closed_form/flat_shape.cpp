@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/quadrature/simplex_rules.h"
-#include "solver/uncollided/closed_form/even_pieces.h"
 #include "solver/uncollided/closed_form/outline.h"
 #include "solver/uncollided/closed_form/side_light.h"
+#include "solver/uncollided/closed_form/uniform_emitters.h"
 
 namespace etendue {
 namespace {
@@ -47,14 +47,14 @@ struct Rule {
       return;
     }
     for (const FacePointWeight& point : seven_point_rule()) {
-      const Vec3 way = point.barycentric[0] * a + point.barycentric[1] * b + point.barycentric[2] * c;
-      const double distance = way.norm();
+      const Vec3 separation = point.barycentric[0] * a + point.barycentric[1] * b + point.barycentric[2] * c;
+      const double distance = separation.norm();
       const double part = point.weight * above / (distance * distance * distance);
       const double arrives = part * std::exp(-extinction * distance);
       clear.fluence += part;
-      clear.flux -= part / distance * way;
+      clear.flux -= part / distance * separation;
       left.fluence += arrives;
-      left.flux -= arrives / distance * way;
+      left.flux -= arrives / distance * separation;
     }
   }
 };
@@ -144,12 +144,12 @@ FlatShape::View FlatShape::by_parts(const Vec3& eye, double height, double extin
 }
 
 std::vector<std::pair<FlatShape, std::vector<double>>> flat_shapes(std::span<const EmitterPart> triangles) {
-  const auto pieces = even_pieces(triangles, most_shapes);
-  if (!pieces) return {};
+  const auto emitters = uniform_emitters(triangles, most_shapes);
+  if (!emitters) return {};
   std::vector<std::pair<FlatShape, std::vector<double>>> shapes;
   std::size_t sides = 0;
-  for (const EvenPiece& piece : *pieces) {
-    shapes.emplace_back(FlatShape(piece.triangles), piece.radiance);
+  for (const UniformEmitter& emitter : *emitters) {
+    shapes.emplace_back(FlatShape(emitter.triangles), emitter.radiance);
     sides += shapes.back().first.side_count();
     if (sides > most_sides) return {};
   }

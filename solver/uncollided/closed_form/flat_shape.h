@@ -16,8 +16,8 @@ namespace etendue {
 /// (van Oosterom and Strackee 1983, eq. 8).
 double signed_solid_angle(const std::array<Vec3, 3>& corners);
 
-/// A flat piece of any outline that shines evenly from one side. What it brings to a point in empty space
-/// depends on its outline alone, and so it does in even matter.
+/// A flat piece of any outline with uniform radiance on one side. What it brings to a point in empty space
+/// depends on its outline alone, and so it does in a homogeneous medium.
 class FlatShape {
  public:
   struct View {
@@ -30,7 +30,7 @@ class FlatShape {
 
   /// Through empty space (Lambert 1760; Arvo 1994, eq. 4). Nothing from behind and from its plane.
   View from(const Vec3& eye) const;
-  /// Through even matter of this extinction [1/length].
+  /// Through a homogeneous medium of this extinction [1/length].
   View from(const Vec3& eye, double extinction) const;
   /// Those that a point is at most so far from [length].
   std::vector<std::size_t> sides_at(const Vec3& point, double distance) const;
@@ -47,8 +47,8 @@ class FlatShape {
   std::vector<std::pair<Vec3, Vec3>> sides_;  ///< counterclockwise about the normal
 };
 
-/// The even shapes that triangles make up, with their radiance [band]; empty where they are more than a few,
-/// or have many sides.
+/// The uniform shapes that triangles make up, with their radiance [band]; empty where they are more than a
+/// few, or have many sides.
 std::vector<std::pair<FlatShape, std::vector<double>>> flat_shapes(std::span<const EmitterPart> triangles);
 
 }  // namespace etendue

@@ -18,14 +18,14 @@ struct FootIntegrals {
   double second, third;
 };
 
-/// What a side adds to the light of its shape through even matter, over the radiance [sr].
+/// What a side adds to the light of its shape through a homogeneous medium, over the radiance [sr].
 struct SideLight {
   double fluence = 0;
   double upward = 0;   ///< of the net flux
   double outward = 0;  ///< of the net flux, in the plane
 };
 
-/// Light of radiance 1 through matter of extinction a reaches an eye at height h from a shape A with r the
+/// Light of radiance 1 through a medium of extinction a reaches an eye at height h from a shape A with r the
 /// distance, rho the place from the foot and f the polar angle about it:
 ///
 ///     fluence   int_A h e^(-ar) / r^3 dA            = contour int E_2(ah) - (h / r) E_2(ar) df,

@@ -59,10 +59,10 @@ struct Wedge {
   Vec3 exit_normal = Vec3::Zero();
   double exit = 0;
 
-  double way_in(const Vec3& direction) const {
+  double distance_in(const Vec3& direction) const {
     return entry_normal == Vec3::Zero() ? 0 : entry / entry_normal.dot(direction);
   }
-  double way_out(const Vec3& direction) const { return exit / exit_normal.dot(direction); }
+  double distance_out(const Vec3& direction) const { return exit / exit_normal.dot(direction); }
 };
 
 /// The origin may lie inside, outside, or on a face, an edge or a vertex: faces whose plane it lies on to

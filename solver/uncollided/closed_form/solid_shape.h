@@ -14,7 +14,7 @@
 
 namespace etendue {
 
-/// A body with flat faces that emits evenly throughout. What it brings to a point in even matter of
+/// A body with flat faces with uniform emission. What it brings to a point in a homogeneous medium of
 /// extinction a, inside of it or outside, depends on its surface alone: with the theorem of Gauss, r from
 /// the eye and n outward,
 ///
@@ -37,7 +37,7 @@ class SolidShape {
   /// Tetrahedra that share a face have the same corners there.
   explicit SolidShape(std::span<const std::array<Vec3, 4>> tetrahedra);
 
-  /// Through even matter of this extinction [1/length]; to 1e-10 of the size.
+  /// Through a homogeneous medium of this extinction [1/length]; to 1e-10 of the size.
   View from(const Vec3& eye, double extinction) const;
   /// From a point inside or outside [length].
   double distance_to_surface(const Vec3& point) const;
@@ -67,8 +67,8 @@ class SolidShape {
   std::vector<Edge> edges_;
 };
 
-/// The even bodies that tetrahedra make up, with their emission [band]; empty where these have too many edges
-/// for that to be worth while.
+/// The uniform bodies that tetrahedra make up, with their emission [band]; empty where these have too many
+/// edges for that to be worth while.
 std::vector<std::pair<SolidShape, std::vector<double>>> solid_shapes(std::span<const EmitterPart> tetrahedra);
 
 }  // namespace etendue

@@ -38,7 +38,7 @@ class FirstCollision : public AngularInput {
   static std::size_t memory(const LightSetup& lights, const DirectionSet& directions);
 
  private:
-  /// Finds which directions light comes from where matter scatters by each of the tables.
+  /// Finds which directions light comes from where a medium scatters by each of the tables.
   std::vector<std::vector<Vec3>> number_directions();
   void tabulate_phase(const PhaseFunction& phase, std::span<const Vec3> directions, int threads,
                       std::vector<double>& table) const;
@@ -51,7 +51,7 @@ class FirstCollision : public AngularInput {
   const DirectionSet& directions_;
   PhaseList phases_;
   const RayMatter& matter_;
-  /// Of phase functions, then of kinds of matter: P_m(w') - 1/(4 pi) [1/sr], [ordinate][direction]
+  /// Of phase functions, then of kinds of medium: P_m(w') - 1/(4 pi) [1/sr], [ordinate][direction]
   std::vector<std::vector<double>> tables_;
   std::vector<std::vector<std::int32_t>> number_;  ///< [table][incident direction] its place, -1: not there
   std::vector<std::size_t> length_;                ///< [table] number of directions

@@ -40,14 +40,14 @@ std::size_t estimate_rotated_memory(const LightSetup& lights, const std::vector<
 
 Solution solve_rotated(const LightSetup& lights, const std::vector<DirectionSet>& sets,
                        const SolveOptions& options, const SolveObserver& observer,
-                       const std::vector<DirectionSet>& first_collided, const SetReader& reader) {
+                       const std::vector<DirectionSet>& first_collided, const DirectionSetObserver& reader) {
   UncollidedLight uncollided(lights, options);
   return solve_rotated(uncollided, sets, options, observer, first_collided, reader);
 }
 
 Solution solve_rotated(UncollidedLight& uncollided, const std::vector<DirectionSet>& sets,
                        const SolveOptions& options, const SolveObserver& observer,
-                       const std::vector<DirectionSet>& first_collided, const SetReader& reader) {
+                       const std::vector<DirectionSet>& first_collided, const DirectionSetObserver& reader) {
   MeanSolution mean;
   SavedState last;
   SolveOptions warm = options;

@@ -8,19 +8,21 @@
 
 namespace etendue {
 
-/// The mean of the solutions on several sets, which differ in nothing but their rotation: what is left of ray
+/// The mean of the solutions on several sets, which differ in nothing but their rotation: the remaining ray
 /// effects falls as one over the square root of their number, and how the solutions differ tells how much it
 /// is (Solution::direction_error). Each starts from the one before. Radiance of ordinates is not kept.
 /// `sets` is not empty; with one set this is solve_split(). Light that collides once is swept on the sets
 /// `first_collided`, one for each of the others, or none.
 Solution solve_rotated(const LightSetup& lights, const std::vector<DirectionSet>& sets,
                        const SolveOptions& options, const SolveObserver& observer = {},
-                       const std::vector<DirectionSet>& first_collided = {}, const SetReader& reader = {});
+                       const std::vector<DirectionSet>& first_collided = {},
+                       const DirectionSetObserver& reader = {});
 
 /// The same with uncollided light that was found before, which is handed over to the solution.
 Solution solve_rotated(UncollidedLight& uncollided, const std::vector<DirectionSet>& sets,
                        const SolveOptions& options, const SolveObserver& observer = {},
-                       const std::vector<DirectionSet>& first_collided = {}, const SetReader& reader = {});
+                       const std::vector<DirectionSet>& first_collided = {},
+                       const DirectionSetObserver& reader = {});
 
 /// Root mean square over the volume of direction_error over that of the fluence, in the band where it is
 /// most.

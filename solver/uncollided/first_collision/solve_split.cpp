@@ -12,8 +12,8 @@
 #include "solver/problem/lights/beam_pieces.h"
 #include "solver/solution/node_means.h"
 #include "solver/transport/solve/solve.h"
+#include "solver/uncollided/first_collision/first_collided_solution.h"
 #include "solver/uncollided/first_collision/first_collision.h"
-#include "solver/uncollided/first_collision/once_collided.h"
 #include "solver/uncollided/sources/beam_source.h"
 #include "solver/uncollided/sources/sky_source.h"
 
@@ -166,18 +166,19 @@ UncollidedLight::UncollidedLight(const LightSetup& lights, const SolveOptions& o
 // The first collisions are a source of the one sweep or of the other.
 Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const DirectionSet* first_collided,
                                      const SolveOptions& options, const SolveObserver& observer,
-                                     const SetReader& reader) const {
+                                     const DirectionSetObserver& reader) const {
   const Problem remaining = lights_.remaining();
   SolveOptions with_input = options;
   if (first_collided != nullptr) {
-    const OnceCollided once(lights_, field_, remaining, *first_collided, directions, options, threads_);
-    with_input.angular_input = &once;
+    const FirstCollidedSolution first(lights_, field_, remaining, *first_collided, directions, options,
+                                      threads_);
+    with_input.angular_input = &first;
     Solution solution = solve(remaining, directions, with_input, observer);
     if (reader) {
-      const SweptLight finer = once.swept();
-      reader({directions, solution, &once, &finer});
+      const DirectionSetSolution finer = first.swept();
+      reader({directions, solution, &first, &finer});
     }
-    once.add_to(solution);
+    first.add_to(solution);
     return solution;
   }
   const auto start = Clock::now();
@@ -192,7 +193,7 @@ Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const Direc
 
 Solution UncollidedLight::solve_rest(const DirectionSet& directions, const DirectionSet* first_collided,
                                      const SolveOptions& options, const SolveObserver& observer,
-                                     const SetReader& reader) const {
+                                     const DirectionSetObserver& reader) const {
   if (lights_.empty()) {
     Solution whole = solve(lights_.problem(), directions, options, observer);
     whole.notes.insert(whole.notes.begin(), lights_.notes().begin(), lights_.notes().end());
@@ -230,7 +231,7 @@ void UncollidedLight::finish(Solution& solution) {
 
 Solution solve_split(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
                      const SolveObserver& observer, const DirectionSet* first_collided,
-                     const SetReader& reader) {
+                     const DirectionSetObserver& reader) {
   UncollidedLight uncollided(lights, options);
   Solution solution = uncollided.solve_rest(directions, first_collided, options, observer, reader);
   uncollided.finish(solution);
@@ -242,12 +243,13 @@ std::size_t estimate_split_memory(const LightSetup& lights, const DirectionSet& 
   const std::size_t rest = estimate_memory(lights.problem(), directions, options);
   if (lights.empty()) return rest;
   if (first_collided == nullptr) return rest + FirstCollision::memory(lights, directions);
-  SolveOptions once = options;
-  once.method = Method::source_iteration;
-  once.acceleration = Acceleration::none;
+  SolveOptions one_sweep = options;
+  one_sweep.method = Method::source_iteration;
+  one_sweep.acceleration = Acceleration::none;
   const std::size_t field = FirstCollision::memory(lights, *first_collided);
-  return std::max(rest + OnceCollided::memory(lights.problem(), directions, *first_collided, options),
-                  estimate_memory(lights.problem(), *first_collided, once)) +
+  return std::max(
+             rest + FirstCollidedSolution::memory(lights.problem(), directions, *first_collided, options),
+             estimate_memory(lights.problem(), *first_collided, one_sweep)) +
          field;
 }
 

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "solver/angular/sets/direction_set.h"
+#include "solver/solution/direction_set_solution.h"
 #include "solver/solution/solution.h"
 #include "solver/solution/solve_observer.h"
 #include "solver/solution/solve_options.h"
-#include "solver/solution/swept_light.h"
 #include "solver/uncollided/first_collision/first_collisions.h"
 #include "solver/uncollided/lights/light_setup.h"
 
@@ -26,7 +26,7 @@ class UncollidedLight {
   /// must not have an angular input of their own.
   Solution solve_rest(const DirectionSet& directions, const DirectionSet* first_collided,
                       const SolveOptions& options, const SolveObserver& observer,
-                      const SetReader& reader = {}) const;
+                      const DirectionSetObserver& reader = {}) const;
   const LightSetup& lights() const { return lights_; }
   /// Hands the uncollided part over to a solution. Of the field only first_collisions() are left.
   void finish(Solution& solution);
@@ -36,7 +36,7 @@ class UncollidedLight {
  private:
   Solution sweep_rest(const DirectionSet& directions, const DirectionSet* first_collided,
                       const SolveOptions& options, const SolveObserver& observer,
-                      const SetReader& reader) const;
+                      const DirectionSetObserver& reader) const;
 
   const LightSetup& lights_;
   int threads_;
@@ -50,7 +50,7 @@ class UncollidedLight {
 /// an angular input of their own. `first_collided` as in UncollidedLight::solve_rest().
 Solution solve_split(const LightSetup& lights, const DirectionSet& directions, const SolveOptions& options,
                      const SolveObserver& observer = {}, const DirectionSet* first_collided = nullptr,
-                     const SetReader& reader = {});
+                     const DirectionSetObserver& reader = {});
 
 /// Bytes that solve_split() may take at its peak: an upper estimate.
 std::size_t estimate_split_memory(const LightSetup& lights, const DirectionSet& directions,

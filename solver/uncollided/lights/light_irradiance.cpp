@@ -5,8 +5,8 @@
 #include <array>
 
 #include "solver/problem/mirror.h"
-#include "solver/uncollided/closed_form/even_pieces.h"
 #include "solver/uncollided/closed_form/polygon_irradiance.h"
+#include "solver/uncollided/closed_form/uniform_emitters.h"
 #include "solver/uncollided/sources/wide_source.h"
 
 namespace etendue {
@@ -52,7 +52,7 @@ UncollidedAtPoint LightIrradiance::at(const PointInCell& point, const Vec3& norm
   UncollidedAtPoint light{std::vector<double>(bands, 0), std::vector<double>(bands, 0)};
   LightBeams seen(bands), clear(bands);
   LightDetail each = each_triangle;
-  each.creases = &lights_.creases();
+  each.shadow_edges = &lights_.shadow_edges();
   for (std::size_t i = 0; i < skies_.size(); ++i) {
     if (skies_[i]) {
       add_sky(*skies_[i], point, normal, light);

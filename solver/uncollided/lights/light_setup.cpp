@@ -92,7 +92,7 @@ LightSetup::LightSetup(const Problem& problem)
   add_lights();
   add_regions();
   add_walls();
-  if (!sources_.empty()) creases_ = creases_of(paths_);
+  if (!sources_.empty()) shadow_edges_ = shadow_edges_of(paths_);
   check_refraction();
 }
 
@@ -111,7 +111,7 @@ void LightSetup::check_refraction() {
         const LightSource& source = *sources_[next];
         const double sent = std::accumulate(source.power().begin(), source.power().end(), 0.0);
         power += sent;
-        at_wall += sent * part_at_wall(paths_, creases_, source, wall);
+        at_wall += sent * part_at_wall(paths_, shadow_edges_, source, wall);
       }
       const double part = power > 0 ? at_wall / power : 0;
       if (part > most_at_refraction)
@@ -275,7 +275,7 @@ LightAtPoint LightSetup::at(const PointInCell& point, const std::optional<Vec3>&
   if (normal) light.irradiance.assign(bands, 0);
   LightBeams beams(bands);
   LightDetail detail = fine_light;
-  detail.creases = &creases_;
+  detail.shadow_edges = &shadow_edges_;
   for (const auto& source : sources_) {
     beams.clear();
     source->add_beams(point, Sight::attenuated, detail, beams);

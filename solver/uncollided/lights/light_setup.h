@@ -7,7 +7,7 @@
 
 #include "solver/problem/problem.h"
 #include "solver/uncollided/projection/uncollided_field.h"
-#include "solver/uncollided/rays/creases.h"
+#include "solver/uncollided/rays/shadow_edges.h"
 
 namespace etendue {
 
@@ -38,8 +38,8 @@ class LightSetup {
   const std::vector<std::string>& notes() const { return notes_; }
 
   /// Of the problem, behind which its lights are seen in part.
-  const std::vector<Crease>& creases() const { return creases_; }
-  /// Uncollided light at a point of a cell, at the finer detail and cut along creases.
+  const std::vector<ShadowEdge>& shadow_edges() const { return shadow_edges_; }
+  /// Uncollided light at a point of a cell, at the finer detail and cut along shadow edges.
   LightAtPoint at(const PointInCell& point, const std::optional<Vec3>& normal) const;
 
  private:
@@ -53,7 +53,7 @@ class LightSetup {
 
   const Problem& problem_;
   LightPaths paths_;
-  std::vector<Crease> creases_;
+  std::vector<ShadowEdge> shadow_edges_;
   LightSources sources_;
   std::vector<Origin> origins_;  ///< [source]
   std::vector<char> region_is_light_;

@@ -10,7 +10,7 @@
 namespace etendue {
 namespace {
 
-/// Part of the way to the centroid from which a corner is looked at: what stands on its edges is not in the
+/// Part of the way to the centroid from which a corner is sampled: what stands on its edges is not in the
 /// way.
 constexpr double step_inside = 1e-3;
 

@@ -6,12 +6,12 @@
 #include <cstdint>
 
 #include "solver/uncollided/projection/arriving_light.h"
-#include "solver/uncollided/projection/cell_way.h"
+#include "solver/uncollided/projection/ray_segment.h"
 
 namespace etendue {
 namespace {
 
-/// A cell as far away as so many of its sizes, no thicker than this and in which matter leaves no
+/// A cell as far away as so many of its sizes, no thicker than this and in which a medium leaves no
 /// more of the light at one point than at another but for a factor is seen from four points.
 constexpr double far_in_sizes = 8. / 3, thin = 0.3, even_factor = 1.2;
 /// How often a cell with a shadow's edge is divided in eight.
@@ -84,7 +84,7 @@ class PointsOfCell {
     add_transmittance(cell_.position(barycentric));
     return beams_.size();
   }
-  /// What is left of all that would arrive in empty space.
+  /// Transmitted fraction of the light that would arrive in empty space.
   void add_transmittance(const Vec3& position) {
     clear_.clear();
     source_.add_beams({cell_.index, position}, Sight::clear, coarse_light, clear_);
@@ -131,17 +131,17 @@ LitCell::LitCell(const LightPaths& paths, CellIndex cell)
   thickness = paths.largest_extinction(cell) * size;
 }
 
-void add_directly(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
+void add_directly(const LightPaths& paths, const LightSource& source, const ShadowPlanes& shadows,
                   const LitCell& cell, LightBeams& beams, NodalMoments& moments) {
   const bool far = !source.is_near(cell.centroid, far_in_sizes * cell.size);
   // Between parallel mirrors suns from both sides make up for what each misses, if both are seen alike.
-  if (far && cell.thickness <= thin && !creases.pass_through(cell.corners) &&
-      PointsOfCell(paths, source, cell, beams, moments).add(!creases.are_complete()))
+  if (far && cell.thickness <= thin && !shadows.pass_through(cell.corners) &&
+      PointsOfCell(paths, source, cell, beams, moments).add(!shadows.are_complete()))
     return;
   if (source.as_point() != nullptr)
-    add_in_polar_frame(paths, *source.as_point(), creases, cell, moments);
+    add_in_polar_frame(paths, *source.as_point(), shadows, cell, moments);
   else
-    add_in_columns(paths, *source.as_beam(), creases, cell, moments);
+    add_in_columns(paths, *source.as_beam(), shadows, cell, moments);
 }
 
 }  // namespace etendue

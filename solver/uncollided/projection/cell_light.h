@@ -6,9 +6,9 @@
 #include "base/quadrature/simplex_rules.h"
 #include "solver/uncollided/moments/nodal_moments.h"
 #include "solver/uncollided/sources/beam_source.h"
-#include "solver/uncollided/sources/crease_planes.h"
 #include "solver/uncollided/sources/light_source.h"
 #include "solver/uncollided/sources/point_source.h"
+#include "solver/uncollided/sources/shadow_planes.h"
 
 namespace etendue {
 
@@ -33,17 +33,17 @@ struct LitCell {
 ///
 ///     integral over K of shape phi dV = P integral dw i(w) T(in) integral of (a + b r) e^(-s (r - in)) dr.
 ///
-/// Creases part what is seen.
-void add_in_polar_frame(const LightPaths& paths, const PointSource& source, const CreasePlanes& creases,
+/// Divided along shadow planes.
+void add_in_polar_frame(const LightPaths& paths, const PointSource& source, const ShadowPlanes& shadows,
                         const LitCell& cell, NodalMoments& moments);
 
-/// Adds the light of a beam column by column, in closed form along the light, parted by creases.
-void add_in_columns(const LightPaths& paths, const BeamSource& source, const CreasePlanes& creases,
+/// Adds the light of a beam column by column, in closed form along the light, divided along shadow planes.
+void add_in_columns(const LightPaths& paths, const BeamSource& source, const ShadowPlanes& shadows,
                     const LitCell& cell, NodalMoments& moments);
 
 /// Adds the light of a point or a beam: in one of these ways, or from a few points of the cell where light is
 /// even enough.
-void add_directly(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
+void add_directly(const LightPaths& paths, const LightSource& source, const ShadowPlanes& shadows,
                   const LitCell& cell, LightBeams& beams, NodalMoments& moments);
 
 }  // namespace etendue

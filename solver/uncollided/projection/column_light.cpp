@@ -7,7 +7,7 @@
 #include "solver/uncollided/closed_form/beam_columns.h"
 #include "solver/uncollided/projection/arriving_light.h"
 #include "solver/uncollided/projection/cell_light.h"
-#include "solver/uncollided/projection/cell_way.h"
+#include "solver/uncollided/projection/ray_segment.h"
 
 namespace etendue {
 namespace {
@@ -100,8 +100,9 @@ class BeamInColumns {
       for (double& value : power) value *= point.weight * cross_section;
       double length = 0;
       for (std::size_t i = 0; i < 3; ++i) length += point.barycentric[i] * column.length[i];
-      add_way(paths_.matter(), cell_, way_through(cell_, gradients_, entry(column, point), direction, length),
-              power, moments_);
+      add_segment(paths_.matter(), cell_,
+                  segment_through(cell_, gradients_, entry(column, point), direction, length), power,
+                  moments_);
     }
   }
 
@@ -118,13 +119,13 @@ class BeamInColumns {
 
 }  // namespace
 
-void add_in_columns(const LightPaths& paths, const BeamSource& source, const CreasePlanes& creases,
+void add_in_columns(const LightPaths& paths, const BeamSource& source, const ShadowPlanes& shadows,
                     const LitCell& cell, NodalMoments& moments) {
   BeamInColumns light(paths, source, cell, moments);
-  std::vector<CreasePlane> planes;
+  std::vector<ShadowPlane> planes;
   for (std::size_t i = 0; i < source.directions().size(); ++i) {
     const Vec3& direction = source.directions()[i];
-    const bool parted = creases.find(i, cell.corners, planes);
+    const bool parted = shadows.find(i, cell.corners, planes);
     for (const Column& column : columns_of(cell.corners, direction))
       for (const std::array<Vec3, 3>& part : cut_by_planes(column.entry, planes))
         for (const std::array<Vec3, 3>& lit : source.lit_parts(i, part))

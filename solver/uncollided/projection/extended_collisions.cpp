@@ -23,7 +23,7 @@ class FoundLight {
       : paths_(paths), source_(source), cell_(cell), beams_(beams), found_(found) {}
 
   template <class Rule>
-  void look(const Rule& rule, Sight sight) {
+  void sample(const Rule& rule, Sight sight) {
     found_.clear();
     bool first = true;
     for (const auto& point : rule) {
@@ -91,9 +91,9 @@ void add_extended_collisions(const LightPaths& paths, const LightSource& source,
   const auto sample = [&](Sight sight, std::vector<char> wanted, DirectionalMoments& moments) {
     FoundLight found(paths, source, cell, beams, moments);
     if (source.is_near(cell.centroid, near_in_sizes * cell.size))
-      found.look(cell_rule(), sight);
+      found.sample(cell_rule(), sight);
     else
-      found.look(four_point_rule(), sight);
+      found.sample(four_point_rule(), sight);
     std::vector<double> factors = found.sums();
     for (std::size_t i = 0; i < factors.size(); ++i) {
       const bool counts = wanted[i] != 0 && factors[i] > 0;

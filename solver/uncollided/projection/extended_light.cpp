@@ -18,7 +18,7 @@ constexpr double tolerance_of_cells = 1e-3, tolerance_of_faces = 1e-4;
 constexpr int divisions_of_cells = 2, divisions_of_faces = 5;
 /// Cells larger than the light once more for each time that their size has to be halved, so often at most.
 constexpr int divisions_to_light = 4;
-/// Cells in and near a volume that shines in many ways are looked at point by point where they are thicker
+/// Cells in and near a volume that shines in many ways are sampled point by point where they are thicker
 /// than this.
 constexpr double thick = 1;
 /// How often a cell or face with a part in the shadow is divided. Less than this part of the light in the
@@ -43,10 +43,9 @@ const auto& rule_of_degree_two(const SubTriangle&) { return three_point_rule(); 
 
 }  // namespace
 
-/// What arrives at a place, [band], and the extinction [1/length] of the even matter that it is reckoned
-/// with.
-struct ExtendedLight::Arrived : EvenLight {
-  explicit Arrived(std::size_t bands) : EvenLight(bands), extinction(bands) {}
+/// Light at a point, [band], through a homogeneous medium, and the extinction of that medium [1/length].
+struct ExtendedLight::Arrived : HomogeneousLight {
+  explicit Arrived(std::size_t bands) : HomogeneousLight(bands), extinction(bands) {}
   std::vector<double> extinction;
 };
 
@@ -71,12 +70,12 @@ struct ExtendedLight::Site {
 };
 
 ExtendedLight::ExtendedLight(const LightPaths& paths, const ExtendedSource& source,
-                             const std::vector<Crease>& creases, int threads)
+                             const std::vector<ShadowEdge>& shadow_edges, int threads)
     : paths_(paths),
       source_(source),
       bands_(paths.bands()),
-      losses_(paths, source, threads),
-      edges_(paths, source, creases) {}
+      vertex_attenuation_(paths, source, threads),
+      edges_(paths, source, shadow_edges) {}
 
 // Much larger cells hold nearly the light of a point.
 int ExtendedLight::divisions_of(const LitCell& cell) const {
@@ -87,45 +86,45 @@ int ExtendedLight::divisions_of(const LitCell& cell) const {
 // The points of the rule have one barycentric coordinate 1 - (n - 1) a and the others a. Those behind the
 // light take the mean of the others.
 template <std::size_t corners>
-bool ExtendedLight::look_inside(const Site<corners>& site, LightBeams& beams,
-                                LossesBetween<corners>& losses) const {
+bool ExtendedLight::sample_inside(const Site<corners>& site, LightBeams& beams,
+                                  InterpolatedAttenuation<corners>& interpolated) const {
   const auto& rule = rule_of_degree_two(site.whole);
-  std::array<Seen, corners> seen{};
+  std::array<Visibility, corners> visibility{};
   double lit = 0;
   for (std::size_t i = 0; i < corners; ++i) {
-    losses.corner[i].resize(bands_);
-    seen[i] =
-        look(source_, {site.cell, site.position(rule[i].barycentric)}, coarse_light, beams, losses.corner[i]);
-    if (seen[i] == Seen::nothing || seen[i] == Seen::part) return false;
-    lit += seen[i] == Seen::all ? 1 : 0;
+    interpolated.corner[i].resize(bands_);
+    visibility[i] = sample(source_, {site.cell, site.position(rule[i].barycentric)}, coarse_light, beams,
+                           interpolated.corner[i]);
+    if (visibility[i] == Visibility::nothing || visibility[i] == Visibility::part) return false;
+    lit += visibility[i] == Visibility::all ? 1 : 0;
   }
   if (lit == 0) return false;
   constexpr auto count = static_cast<double>(corners);
   const double a = rule[0].barycentric[1];
   for (std::size_t b = 0; b < bands_; ++b) {
-    WayLoss mean;
+    PathAttenuation mean;
     for (std::size_t i = 0; i < corners; ++i)
-      if (seen[i] == Seen::all) {
-        mean.extinction += losses.corner[i][b].extinction / lit;
-        mean.turn += losses.corner[i][b].turn / lit;
+      if (visibility[i] == Visibility::all) {
+        mean.extinction += interpolated.corner[i][b].extinction / lit;
+        mean.deflection += interpolated.corner[i][b].deflection / lit;
       }
     for (std::size_t i = 0; i < corners; ++i) {
-      WayLoss& own = losses.corner[i][b];
-      if (seen[i] != Seen::all) own = mean;
+      PathAttenuation& own = interpolated.corner[i][b];
+      if (visibility[i] != Visibility::all) own = mean;
       own = {1, mean.extinction + (own.extinction - mean.extinction) / (1 - count * a),
-             mean.turn + (own.turn - mean.turn) / (1 - count * a)};
+             mean.deflection + (own.deflection - mean.deflection) / (1 - count * a)};
     }
   }
   return true;
 }
 
-void ExtendedLight::arrive(const Vec3& place, std::span<const WayLoss> loss, LightBeams& beams,
+void ExtendedLight::arrive(const Vec3& place, std::span<const PathAttenuation> attenuation, LightBeams& beams,
                            Arrived& light) const {
-  for (std::size_t b = 0; b < bands_; ++b) light.extinction[b] = std::max(0.0, loss[b].extinction);
-  source_.look_even(place, light.extinction, std::nullopt, beams, light);
+  for (std::size_t b = 0; b < bands_; ++b) light.extinction[b] = std::max(0.0, attenuation[b].extinction);
+  source_.evaluate_homogeneous(place, light.extinction, std::nullopt, beams, light);
   for (std::size_t b = 0; b < bands_; ++b) {
-    light.flux[b] = loss[b].visible * (light.flux[b] + light.fluence[b] * loss[b].turn);
-    light.fluence[b] *= loss[b].visible;
+    light.flux[b] = attenuation[b].visible * (light.flux[b] + light.fluence[b] * attenuation[b].deflection);
+    light.fluence[b] *= attenuation[b].visible;
   }
 }
 
@@ -167,15 +166,16 @@ void ExtendedLight::integrate(const Site<corners>& site, double tolerance, int d
 }
 
 template <std::size_t corners, class Deposit>
-void ExtendedLight::add_lit(const Site<corners>& site, const LossesBetween<corners>& losses, int divisions,
-                            const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const {
+void ExtendedLight::add_lit(const Site<corners>& site, const InterpolatedAttenuation<corners>& interpolated,
+                            int divisions, const Deposit& deposit, LightBeams& beams,
+                            NodalMoments& moments) const {
   Arrived light(bands_);
-  std::vector<WayLoss> loss(bands_);
+  std::vector<PathAttenuation> attenuation(bands_);
   const auto add_point = [&](const std::array<double, corners>& barycentric, double measure,
                              NodalMoments& sum) {
     const Vec3 place = site.position(barycentric);
-    for (std::size_t b = 0; b < bands_; ++b) loss[b] = losses.at(barycentric, b);
-    arrive(place, loss, beams, light);
+    for (std::size_t b = 0; b < bands_; ++b) attenuation[b] = interpolated.at(barycentric, b);
+    arrive(place, attenuation, beams, light);
     deposit(place, barycentric, measure, light, sum);
   };
   const bool middling = corners == 3 || source_.is_near(site.centroid, middling_in_sizes * site.size);
@@ -198,22 +198,22 @@ void ExtendedLight::add_point_by_point(const Site<corners>& site,
   NodalMoments sum = moments;
   sum.clear();
   Arrived light(bands_);
-  std::vector<WayLoss> loss(bands_);
+  std::vector<PathAttenuation> attenuation(bands_);
   bool any_lit = false, any_shadow = false;
-  const auto look_from = [&](const auto& point) {
+  const auto add_sample = [&](const auto& point) {
     const auto barycentric = in_whole(point.barycentric, part);
     const Vec3 place = site.position(barycentric);
-    const Seen seen = look(source_, {site.cell, place}, detail, beams, loss);
-    const double visible = seen == Seen::behind ? 0 : loss[0].visible;
+    const Visibility visibility = sample(source_, {site.cell, place}, detail, beams, attenuation);
+    const double visible = visibility == Visibility::behind ? 0 : attenuation[0].visible;
     any_lit = any_lit || visible > trifle_of_light;
-    any_shadow = any_shadow || (seen != Seen::behind && visible < 1 - trifle_of_light);
-    arrive(place, loss, beams, light);
+    any_shadow = any_shadow || (visibility != Visibility::behind && visible < 1 - trifle_of_light);
+    arrive(place, attenuation, beams, light);
     deposit(place, barycentric, point.weight * measure, light, sum);
   };
   if (divisions == 0 && source_.is_near(site.centroid, middling_in_sizes * site.size))
-    for (const auto& point : detail::rule_of_degree_five(part)) look_from(point);
+    for (const auto& point : detail::rule_of_degree_five(part)) add_sample(point);
   else
-    for (const auto& point : rule_of_degree_two(part)) look_from(point);
+    for (const auto& point : rule_of_degree_two(part)) add_sample(point);
   if (!any_lit || !any_shadow || divisions == 0) return moments.add(sum);
   const auto parts = equal_parts(part);
   for (const auto& child : parts)
@@ -226,12 +226,12 @@ void ExtendedLight::add_along_rays(const Site<corners>& site, const LightDetail&
                                    int divisions, const Deposit& deposit, LightBeams& beams,
                                    NodalMoments& moments) const {
   Arrived light(bands_);
-  std::vector<WayLoss> loss(bands_);
+  std::vector<PathAttenuation> attenuation(bands_);
   const auto add_point = [&](const std::array<double, corners>& barycentric, double measure,
                              NodalMoments& sum) {
     const Vec3 place = site.position(barycentric);
-    look(source_, {site.cell, place}, detail, beams, loss);
-    arrive(place, loss, beams, light);
+    sample(source_, {site.cell, place}, detail, beams, attenuation);
+    arrive(place, attenuation, beams, light);
     deposit(place, barycentric, measure, light, sum);
   };
   integrate(site, tolerance, divisions, add_point, moments);
@@ -239,15 +239,16 @@ void ExtendedLight::add_along_rays(const Site<corners>& site, const LightDetail&
 
 template <std::size_t corners, class Deposit>
 void ExtendedLight::add(const Site<corners>& site, const std::array<std::int32_t, corners>& vertices,
-                        const std::vector<Crease>& edges, int divisions, const Deposit& deposit,
+                        const std::vector<ShadowEdge>& edges, int divisions, const Deposit& deposit,
                         LightBeams& beams, NodalMoments& moments) const {
-  LossesBetween<corners> losses;
-  const Interpolation found = losses_.take(vertices, losses);
+  InterpolatedAttenuation<corners> interpolated;
+  const Interpolation found = vertex_attenuation_.take(vertices, interpolated);
   const bool known = found == Interpolation::possible || (found == Interpolation::steep && !site.counts);
-  if (edges.empty() && (known || (found == Interpolation::unseen && look_inside(site, beams, losses))))
-    return add_lit(site, losses, divisions, deposit, beams, moments);
+  if (edges.empty() &&
+      (known || (found == Interpolation::unseen && sample_inside(site, beams, interpolated))))
+    return add_lit(site, interpolated, divisions, deposit, beams, moments);
   LightDetail detail = corners == 3 ? wall_in_shadow : coarse_light;
-  if (!edges.empty()) detail.creases = &edges;
+  if (!edges.empty()) detail.shadow_edges = &edges;
   if (source_.plane() && source_.is_near(site.centroid, near_in_sizes * site.size))
     return corners == 3 ? add_along_rays(site, detail, penumbra_tolerance, divisions_in_penumbra, deposit,
                                          beams, moments)
@@ -272,7 +273,7 @@ void ExtendedLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& mo
   if (source_.is_in_parts() && cell.thickness > thick &&
       source_.is_near(cell.centroid, near_in_sizes * cell.size))
     return add_point_by_point(site, site.whole, site.measure, 0, coarse_light, deposit, beams, moments);
-  std::vector<Crease> edges;
+  std::vector<ShadowEdge> edges;
   if (source_.flat_parts().size() <= most_cut_in_cells) edges = edges_.before(site.corner);
   add(site, paths_.problem().mesh().vertices(cell.index), edges, divisions_of(cell), deposit, beams, moments);
 }
@@ -289,23 +290,23 @@ void ExtendedLight::add(FaceIndex face, LightBeams& beams, NodalMoments& moments
   for (std::size_t i = 0; i < 3; ++i) site.corner[i] = mesh.point(VertexIndex(vertices[i]));
   const std::vector<double>& reflected = paths_.problem().wall(mesh.wall(face)).specular;
   LightBeams before(bands_);
-  EvenLight even(bands_);
+  HomogeneousLight homogeneous(bands_);
   const auto deposit = [&](const Vec3& place, const std::array<double, 3>& shape, double measure,
                            const Arrived& light, NodalMoments& sum) {
-    if (plane >= 0) source_.look_even(place, light.extinction, plane, before, even);
+    if (plane >= 0) source_.evaluate_homogeneous(place, light.extinction, plane, before, homogeneous);
     for (std::size_t b = 0; b < bands_; ++b) {
       double irradiance = light.flux[b].dot(normal) / (1 - reflected[b]);
       if (reflected[b] > nearly_all)
-        irradiance = even.fluence[b] > 0
-                         ? light.fluence[b] / (1 + reflected[b]) * even.flux[b].dot(normal) / even.fluence[b]
-                         : 0;
+        irradiance = homogeneous.fluence[b] > 0 ? light.fluence[b] / (1 + reflected[b]) *
+                                                      homogeneous.flux[b].dot(normal) / homogeneous.fluence[b]
+                                                : 0;
       sum.add(shape, measure, b, std::max(0.0, irradiance));
     }
   };
-  const std::vector<Crease> edges = edges_.before(site.corner);
+  const std::vector<ShadowEdge> edges = edges_.before(site.corner);
   if (edges.empty()) return add(site, vertices, edges, divisions_of_faces, deposit, beams, moments);
   LightDetail detail = wall_in_shadow;
-  detail.creases = &edges;
+  detail.shadow_edges = &edges;
   add_along_rays(site, detail, penumbra_tolerance, divisions_in_penumbra, deposit, beams, moments);
 }
 

@@ -9,23 +9,23 @@
 #include "base/quadrature/collapsed_rule.h"
 #include "solver/uncollided/projection/cell_light.h"
 #include "solver/uncollided/sources/extended_source.h"
-#include "solver/uncollided/visibility/mesh_losses.h"
 #include "solver/uncollided/visibility/occluding_edges.h"
+#include "solver/uncollided/visibility/vertex_attenuation.h"
 
 namespace etendue {
 
-/// Light of a source with an extent in cells and on walls. What would arrive through matter that is the same
-/// everywhere needs no rays: it is integrated as finely as it varies. Which extinction that matter has to
-/// have for as much to arrive as through the media that there are, and what obstacles leave, is looked at
-/// from the vertices and edges of the mesh (MeshLosses); near a surface that shines from points of the cell
-/// itself; and in shadows, and in matter at the edge of a cloud, from each point that is asked. In the
+/// Light of a source with an extent in cells and on walls. The light through a homogeneous medium needs no
+/// rays: it is integrated as finely as it varies. Rays traced to the vertices and edges of the mesh
+/// (VertexAttenuation) give the effective extinction of that medium and the visible fraction; near a surface
+/// that shines, rays go to points of the cell itself; in shadows, and at the edge of a cloud, to each point
+/// of the rule. In the
 /// penumbra of a flat light each point sees it cut along the edges that hide a part of it, in cells where the
 /// light has few triangles, and faces are divided until that changes little. In a homogeneous medium nothing
 /// is left to be interpolated.
 class ExtendedLight {
  public:
-  ExtendedLight(const LightPaths& paths, const ExtendedSource& source, const std::vector<Crease>& creases,
-                int threads);
+  ExtendedLight(const LightPaths& paths, const ExtendedSource& source,
+                const std::vector<ShadowEdge>& shadow_edges, int threads);
 
   void add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const;
   void add(FaceIndex face, LightBeams& beams, NodalMoments& moments) const;
@@ -37,16 +37,18 @@ class ExtendedLight {
 
   /// How often a cell near the light is divided at most.
   int divisions_of(const LitCell& cell) const;
-  void arrive(const Vec3& place, std::span<const WayLoss> loss, LightBeams& beams, Arrived& light) const;
+  void arrive(const Vec3& place, std::span<const PathAttenuation> attenuation, LightBeams& beams,
+              Arrived& light) const;
   /// False where a point is in the shadow, or all are behind the light.
   template <std::size_t corners>
-  bool look_inside(const Site<corners>& site, LightBeams& beams, LossesBetween<corners>& losses) const;
+  bool sample_inside(const Site<corners>& site, LightBeams& beams,
+                     InterpolatedAttenuation<corners>& interpolated) const;
   /// Of a part of a cell or a face.
   template <std::size_t corners>
   SteepCorners<corners> steep_corners(const Site<corners>& site,
                                       const std::array<std::array<double, corners>, corners>& part) const;
   template <std::size_t corners, class Deposit>
-  void add_lit(const Site<corners>& site, const LossesBetween<corners>& losses, int divisions,
+  void add_lit(const Site<corners>& site, const InterpolatedAttenuation<corners>& interpolated, int divisions,
                const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const;
   template <std::size_t corners, class Deposit>
   void add_point_by_point(const Site<corners>& site,
@@ -64,13 +66,13 @@ class ExtendedLight {
                       const Deposit& deposit, LightBeams& beams, NodalMoments& moments) const;
   template <std::size_t corners, class Deposit>
   void add(const Site<corners>& site, const std::array<std::int32_t, corners>& vertices,
-           const std::vector<Crease>& edges, int divisions, const Deposit& deposit, LightBeams& beams,
+           const std::vector<ShadowEdge>& edges, int divisions, const Deposit& deposit, LightBeams& beams,
            NodalMoments& moments) const;
 
   const LightPaths& paths_;
   const ExtendedSource& source_;
   std::size_t bands_;
-  MeshLosses losses_;
+  VertexAttenuation vertex_attenuation_;
   OccludingEdges edges_;
 };
 

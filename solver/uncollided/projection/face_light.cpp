@@ -50,7 +50,7 @@ struct LitFace {
 
 /// How often a face with a shadow's edge is divided in four.
 constexpr int most_divisions = 3;
-/// Optical thickness of the matter along a face from which on it is divided until all that a light brings to
+/// Optical thickness of the medium along a face from which on it is divided until all that a light brings to
 /// its points agrees within a factor, as long as that is not a trifle of what the light would bring.
 constexpr double thin = 0.3, even_factor = 2;
 /// A wide light's face is not divided below this thickness.
@@ -141,7 +141,7 @@ class PointsOfFace {
 };
 
 void add_image(const LightPaths& paths, const PointSource& source, const PointSource::Image& image,
-               std::span<const CreasePlane> planes, const LitFace& face, NodalMoments& moments) {
+               std::span<const ShadowPlane> planes, const LitFace& face, NodalMoments& moments) {
   const double height = face.normal.dot(face.centroid - image.position);
   constexpr double on_plane = 1e-10;
   if (height <= on_plane * face.size) return;
@@ -178,15 +178,15 @@ void add_wide(const LightSource& source, const LitFace& face, double thickness, 
 
 }  // namespace
 
-void add_irradiance(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
+void add_irradiance(const LightPaths& paths, const LightSource& source, const ShadowPlanes& shadows,
                     FaceIndex index, LightBeams& beams, NodalMoments& moments) {
   const LitFace face(paths.problem().mesh(), index);
-  std::vector<CreasePlane> planes;
+  std::vector<ShadowPlane> planes;
   const PointSource* point = source.as_point();
-  const bool parted = creases.find(face.corners, planes);
+  const bool parted = shadows.find(face.corners, planes);
   if (parted && point != nullptr && source.is_near(face.centroid, face.size)) {
     for (std::size_t i = 0; i < point->images().size(); ++i) {
-      creases.find(i, face.corners, planes);
+      shadows.find(i, face.corners, planes);
       add_image(paths, *point, point->images()[i], planes, face, moments);
     }
     return;

@@ -7,11 +7,11 @@
 
 namespace etendue {
 
-double part_at_wall(const LightPaths& paths, const std::vector<Crease>& creases, const LightSource& source,
-                    const Wall& wall) {
+double part_at_wall(const LightPaths& paths, const std::vector<ShadowEdge>& shadow_edges,
+                    const LightSource& source, const Wall& wall) {
   const Problem& problem = paths.problem();
   const TetrahedralMesh& mesh = problem.mesh();
-  const CreasePlanes planes(paths, creases, source);
+  const ShadowPlanes planes(paths, shadow_edges, source);
   LightBeams beams(paths.bands());
   NodalMoments arriving(3, 1, paths.bands());
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)

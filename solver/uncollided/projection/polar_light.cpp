@@ -7,15 +7,15 @@
 #include "solver/uncollided/closed_form/solid_angle.h"
 #include "solver/uncollided/projection/arriving_light.h"
 #include "solver/uncollided/projection/cell_light.h"
-#include "solver/uncollided/projection/cell_way.h"
+#include "solver/uncollided/projection/ray_segment.h"
 
 namespace etendue {
 namespace {
 
 /// Chords of the unit sphere up to which a rule of degree 5 sees a wedge of an empty cell to about 1e-6.
 constexpr double largest_side = 0.35;
-/// Ratio and difference in optical depth of the ways to where the edges of a part come in and go out, and the
-/// factor between what arrives along its rays, up to which the rule sees as much of it.
+/// Ratio and difference in optical depth of the paths to where the edges of a part come in and go out, and
+/// the factor between what arrives along its rays, up to which the rule sees as much of it.
 constexpr double even_ratio = 1.5, even_depth = 0.7, even_factor = 2;
 /// Of what would arrive in empty space; it may vary as it likes.
 constexpr double trifle = 1e-13;
@@ -51,12 +51,12 @@ class PointInWedges {
     for (std::size_t i = 0; i < 4; ++i)
       places[i + 1] = cell_.corners[i] + inside_corner * (cell_.centroid - cell_.corners[i]);
     for (const Vec3& place : places) {
-      const Vec3 way = place - image_.position;
-      const double length = way.norm();
+      const Vec3 separation = place - image_.position;
+      const double length = separation.norm();
       const std::span<double> transmittance = transmittance_.add();
       std::ranges::fill(transmittance, 1.0);
       // Where something opaque stands in between others may see the light.
-      if (!paths_.transmit({cell_.index, place}, -way / length, length, image_.mirrors, transmittance))
+      if (!paths_.transmit({cell_.index, place}, -separation / length, length, image_.mirrors, transmittance))
         return false;
     }
     return transmittance_.is_trifle(trifle_);
@@ -87,11 +87,11 @@ class PointInWedges {
   bool is_alike(const Wedge& wedge, const SphericalTriangle& part) const {
     std::array<double, 3> in{}, out{};
     for (std::size_t i = 0; i < 3; ++i) {
-      in[i] = wedge.way_in(part[i]);
-      out[i] = wedge.way_out(part[i]);
+      in[i] = wedge.distance_in(part[i]);
+      out[i] = wedge.distance_out(part[i]);
     }
-    const auto differ = [&](const std::array<double, 3>& ways) {
-      const auto [least, most] = std::ranges::minmax(ways);
+    const auto differ = [&](const std::array<double, 3>& lengths) {
+      const auto [least, most] = std::ranges::minmax(lengths);
       return most > even_ratio * least || extinction_ * (most - least) > even_depth;
     };
     return !differ(in) && !differ(out);
@@ -99,7 +99,7 @@ class PointInWedges {
 
   /// Leaves zero where something stands in between.
   void look(const Wedge& wedge, const Vec3& direction, std::span<double> transmittance) const {
-    const double in = wedge.way_in(direction);
+    const double in = wedge.distance_in(direction);
     std::ranges::fill(transmittance, 1.0);
     if (in > 0 && !paths_.transmit({cell_.index, image_.position + in * direction}, -direction, in,
                                    image_.mirrors, transmittance))
@@ -109,10 +109,10 @@ class PointInWedges {
     const double intensity = source_.intensity(image_, point.direction) * point.weight;
     if (intensity == 0) return;
     for (std::size_t b = 0; b < power.size(); ++b) power[b] *= source_.power()[b] * intensity;
-    const double in = wedge.way_in(point.direction), out = wedge.way_out(point.direction);
+    const double in = wedge.distance_in(point.direction), out = wedge.distance_out(point.direction);
     const Vec3 entry = image_.position + in * point.direction;
-    add_way(paths_.matter(), cell_, way_through(cell_, gradients_, entry, point.direction, out - in), power,
-            moments_);
+    add_segment(paths_.matter(), cell_, segment_through(cell_, gradients_, entry, point.direction, out - in),
+                power, moments_);
   }
 
   const LightPaths& paths_;
@@ -130,12 +130,12 @@ class PointInWedges {
 
 }  // namespace
 
-void add_in_polar_frame(const LightPaths& paths, const PointSource& source, const CreasePlanes& creases,
+void add_in_polar_frame(const LightPaths& paths, const PointSource& source, const ShadowPlanes& shadows,
                         const LitCell& cell, NodalMoments& moments) {
-  std::vector<CreasePlane> planes;
+  std::vector<ShadowPlane> planes;
   for (std::size_t i = 0; i < source.images().size(); ++i) {
     const PointSource::Image& image = source.images()[i];
-    const bool parted = creases.find(i, cell.corners, planes);
+    const bool parted = shadows.find(i, cell.corners, planes);
     std::array<Vec3, 4> corners = cell.corners;
     for (Vec3& corner : corners) corner -= image.position;
     PointInWedges light(paths, source, image, cell, parted, moments);

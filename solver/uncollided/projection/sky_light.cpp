@@ -25,7 +25,7 @@ constexpr double least_transmittance = 1e-300;
 constexpr double even = 0.03, uneven = 1.5, trifle = 15;
 constexpr int most_cuts = 9;
 
-/// Optical thickness of a cell from which on fourteen points of it are looked at, else four.
+/// Optical thickness of a cell from which on fourteen points of it are sampled, else four.
 constexpr double thick = 0.3;
 /// How finely planes are told apart: by their normals, and their places in sizes of the domain.
 constexpr double same_plane = 1e-6;
@@ -91,7 +91,7 @@ std::vector<std::int32_t> planes_of_faces(const TetrahedralMesh& mesh) {
   return planes;
 }
 
-/// Where the ways to the vertices begin.
+/// Where the paths to the vertices begin.
 struct Beginnings {
   std::vector<std::int32_t> planes;  ///< [boundary face]
   std::vector<CellIndex> cells;      ///< [vertex] one of those around it
@@ -111,7 +111,7 @@ class BeamGroup {
     for (std::size_t k = 0; k < count_; ++k)
       views_.push_back(paths.matter().view(sky.directions()[first + k]));
     depth_.resize(beginnings.cells.size() * count_ * bands_);
-    way_.assign(beginnings.cells.size() * count_, several_ways);
+    entry_.assign(beginnings.cells.size() * count_, several_entries);
     parallel_for(
         beginnings.cells.size(), threads, 64, [&] { return std::vector<double>(bands_); },
         [&](std::size_t v, std::vector<double>& transmittance) {
@@ -128,10 +128,10 @@ class BeamGroup {
     for (std::size_t k = 0; k < count_; ++k) {
       std::array<std::size_t, 4> place;
       for (std::size_t i = 0; i < 4; ++i) place[i] = static_cast<std::size_t>(vertices[i]) * count_ + k;
-      const std::int64_t way = way_[place[0]];
-      const bool alike = std::ranges::all_of(place, [&](std::size_t p) { return way_[p] == way; });
-      if (alike && way == no_way) continue;
-      if (!alike || way == several_ways) {
+      const std::int64_t entry = entry_[place[0]];
+      const bool alike = std::ranges::all_of(place, [&](std::size_t p) { return entry_[p] == entry; });
+      if (alike && entry == no_entry) continue;
+      if (!alike || entry == several_entries) {
         if (cell.thickness < thick)
           look(cell, k, four_point_rule(), transmittance, moments);
         else
@@ -143,7 +143,7 @@ class BeamGroup {
         for (std::size_t i = 0; i < 4; ++i) at.depth[i] = depth_[place[i] * bands_ + b];
         points.clear();
         append_points(at, cell.volume, at.least(), most_cuts, points);
-        add(cell, {k, static_cast<std::size_t>(way % parts())}, b, points, moments);
+        add(cell, {k, static_cast<std::size_t>(entry % parts())}, b, points, moments);
       }
     }
   }
@@ -151,17 +151,17 @@ class BeamGroup {
  private:
   /// In the place of a plane by which a beam comes to a vertex: by none, and by another on each side of a
   /// sheet.
-  static constexpr std::int64_t no_way = -1, several_ways = -2;
+  static constexpr std::int64_t no_entry = -1, several_entries = -2;
 
   void look_from_vertex(const Beginnings& beginnings, std::size_t v, std::size_t k,
                         std::span<double> transmittance) {
     const auto entry =
         sky_.transmit({beginnings.cells[v], paths_.problem().mesh().points()[v]}, first_ + k, transmittance);
     if (!entry) {
-      way_[v * count_ + k] = no_way;
+      entry_[v * count_ + k] = no_entry;
       return;
     }
-    way_[v * count_ + k] =
+    entry_[v * count_ + k] =
         beginnings.planes[entry->face.at()] * parts() + static_cast<std::int64_t>(sky_.kind(entry->part));
     for (std::size_t b = 0; b < bands_; ++b)
       depth_[(v * count_ + k) * bands_ + b] = -std::log(std::max(transmittance[b], least_transmittance));
@@ -217,7 +217,7 @@ class BeamGroup {
   std::size_t first_, count_, bands_;
   std::vector<RayMatter::View> views_;  ///< [beam]
   std::vector<double> depth_;           ///< [vertex][beam][band]
-  std::vector<std::int64_t> way_;       ///< [vertex][beam] by which plane it comes in from what kind of part
+  std::vector<std::int64_t> entry_;     ///< [vertex][beam] by which plane it comes in from what kind of part
 };
 
 }  // namespace

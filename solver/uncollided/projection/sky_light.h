@@ -10,12 +10,12 @@
 namespace etendue {
 
 /// Light of a sky in the cells, beam by beam. Rays go to the vertices of the mesh; between them the optical
-/// depth of each beam is linear, as it is in even matter behind a flat wall, and so is the part of the cell
-/// that it comes to. Cells at sheets, whose vertices see another light from each side, are looked at from
-/// points.
+/// depth of each beam is linear, as it is in a homogeneous medium behind a flat wall, and so is the part of
+/// the cell that it comes to. Cells at sheets, whose vertices see another light from each side, are sampled
+/// from points.
 ///
 /// `begin` is called with the moments of a cell before light is added to them. `add` is called with the
-/// integrals over a cell (with what is absorbed and scatters where some matter depends on directions or
+/// integrals over a cell (with what is absorbed and scatters where a medium depends on directions or
 /// varies in cells), several times for each cell, each of several beams, and by several threads at a time for
 /// different cells. The counter counts sky_visits() parts and may stop it.
 void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads, StageCounter& counter,

@@ -16,7 +16,7 @@
 namespace etendue {
 namespace {
 
-/// Where matter varies in a cell: the product of fluence and coefficients, both linear.
+/// Where a medium varies in a cell: the product of fluence and coefficients, both linear.
 void add_varying_losses(const LightPaths& paths, const LitCell& cell, NodalMoments& moments) {
   const RayMatter::View any;  // asked only where directions are alike
   for (std::size_t b = 0; b < paths.bands(); ++b) {
@@ -121,7 +121,7 @@ struct Workspace {
   NodalMoments moments;
 };
 
-void add_cells(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
+void add_cells(const LightPaths& paths, const LightSource& source, const ShadowPlanes& shadows,
                const std::optional<ExtendedLight>& extended, int threads, StageCounter& counter,
                UncollidedField& field) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
@@ -133,7 +133,7 @@ void add_cells(const LightPaths& paths, const LightSource& source, const CreaseP
     moments.clear();
     if (!extended) {
       directional.prepare(cell.index, field.collisions, AngularDetail::fine, moments);
-      add_directly(paths, source, creases, cell, work.beams, moments);
+      add_directly(paths, source, shadows, cell, work.beams, moments);
     } else {
       moments.leave_out_directions();
       extended->add(cell, work.beams, moments);
@@ -157,7 +157,7 @@ void add_cells(const LightPaths& paths, const LightSource& source, const CreaseP
       add_cell);
 }
 
-void add_walls(const LightPaths& paths, const LightSource& source, const CreasePlanes& creases,
+void add_walls(const LightPaths& paths, const LightSource& source, const ShadowPlanes& shadows,
                const std::optional<ExtendedLight>& extended, int threads, StageCounter& counter,
                std::vector<double>& irradiance) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
@@ -169,7 +169,7 @@ void add_walls(const LightPaths& paths, const LightSource& source, const CreaseP
     if (extended)
       extended->add(face, work.beams, moments);
     else
-      add_irradiance(paths, source, creases, face, work.beams, moments);
+      add_irradiance(paths, source, shadows, face, work.beams, moments);
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t b = 0; b < bands; ++b)
         irradiance[(face.at() * 3 + i) * bands + b] += moments.nodal(i, 0, b, mesh.area(face));
@@ -216,15 +216,15 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
   }
   field.collisions = empty_collisions(paths, sources);
   const DirectionalCells directional(paths);
-  const std::vector<Crease> creases = creases_of(paths);
+  const std::vector<ShadowEdge> shadow_edges = shadow_edges_of(paths);
   StageCounter counter(visits(mesh, sources), observer);
   for (const auto& source : sources) {
     if (counter.stopped()) return field;
     const WideSource* wide = source->as_wide();
     std::optional<ExtendedLight> extended;
     if (wide != nullptr && wide->as_extended() != nullptr)
-      extended.emplace(paths, *wide->as_extended(), creases, threads);
-    const CreasePlanes planes(paths, creases, *source);
+      extended.emplace(paths, *wide->as_extended(), shadow_edges, threads);
+    const ShadowPlanes planes(paths, shadow_edges, *source);
     if (wide != nullptr && wide->as_sky() != nullptr)
       add_sky_light(
           paths, *wide->as_sky(), threads, counter,

@@ -29,10 +29,10 @@ struct UncollidedField {
 double scattered_density(const Problem& problem, const UncollidedField& field, std::size_t entry);
 
 /// Integrates the light of the sources: of a point in its polar frame, where the distance squared cancels, of
-/// a beam in columns along it, both in closed form on the way through a cell and cut along the edges of
-/// shadows (CreasePlanes), or by four points where it is even; of a light with an extent by what it meets on
-/// its way to the vertices (ExtendedLight). The same bits for any number of threads. An observer that stops
-/// it leaves the field incomplete.
+/// a beam in columns along it, both in closed form along the path through a cell and cut along the edges of
+/// shadows (ShadowPlanes), or by four points where it is even; of a light with an extent by its attenuation
+/// on the paths to the vertices (ExtendedLight). The same bits for any number of threads. An observer that
+/// stops it leaves the field incomplete.
 UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads,
                                  const StageObserver& observer = {});
 

@@ -5,13 +5,13 @@
 
 namespace etendue {
 
-/// Integrals along a way of length l through constant extinction s: of e^(-s x) and of x e^(-s x).
-struct AttenuatedWay {
+/// Integrals along a path of length l through constant extinction s: of e^(-s x) and of x e^(-s x).
+struct AttenuationIntegrals {
   double constant;  ///< E0 = (1 - e^(-s l)) / s
   double linear;    ///< E1 = (1 - (1 + s l) e^(-s l)) / s^2
 };
 
-inline AttenuatedWay attenuated_way(double extinction, double length) {
+inline AttenuationIntegrals attenuation_integrals(double extinction, double length) {
   const double t = extinction * length;
   // The closed form of E1 loses digits like 1/t^2; the series has an error below t^6/5000.
   if (t < 0.02)
@@ -21,8 +21,8 @@ inline AttenuatedWay attenuated_way(double extinction, double length) {
   return {lost / extinction, (lost - t * std::exp(-t)) / (extinction * extinction)};
 }
 
-/// The integral along such a way of 4 (x/l) (1 - x/l) e^(-s x), of what bends by one in its middle.
-inline double attenuated_bend(double extinction, double length) {
+/// Integral along such a path of 4 (x/l) (1 - x/l) e^(-s x), the quadratic that is one in its middle.
+inline double attenuated_quadratic(double extinction, double length) {
   const double t = extinction * length;
   if (t > 1) return 4 * length * (t - 2 + (t + 2) * std::exp(-t)) / (t * t * t);
   // The closed form loses digits like 1/t^3: the sum of (-t)^k / (k! (k+2) (k+3)).

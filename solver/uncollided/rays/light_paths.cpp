@@ -8,9 +8,9 @@
 namespace etendue {
 namespace {
 
-/// A wall that stands this part of the way before its end is where the light is.
-constexpr double end_of_way = 1e-9;
-/// Mirrors on one way after which it is given up: nothing that counts comes from there.
+/// A wall that stands this part of the path before its end is where the light is.
+constexpr double end_of_path = 1e-9;
+/// Mirrors on one path after which it is given up: nothing that counts comes from there.
 constexpr int most_reflections = 10000;
 
 std::vector<double> extinction_of(const Problem& problem) {
@@ -69,7 +69,7 @@ void LightPaths::reflect(FaceIndex face, std::span<double> factor) const {
   for (std::size_t b = 0; b < bands_; ++b) factor[b] -= std::log(wall.specular[b]);
 }
 
-// `transmittance` holds the optical depth on the way; a mirror adds -log of its reflectance.
+// `transmittance` holds the optical depth of the path; a mirror adds -log of its reflectance.
 bool LightPaths::transmit(const PointInCell& from, const Vec3& direction, double length, MirrorSet mirrors,
                           std::span<double> transmittance) const {
   std::fill(transmittance.begin(), transmittance.end(), 0.0);
@@ -79,10 +79,10 @@ bool LightPaths::transmit(const PointInCell& from, const Vec3& direction, double
   while (true) {
     const RayEnd end = walk(at, along, left, transmittance);
     left -= end.distance;
-    const bool at_end = left <= end_of_way * length;
-    // What touches a mirror is seen behind it at once, but still by way of it.
+    const bool at_end = left <= end_of_path * length;
+    // What touches a mirror is seen behind it at once, but still via it.
     if (!end.wall) {
-      if (!mirrors_.touches(mirrors, at.position + end.distance * along, end_of_way * length)) return false;
+      if (!mirrors_.touches(mirrors, at.position + end.distance * along, end_of_path * length)) return false;
       break;
     }
     const int plane = mirrors_.of(*end.wall);
@@ -94,7 +94,7 @@ bool LightPaths::transmit(const PointInCell& from, const Vec3& direction, double
     } else if (!at_end) {
       return false;
     }
-    if (at_end && mirrors_.touches(mirrors, end.point, end_of_way * length)) break;
+    if (at_end && mirrors_.touches(mirrors, end.point, end_of_path * length)) break;
     if (at_end) return false;
   }
   for (std::size_t b = 0; b < bands_; ++b)

@@ -18,7 +18,7 @@ struct PointInCell {
   Vec3 position;
 };
 
-/// Where a way back to the light left the domain.
+/// Where a path back to the light left the domain.
 struct WayOut {
   FaceIndex face;
   Vec3 direction;  ///< of the ray there
@@ -46,9 +46,9 @@ class LightPaths {
     return matter_.empty() ? extinction(cell, band) : matter_.at(cell, band, light).extinction();
   }
 
-  /// Transmittance [band] of the way from a point along a unit direction of this length, reflected by exactly
-  /// these mirrors, their reflectances included. False where something opaque stands before its end; a wall
-  /// at its end does not, to 1e-9 of the length.
+  /// Transmittance [band] of the path from a point along a unit direction of this length, reflected by
+  /// exactly these mirrors, their reflectances included. False where something opaque stands before its end;
+  /// a wall at its end does not, to 1e-9 of the length.
   bool transmit(const PointInCell& from, const Vec3& direction, double length, MirrorSet mirrors,
                 std::span<double> transmittance) const;
 

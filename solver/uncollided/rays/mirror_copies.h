@@ -22,7 +22,7 @@ struct MirrorCopy {
 /// The room itself and its copies behind some of these mirrors, none of which are parallel.
 std::vector<MirrorCopy> copies_behind(const MirrorPlanes& planes, MirrorSet mirrors);
 
-/// For a beam of unit direction that comes by way of these mirrors; parallel ones show the room again and
+/// For a beam of unit direction that comes via these mirrors; parallel ones show the room again and
 /// again, as far as light gets before it must have left. Empty where that is too often.
 std::vector<MirrorCopy> copies_along(const LightPaths& paths, MirrorSet mirrors, const Vec3& direction);
 

@@ -22,7 +22,7 @@ class BeamSource : public LightSource {
   const BeamLight& light() const { return light_; }
   /// That of the beam and of its images behind mirrors.
   std::span<const Vec3> directions() const { return directions_; }
-  /// [direction] The mirrors by way of which light comes so.
+  /// [direction] The mirrors via which light arrives so.
   std::span<const MirrorSet> mirrors() const { return mirrors_; }
   /// The fluence [band] that arrives at a point along one of the directions; false if none does.
   bool arrives(const PointInCell& at, const Vec3& direction, std::span<double> fluence) const;

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "mesh/tetrahedra/sheet_faces.h"
-#include "solver/uncollided/closed_form/even_pieces.h"
-#include "solver/uncollided/sources/even_way.h"
+#include "solver/uncollided/closed_form/uniform_emitters.h"
+#include "solver/uncollided/sources/homogeneous_path.h"
 
 namespace etendue {
 namespace {
@@ -53,19 +53,19 @@ ExtendedSource::ExtendedSource(std::string name, std::vector<double> power, Emit
     plane_ = common_plane(flat_parts_);
     body_.box = tree_.box();
   } else {
-    unfold();
+    find_mirrored_emitter();
   }
   views_ = images_of(body_);
 }
 
-// Where extinction is not the same everywhere, or a sheet may stand in it, the body is looked at in parts.
-void ExtendedSource::unfold() {
+// Where extinction is not the same everywhere, or a sheet may be in it, the emitter is sampled in parts.
+void ExtendedSource::find_mirrored_emitter() {
   const MirrorSet touched = mirrors_touched(paths_, tree_.parts());
-  body_ = UnfoldedBody(paths_, tree_.parts(), touched);
+  body_ = MirroredEmitter(paths_, tree_.parts(), touched);
   bodies_before_.resize(static_cast<std::size_t>(paths_.mirrors().count()));
   for (std::size_t plane = 0; plane < bodies_before_.size(); ++plane)
     if ((body_.across >> plane & 1) != 0)
-      bodies_before_[plane] = UnfoldedBody(paths_, tree_.parts(), body_.across & ~(MirrorSet{1} << plane));
+      bodies_before_[plane] = MirroredEmitter(paths_, tree_.parts(), body_.across & ~(MirrorSet{1} << plane));
   const auto as_first = [this](const EmitterPart& part) {
     return part.extinction == tree_.part(0).extinction;
   };
@@ -73,10 +73,11 @@ void ExtendedSource::unfold() {
       vertices_of_sheets(paths_.problem().mesh()).empty())
     return;
   body_.convex.clear();
-  for (UnfoldedBody& body : bodies_before_) body.convex.clear();
+  for (MirroredEmitter& body : bodies_before_) body.convex.clear();
 }
 
-std::vector<MirrorSet> ExtendedSource::images_of(const UnfoldedBody& body, std::optional<int> without) const {
+std::vector<MirrorSet> ExtendedSource::images_of(const MirroredEmitter& body,
+                                                 std::optional<int> without) const {
   std::vector<MirrorSet> images;
   for (const MirrorSet mirrors : images_)
     if ((mirrors & body.across) == 0 && !(without && (mirrors >> *without & 1) != 0))
@@ -84,11 +85,12 @@ std::vector<MirrorSet> ExtendedSource::images_of(const UnfoldedBody& body, std::
   return images;
 }
 
-void ExtendedSource::look_even(const Vec3& place, std::span<const double> extinction,
-                               std::optional<int> without, LightBeams& beams, EvenLight& light) const {
+void ExtendedSource::evaluate_homogeneous(const Vec3& place, std::span<const double> extinction,
+                                          std::optional<int> without, LightBeams& beams,
+                                          HomogeneousLight& light) const {
   light.clear();
   const bool in_part = without && (body_.across >> *without & 1) != 0;
-  const UnfoldedBody& body = in_part ? bodies_before_[static_cast<std::size_t>(*without)] : body_;
+  const MirroredEmitter& body = in_part ? bodies_before_[static_cast<std::size_t>(*without)] : body_;
   for (const MirrorSet mirrors : images_of(body, without)) {
     const LightView view{mirrors, paths_.mirrors().image(mirrors, place), &body};
     if (!shapes_.empty())
@@ -102,22 +104,23 @@ void ExtendedSource::look_even(const Vec3& place, std::span<const double> extinc
 
 void ExtendedSource::add_parts(const LightView& view, std::span<const double> extinction,
                                std::span<const std::size_t> bands, LightBeams& beams,
-                               EvenLight& light) const {
+                               HomogeneousLight& light) const {
   if (bands.empty()) return;
-  std::vector<LightPiece> pieces;
-  cut(view, clear_detail, pieces);
+  std::vector<EmitterPatch> patches;
+  cut(view, clear_detail, patches);
   beams.clear();
-  for (const LightPiece& piece : pieces) add_clear(piece, beams);
+  for (const EmitterPatch& patch : patches) add_clear(patch, beams);
   for (std::size_t i = 0; i < beams.size(); ++i)
     for (const std::size_t b : bands) {
-      const double arrives = beams.fluence(i)[b] * even_way(beams.way(i), extinction[b]).transmittance;
+      const double arrives =
+          beams.fluence(i)[b] * homogeneous_path(beams.interval(i), extinction[b]).transmittance;
       light.fluence[b] += arrives;
       light.flux[b] += arrives * beams.direction(i);
     }
 }
 
 void ExtendedSource::add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<const double> extinction,
-                                EvenLight& light) const {
+                                HomogeneousLight& light) const {
   for (const auto& [shape, radiance] : shapes_) {
     FlatShape::View view;
     for (std::size_t b = 0; b < radiance.size(); ++b) {
@@ -130,7 +133,7 @@ void ExtendedSource::add_shapes(MirrorSet mirrors, const Vec3& eye, std::span<co
 }
 
 std::vector<std::size_t> ExtendedSource::add_bodies(const LightView& view, std::span<const double> extinction,
-                                                    EvenLight& light) const {
+                                                    HomogeneousLight& light) const {
   const auto& bodies = view.body->shapes;
   std::vector<std::size_t> cancelled;
   std::vector<SolidShape::View> views(bodies.size());

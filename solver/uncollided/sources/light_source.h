@@ -14,20 +14,20 @@ namespace etendue {
 /// Whether media and obstacles are seen.
 enum class Sight { attenuated, clear };
 
-struct Crease;
+struct ShadowEdge;
 
 /// How finely a light that is not a point is cut up: parts are taken for four or eight points each where
 /// their radius is below `opening` times their distance and their own optical thickness below `thickness`,
 /// and for one below `single`; nearer ones are integrated over their solid angle by a rule on triangles with
-/// sides of `largest_side`. With creases each triangle that shines is cut along those that stand before it,
-/// so that each part is seen wholly or not at all.
+/// sides of `largest_side`. With shadow edges each triangle that shines is cut along those that stand before
+/// it, so that each part is seen wholly or not at all.
 struct LightDetail {
   double opening;
   double single;
   double thickness;
   double largest_side;
   TriangleRule rule;
-  const std::vector<Crease>* creases = nullptr;
+  const std::vector<ShadowEdge>* shadow_edges = nullptr;
 };
 constexpr LightDetail coarse_light{0.7, 0.03, 0.6, 0.9, TriangleRule::three_points};
 constexpr LightDetail fine_light{0.2, 0.01, 0.15, 0.25, TriangleRule::seven_points};
@@ -53,7 +53,7 @@ class LightSource {
   virtual const PointSource* as_point() const { return nullptr; }
   /// The light as a beam, if it is one.
   virtual const BeamSource* as_beam() const { return nullptr; }
-  /// Whether it is near enough, or wide enough, for its parts to be looked at one by one from a place of this
+  /// Whether it is near enough, or wide enough, for its parts to be sampled one by one from a place of this
   /// size: suns never are, beams with a cross-section of their own always.
   virtual bool is_near(const Vec3& place, double size) const = 0;
   /// The light as one that comes from many directions, if it is one.

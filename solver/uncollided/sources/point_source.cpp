@@ -58,15 +58,15 @@ std::vector<std::vector<Vec3>> PointSource::rims(const Image& image) const {
 
 void PointSource::add_beams(const PointInCell& at, Sight sight, LightDetail, LightBeams& beams) const {
   for (const Image& image : images_) {
-    const Vec3 way = image.position - at.position;
-    const double distance = way.norm();
+    const Vec3 separation = image.position - at.position;
+    const double distance = separation.norm();
     if (distance == 0) continue;
-    const double spread = intensity(image, -way / distance) / (distance * distance);
+    const double spread = intensity(image, -separation / distance) / (distance * distance);
     if (spread == 0) continue;
-    const std::span<double> fluence = beams.add(-way / distance);
+    const std::span<double> fluence = beams.add(-separation / distance);
     std::fill(fluence.begin(), fluence.end(), 1.0);
     if (sight == Sight::attenuated &&
-        !paths_.transmit(at, way / distance, distance, image.mirrors, fluence)) {
+        !paths_.transmit(at, separation / distance, distance, image.mirrors, fluence)) {
       beams.drop();
       continue;
     }

@@ -33,7 +33,7 @@ class SkySource : public WideSource {
     FaceIndex face;
     std::size_t part;
   };
-  /// With the transmittance [band] of the way to a point, reflectances included; empty if none comes.
+  /// With the transmittance [band] of the path to a point, reflectances included; empty if none comes.
   std::optional<Entry> transmit(const PointInCell& at, std::size_t direction,
                                 std::span<double> transmittance) const;
   /// Of the parts between which light of a direction changes where it is reflected once more, those that

@@ -11,23 +11,23 @@ namespace {
 
 /// Edges, with their images, that are tested for each cell and face.
 constexpr std::size_t most_edges = 2000;
-/// Corners of a light of which all are looked at; of more those of its box are.
+/// Corners of a light of which all are tested; of more those of its box are.
 constexpr std::size_t most_corners = 8;
 /// Part of the hull's size by which an edge has to reach into it: those of a face itself touch it.
 constexpr double touching = 1e-9;
-/// What is left of 1 in the cosine between the normal of one wall and the other wall where they meet at a
+/// Remainder of 1 in the cosine between the normal of one wall and the other wall where they meet at a
 /// right angle.
 constexpr double right_angle = 1e-9;
 
-bool is_of_walls(const Crease& crease) {
-  return std::ranges::any_of(crease.surfaces, [](const auto& surface) { return surface.wall >= 0; });
+bool is_of_walls(const ShadowEdge& edge) {
+  return std::ranges::any_of(edge.surfaces, [](const auto& surface) { return surface.wall >= 0; });
 }
 
 /// Whether two mirrors meet at a right angle with the domain between them: light that they both reflect goes
 /// on as if there were no edge.
-bool is_corner_of_mirrors(const Crease& crease) {
-  if (crease.surfaces.size() != 2) return false;
-  const Crease::Surface &one = crease.surfaces[0], &other = crease.surfaces[1];
+bool is_corner_of_mirrors(const ShadowEdge& edge) {
+  if (edge.surfaces.size() != 2) return false;
+  const ShadowEdge::Surface &one = edge.surfaces[0], &other = edge.surfaces[1];
   return one.mirrors && other.mirrors && one.normal.dot(other.away) < -1 + right_angle;
 }
 
@@ -73,18 +73,18 @@ bool reaches_into(const Vec3& begin, const Vec3& end, std::span<const Vec3> hull
 }
 
 OccludingEdges::OccludingEdges(const LightPaths& paths, const ExtendedSource& source,
-                               const std::vector<Crease>& creases)
+                               const std::vector<ShadowEdge>& shadow_edges)
     : planes_(paths.mirrors()), light_(corners_of(source.flat_parts())) {
   if (light_.empty()) return;
-  std::ranges::copy_if(creases, std::back_inserter(creases_), [](const Crease& crease) {
-    return is_of_walls(crease) && !is_corner_of_mirrors(crease);
+  std::ranges::copy_if(shadow_edges, std::back_inserter(shadow_edges_), [](const ShadowEdge& edge) {
+    return is_of_walls(edge) && !is_corner_of_mirrors(edge);
   });
   std::size_t count = 0;
   for (const MirrorSet mirrors : planes_.images_of_point()) {
     images_.push_back({mirrors, {}});
     for (const MirrorCopy& copy : copies_behind(planes_, mirrors))
-      for (std::size_t i = 0; i < creases_.size() && ++count <= most_edges; ++i) {
-        Copy edge{i, copy.point(creases_[i].begin), copy.point(creases_[i].end), {}};
+      for (std::size_t i = 0; i < shadow_edges_.size() && ++count <= most_edges; ++i) {
+        Copy edge{i, copy.point(shadow_edges_[i].begin), copy.point(shadow_edges_[i].end), {}};
         edge.box.extend(edge.begin).extend(edge.end);
         images_.back().edges.push_back(edge);
       }
@@ -92,8 +92,8 @@ OccludingEdges::OccludingEdges(const LightPaths& paths, const ExtendedSource& so
   if (count > most_edges) images_.clear();
 }
 
-std::vector<Crease> OccludingEdges::before(std::span<const Vec3> corners) const {
-  std::vector<char> stands_before(creases_.size(), 0);
+std::vector<ShadowEdge> OccludingEdges::before(std::span<const Vec3> corners) const {
+  std::vector<char> stands_before(shadow_edges_.size(), 0);
   std::vector<Vec3> hull = light_;
   for (const Image& image : images_) {
     hull.resize(light_.size());
@@ -102,13 +102,13 @@ std::vector<Crease> OccludingEdges::before(std::span<const Vec3> corners) const 
     for (const Vec3& point : hull) box.extend(point);
     const double distance = touching * box.diagonal().norm();
     for (const Copy& edge : image.edges)
-      if (stands_before[edge.crease] == 0 && box.intersects(edge.box) &&
+      if (stands_before[edge.number] == 0 && box.intersects(edge.box) &&
           reaches_into(edge.begin, edge.end, hull, distance))
-        stands_before[edge.crease] = 1;
+        stands_before[edge.number] = 1;
   }
-  std::vector<Crease> edges;
-  for (std::size_t i = 0; i < creases_.size(); ++i)
-    if (stands_before[i] != 0) edges.push_back(creases_[i]);
+  std::vector<ShadowEdge> edges;
+  for (std::size_t i = 0; i < shadow_edges_.size(); ++i)
+    if (stands_before[i] != 0) edges.push_back(shadow_edges_[i]);
   return edges;
 }
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "solver/uncollided/rays/creases.h"
+#include "solver/uncollided/rays/shadow_edges.h"
 #include "solver/uncollided/sources/extended_source.h"
 
 namespace etendue {
@@ -16,16 +16,17 @@ namespace etendue {
 class OccludingEdges {
  public:
   /// Without any for lights that are not flat, and where edges are too many to be tested for each of them.
-  OccludingEdges(const LightPaths& paths, const ExtendedSource& source, const std::vector<Crease>& creases);
+  OccludingEdges(const LightPaths& paths, const ExtendedSource& source,
+                 const std::vector<ShadowEdge>& shadow_edges);
 
-  /// Those that reach into the convex hull of the light and of these corners; by way of mirrors into that of
+  /// Those that reach into the convex hull of the light and of these corners; via mirrors into that of
   /// the light and of the corners' images behind them.
-  std::vector<Crease> before(std::span<const Vec3> corners) const;
+  std::vector<ShadowEdge> before(std::span<const Vec3> corners) const;
 
  private:
   /// An edge as it stands behind mirrors.
   struct Copy {
-    std::size_t crease;
+    std::size_t number;
     Vec3 begin, end;
     Eigen::AlignedBox3d box;
   };
@@ -35,7 +36,7 @@ class OccludingEdges {
   };
 
   const MirrorPlanes& planes_;
-  std::vector<Crease> creases_;
+  std::vector<ShadowEdge> shadow_edges_;
   std::vector<Vec3> light_;  ///< its hull is that of these points, or somewhat smaller
   std::vector<Image> images_;
 };

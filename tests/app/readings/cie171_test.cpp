@@ -89,9 +89,9 @@ double sky_component(const std::function<Vec3(double, double)>& at, const Vec3& 
   constexpr int steps = 300;
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < steps; ++j) {
-      const Vec3 way = at((i + 0.5) / steps, (j + 0.5) / steps);
-      const double up = way.normalized().z(), square = way.squaredNorm();
-      sum += (1 + 2 * up) / 3 * up * way.normalized().dot(across) / square * area / (steps * steps);
+      const Vec3 separation = at((i + 0.5) / steps, (j + 0.5) / steps);
+      const double up = separation.normalized().z(), square = separation.squaredNorm();
+      sum += (1 + 2 * up) / 3 * up * separation.normalized().dot(across) / square * area / (steps * steps);
     }
   return 100 * sum / (7 * pi / 9);
 }

@@ -72,7 +72,7 @@ std::string shining_wall(const std::string& file, int wall) {
       ETENDUE_SOURCE_DIR, file, wall);
 }
 
-/// A room of a reference, and where a meter stands in it and faces.
+/// A room of a reference, and where a meter is in it and faces.
 struct Place {
   std::string room;
   std::string position = "[0, 0, 0]";

@@ -30,7 +30,7 @@ std::string lamp_in_cube(const std::string& medium, const std::string& more = ""
 }
 
 /// Intensity through the top at 0 to 40 degrees from the vertical, in parts of P/(4 pi) exp(-kappa d) with d
-/// the way from the lamp: the mean over directions that all meet the top, of lights along rays and of all.
+/// the path from the lamp: the mean over directions that all meet the top, of lights along rays and of all.
 struct PartLeaving {
   double uncollided = 0, collided = 0;
 };

@@ -5,7 +5,8 @@
 
 namespace etendue::test {
 
-/// A case for radiosity: a cube without matter, a bright floor, red side walls, a probe that looks down.
+/// A case for radiosity: a cube with a non-participating medium, a bright floor, red side walls, a probe that
+/// looks down.
 std::string empty_cube();
 
 }  // namespace etendue::test

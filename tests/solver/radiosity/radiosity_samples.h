@@ -9,7 +9,8 @@
 
 namespace etendue {
 
-/// A mesh without matter in which every wall reflects the same, and the wall of this name has exitance 1.
+/// A mesh with a non-participating medium in which every wall reflects the same, and the wall of this name
+/// has exitance 1.
 Problem empty_room(const TetrahedralMesh& mesh, double reflectance, const std::string& bright);
 
 /// A cube of side 1 with a box in it that is no part of the domain: walls zmin and so on, and crate.zmin …

@@ -76,7 +76,7 @@ Solution through_level_leaves(const TetrahedralMesh& mesh, const DirectionSet& d
   return solution;
 }
 
-// Extinction u_L |mu| along a way of H/|mu|: exp(-u_L H) whatever the direction.
+// Extinction u_L |mu| along a path of H/|mu|: exp(-u_L H) whatever the direction.
 TEST(LeafCanopy, OfBlackLevelLeavesLetsEveryOrdinateThroughAlike) {
   const DirectionSet directions = directions_ldfe_sq(1);
   std::vector<double> largest;
@@ -355,7 +355,7 @@ TEST(DirectionalAbsorption, ByTheSlopeOfARayIsThatOfBlackLevelLeaves) {
   expect_balance(formula, b);
 }
 
-// Extinction (1 + z) |mu| along a way dz/|mu|: exp(-3/2) whatever the direction.
+// Extinction (1 + z) |mu| along a path dz/|mu|: exp(-3/2) whatever the direction.
 TEST(DirectionalAbsorption, OfPlaceAndDirectionTransmitsEveryOrdinateAsItsIntegralSays) {
   const TetrahedralMesh mesh = cube_mesh(1e-2);
   const DirectionSet directions = directions_ldfe_sq(1);

@@ -104,7 +104,7 @@ TEST(Walls, BlackAndColdWithNothingInsideIsDarkAndConverged) {
   for (const double value : solution.fluence) EXPECT_EQ(value, 0);
 }
 
-TEST(Walls, MirrorEqualsTheUnfoldedProblem) {
+TEST(Walls, MirrorEqualsTheProblemWithItsImage) {
   const TetrahedralMesh mesh = cube_mesh(3e-2);
   const Medium medium = uniform_medium(1, 0.5, 0.5, 1);
   std::vector<Wall> walls;
@@ -115,16 +115,16 @@ TEST(Walls, MirrorEqualsTheUnfoldedProblem) {
   const Problem folded(mesh, Bands{}, {medium}, walls);
   const Solution half = solve(folded, directions_ldfe_sq(1), tight_options());
 
-  const TetrahedralMesh twice = unfolded_mesh(mesh);
-  const Problem unfolded = uniform_problem(twice, medium, uniform_wall(1, 0.3, 0.4, 0));
-  const Solution whole = solve(unfolded, directions_ldfe_sq(1), tight_options());
+  const TetrahedralMesh twice = mesh_with_image(mesh);
+  const Problem with_image = uniform_problem(twice, medium, uniform_wall(1, 0.3, 0.4, 0));
+  const Solution whole = solve(with_image, directions_ldfe_sq(1), tight_options());
 
   const CellLocator locator(mesh), locator_of_twice(twice);
   for (const Vec3& point : {Vec3(0.21, 0.33, 0.47), Vec3(0.83, 0.12, 0.71), Vec3(0.99, 0.5, 0.52)}) {
-    const double expected = probe(unfolded, whole, locator_of_twice, point)[0].fluence;
+    const double expected = probe(with_image, whole, locator_of_twice, point)[0].fluence;
     EXPECT_NEAR(probe(folded, half, locator, point)[0].fluence, expected, 1e-10 * expected);
     const Vec3 image(2 - point.x(), point.y(), point.z());
-    EXPECT_NEAR(probe(unfolded, whole, locator_of_twice, image)[0].fluence, expected, 1e-10 * expected);
+    EXPECT_NEAR(probe(with_image, whole, locator_of_twice, image)[0].fluence, expected, 1e-10 * expected);
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Smooth walls with matter of another refractive index behind them.
+// Smooth walls with a medium of another refractive index behind them.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -94,7 +94,7 @@ TetrahedralMesh random_cells(const TetrahedralMesh& mesh) {
   return TetrahedralMesh(raw);
 }
 
-TetrahedralMesh unfolded_mesh(const TetrahedralMesh& mesh) {
+TetrahedralMesh mesh_with_image(const TetrahedralMesh& mesh) {
   RawMesh raw;
   raw.points.assign(mesh.points().begin(), mesh.points().end());
   std::vector<int> image;

@@ -22,7 +22,7 @@ TetrahedralMesh moved_mesh(const TetrahedralMesh& mesh, const std::function<Vec3
 /// The cells of a mesh, each at random in the region "ball" or in "domain"; no walls have names.
 TetrahedralMesh random_cells(const TetrahedralMesh& mesh);
 /// A mesh and its image in the plane x = 1, joined there.
-TetrahedralMesh unfolded_mesh(const TetrahedralMesh& mesh);
+TetrahedralMesh mesh_with_image(const TetrahedralMesh& mesh);
 
 /// One medium or wall for all bands alike.
 Medium uniform_medium(int bands, double absorption, double scattering, double emission,

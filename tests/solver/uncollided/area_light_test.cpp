@@ -74,7 +74,7 @@ TEST(FlatShape, IsNotSeenFromItsPlane) {
     }
 }
 
-/// What stands in the room: a box under the lamp; whether matter fills a ball only; and above which height
+/// What is in the room: a box under the lamp; whether a medium fills a ball only; and above which height
 /// there is a tenth of it.
 struct Inside {
   std::optional<double> crate = {};
@@ -135,7 +135,8 @@ double part_found(double max_volume, double extinction, const Inside& inside) {
 
 TEST(UncollidedField, OfALampInAWallReachesTheOtherWalls) { EXPECT_NEAR(part_found(2e-3, 0, {}), 1, 1e-6); }
 
-// In an even medium nothing is interpolated: what is missing is that of the rules in cells and on walls.
+// In a homogeneous medium nothing is interpolated: what is missing is that of the rules in cells and on
+// walls.
 TEST(UncollidedField, OfALampInAWallBalancesInAMedium) {
   for (const double extinction : {0.3, 1.5, 6.0}) {
     EXPECT_NEAR(part_found(2e-3, extinction, {}), 1, 5e-6) << extinction;
@@ -143,7 +144,7 @@ TEST(UncollidedField, OfALampInAWallBalancesInAMedium) {
   }
 }
 
-// Over a layer of fog losses are quadratic between vertices; linear ones left 2e-4.
+// Over a layer of fog attenuation is quadratic between vertices; linear interpolation left 2e-4.
 TEST(UncollidedField, OfALampInAWallBalancesOverALayer) {
   EXPECT_NEAR(part_found(3e-4, 2, {.layer = 0.4}), 1, 5e-6);
 }
@@ -153,9 +154,9 @@ TEST(UncollidedField, OfALampInAWallBalancesWithShadows) {
     EXPECT_NEAR(part_found(1e-3, extinction, {.crate = 0.1}), 1, 1e-3);
 }
 
-// Behind the edge of a cloud the way through it grows like a square root, which is not linear in a cell:
-// taken from the vertices 1.7e-2 too much arrived. Where it hides a part of the lamp this is seen in more
-// parts; without that 2e-3 too much did.
+// Behind the edge of a cloud the path length through it grows like a square root, which is not linear in a
+// cell: taken from the vertices 1.7e-2 too much arrived. Where it hides a part of the lamp this is seen in
+// more parts; without that 2e-3 too much did.
 TEST(UncollidedField, OfALampInAWallBalancesWithACloud) {
   EXPECT_NEAR(part_found(1e-3, 3, {.cloud = true}), 1, 1e-3);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Lights in matter whose coefficients depend on the direction.
+// Lights in media whose coefficients depend on the direction.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -121,8 +121,8 @@ TEST(DirectionalLight, OfABeamFallsOffAsLeavesStand) {
 TEST(DirectionalLight, OfAPointFallsOffAsEachWaySees) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   const Vec3 lamp(0.31, 0.47, 0.62), place(0.7, 0.2, 0.3);
-  const Vec3 way = place - lamp;
-  const double r = way.norm();
+  const Vec3 separation = place - lamp;
+  const double r = separation.norm();
   const auto expected = [&](double extinction) {
     return std::exp(-extinction * r) / (4 * std::numbers::pi * r * r);
   };
@@ -130,7 +130,7 @@ TEST(DirectionalLight, OfAPointFallsOffAsEachWaySees) {
     const Problem problem = lit(mesh, medium, Lamp::point);
     return LightSetup(problem).at(place_in(mesh, place), {}).fluence[0];
   };
-  const Vec3 w = way / r;
+  const Vec3 w = separation / r;
   EXPECT_NEAR(found(leaves(LeafAngles::planophile)),
               expected(density * leaf_projection(LeafAngles::planophile, w)), 1e-10);
   EXPECT_NEAR(found(flakes()),
@@ -159,7 +159,7 @@ TEST(DirectionalLight, BalancesAsInOtherMatter) {
 }
 
 // From a whole ceiling light comes in all directions; how much leaves that lie flat or stand upright take of
-// it differs most between these. Where nothing differs the rules of other matter are left.
+// it differs most between these. Where nothing differs the rules of other media are left.
 TEST(DirectionalLight, OfAWallBalances) {
   const TetrahedralMesh mesh = cube_mesh(0.05);
   const auto residual = [&](const Medium& medium) {

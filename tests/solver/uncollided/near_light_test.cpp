@@ -82,17 +82,17 @@ std::array<double, 6> sent_to_walls(double absorption) {
     for (int k = 0; k < count; ++k) {
       const double sine = std::sqrt((i + 0.5) / count), azimuth = 2 * std::numbers::pi * (k + 0.5) / count;
       const Vec3 direction(std::sqrt(1 - sine * sine), sine * std::cos(azimuth), sine * std::sin(azimuth));
-      double way = HUGE_VAL;
+      double path_length = HUGE_VAL;
       std::size_t wall = 0;
       for (int axis = 0; axis < 3; ++axis) {
         const bool up = direction[axis] > 0;
         const double end = ((up ? room_size[axis] : 0) - lamp_at[axis]) / direction[axis];
-        if (end < way) {
-          way = end;
+        if (end < path_length) {
+          path_length = end;
           wall = static_cast<std::size_t>(2 * axis + (up ? 1 : 0));
         }
       }
-      found[wall] += std::exp(-absorption * way) / (count * count);
+      found[wall] += std::exp(-absorption * path_length) / (count * count);
     }
   return found;
 }

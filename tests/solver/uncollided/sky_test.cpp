@@ -97,8 +97,8 @@ TEST(SkySource, LightsARoomThroughItsCeiling) {
     }
 }
 
-// Optical depths are linear where a beam comes in by one plane, so what is left are the rules of few points
-// where it comes in by several, or not at all.
+// Optical depths are linear where a beam comes in by one plane, so the remaining error is that of rules of
+// few points where it comes in by several, or not at all.
 TEST(SkySource, BalancesInAMediumBesideAMirror) {
   const double fine = residual_of(find_sky(cube_mesh(1e-3), 0.8, true, 0.6));
   EXPECT_LT(fine, 3e-4);

@@ -136,8 +136,8 @@ std::vector<Vec3> HalfHiddenLight::hidden_part(const Vec3& eye) const {
   std::vector<Vec3> outline;
   const double height = light_[0].z() - eye.z();
   for (const Vec3& corner : body_) {
-    const Vec3 way = corner - eye;
-    outline.emplace_back(eye + height / way.z() * way);
+    const Vec3 separation = corner - eye;
+    outline.emplace_back(eye + height / separation.z() * separation);
     outline.back().z() = light_[0].z();
   }
   return intersection(light_, convex_hull(outline));

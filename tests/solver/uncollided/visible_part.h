@@ -13,8 +13,8 @@ struct VisibleLight {
 };
 
 /// That of a polygon at one height above the eye, its corners counterclockwise as seen from above: in empty
-/// space by Lambert's formula (1760) and the solid angle by Girard's (1629), through even matter of an
-/// extinction by an integral along the sides.
+/// space by Lambert's formula (1760) and the solid angle by Girard's (1629), through a homogeneous medium of
+/// an extinction by an integral along the sides.
 VisibleLight light_of_polygon(const std::vector<Vec3>& polygon, const Vec3& eye, double extinction);
 
 /// A flat convex light that shines down, as it is seen past a black convex body from below that body. What

@@ -81,7 +81,7 @@ TEST(Fibre, GoesThroughTheGelByRaysAndByPhotons) {
   double by_rays = 0;
   for (const auto& source : lights.sources())
     for (const Wall& wall : built.problem.walls())
-      by_rays += source->power()[0] * part_at_wall(lights.paths(), lights.creases(), *source, wall);
+      by_rays += source->power()[0] * part_at_wall(lights.paths(), lights.shadow_edges(), *source, wall);
   EXPECT_NEAR(by_rays / through, 1, 1e-4);
   PhotonOptions options;
   options.photons = 1e4;

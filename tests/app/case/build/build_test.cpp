@@ -340,7 +340,7 @@ std::string sun(const std::string& keys) {
   return pool + "[[light]]\nname = \"sun\"\nkind = \"sun\"\nirradiance = 2\n" + keys;
 }
 
-// Snell's law; of glancing light more is turned back. The power through the surface is what is left.
+// Snell's law; of glancing light more is turned back. The power through the surface is the remainder.
 TEST(BuildProblem, RefractsTheSunAtASurface) {
   const Case input = case_of(sun("direction = [0.8, 0, -0.6]\nwalls = [\"surface\"]\n"));
   const TetrahedralMesh mesh = build_mesh(input);

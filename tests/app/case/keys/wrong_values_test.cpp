@@ -26,7 +26,7 @@ std::string with_names(std::string path) {
   return path;
 }
 
-/// The headers of a table and of the lists that it stands in.
+/// The headers of a table and of the lists that it is in.
 std::string headers(std::string_view table) {
   if (table.empty()) return "";
   std::string text;

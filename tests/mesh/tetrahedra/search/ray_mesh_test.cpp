@@ -35,13 +35,13 @@ Path walk(const RayMesh& rays, CellIndex cell, const Vec3& from, const Vec3& dir
 }
 
 /// Way from a point in the unit cube to its boundary.
-double way_out(const Vec3& from, const Vec3& direction) {
-  double way = far;
+double distance_out(const Vec3& from, const Vec3& direction) {
+  double path_length = far;
   for (int axis = 0; axis < 3; ++axis) {
-    if (direction[axis] > 0) way = std::min(way, (1 - from[axis]) / direction[axis]);
-    if (direction[axis] < 0) way = std::min(way, -from[axis] / direction[axis]);
+    if (direction[axis] > 0) path_length = std::min(path_length, (1 - from[axis]) / direction[axis]);
+    if (direction[axis] < 0) path_length = std::min(path_length, -from[axis] / direction[axis]);
   }
-  return way;
+  return path_length;
 }
 
 Vec3 random_direction(std::mt19937& random) {
@@ -74,7 +74,7 @@ TEST(RayMesh, CoversTheWayToTheBoundary) {
     const Vec3 direction = random_direction(random);
     const Path path = walk(rays, cell, from, direction);
     ASSERT_TRUE(path.end.wall);
-    ASSERT_NEAR(path.length, way_out(from, direction), 1e-10);
+    ASSERT_NEAR(path.length, distance_out(from, direction), 1e-10);
     ASSERT_LT((mesh.centroid(*path.end.wall) - from).cross(direction).norm(), 1);
     ASSERT_EQ(mesh.owner(*path.end.wall), path.cells.back());
   }
@@ -88,20 +88,20 @@ TEST(RayMesh, PassesTheCellsThatItNames) {
   for (int i = 0; i < 300; ++i) {
     const Vec3 from = mesh.centroid(CellIndex(i % mesh.cell_count()));
     const Vec3 direction = random_direction(random);
-    double way = 0;
+    double path_length = 0;
     rays.walk(CellIndex(i % mesh.cell_count()), from, direction, far, [&](CellIndex cell, double part) {
       if (part > 1e-9) {
         bool holds = false;
-        for (const CellPoint& at : locator.find(from + (way + part / 2) * direction))
+        for (const CellPoint& at : locator.find(from + (path_length + part / 2) * direction))
           holds = holds || at.cell == cell;
         EXPECT_TRUE(holds);
       }
-      way += part;
+      path_length += part;
     });
   }
 }
 
-// From a wall to one nearby the way is as long as it is, however large the cells are.
+// From a wall to one nearby the path is as long as it is, however large the cells are.
 TEST(RayMesh, KeepsShortWaysInLongCells) {
   const TetrahedralMesh mesh = cube_mesh(1e12, 1e4);
   const RayMesh rays(mesh);
@@ -137,7 +137,7 @@ TEST(RayMesh, FollowsFacesEdgesAndVertices) {
         const Vec3 direction = Vec3(d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1).normalized();
         const Path path = walk(rays, CellIndex(c), mesh.point(VertexIndex(v)), direction);
         EXPECT_TRUE(path.end.wall);
-        EXPECT_NEAR(path.length, way_out(mesh.point(VertexIndex(v)), direction), 1e-10);
+        EXPECT_NEAR(path.length, distance_out(mesh.point(VertexIndex(v)), direction), 1e-10);
       }
 }
 
@@ -153,7 +153,7 @@ TEST(RayMesh, StartsAtVerticesEdgesAndFaces) {
       const double distance = (to - from).norm();
       if (distance < 1e-6) continue;
       const Path path = walk(rays, CellIndex(c), from, (to - from) / distance);
-      EXPECT_NEAR(path.length, way_out(from, (to - from) / distance), 1e-9);
+      EXPECT_NEAR(path.length, distance_out(from, (to - from) / distance), 1e-9);
       EXPECT_EQ(std::set<CellIndex>(path.cells.begin(), path.cells.end()).size(), path.cells.size());
     }
   }

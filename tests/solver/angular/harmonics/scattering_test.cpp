@@ -49,7 +49,7 @@ TEST(Scattering, ConvergesToThePhaseFunctionWithDegree) {
     for (int k = 0; k < harmonics.count(); ++k)
       kernel += phase_moment(phase, harmonics.degree_of(k)) * harmonics.value(k, OrdinateIndex(4)) *
                 harmonics.value(k, OrdinateIndex(to)) / (4 * std::numbers::pi);
-    // What is left out is at most the sum of (2l+1) g^l / 4 pi over l > 7.
+    // The truncated part is at most the sum of (2l+1) g^l / 4 pi over l > 7.
     EXPECT_NEAR(kernel,
                 phase_value(phase, set.direction(OrdinateIndex(4)).dot(set.direction(OrdinateIndex(to)))),
                 1.4e-4);

@@ -72,10 +72,11 @@ double irradiance_by(const Reflectance& lobe, const Vec3& point) {
   double sum = 0;
   for (int i = 0; i < parts; ++i)
     for (int j = 0; j < parts; ++j) {
-      const Vec3 from = top + (i + 0.5) / parts * down + (j + 0.5) / parts * across, way = point - from;
-      const Vec3 travel = way.normalized();
-      sum +=
-          lobe.between(Vec3::UnitX(), travel, normal) * travel.dot(normal) * -travel.z() / way.squaredNorm();
+      const Vec3 from = top + (i + 0.5) / parts * down + (j + 0.5) / parts * across,
+                 separation = point - from;
+      const Vec3 travel = separation.normalized();
+      sum += lobe.between(Vec3::UnitX(), travel, normal) * travel.dot(normal) * -travel.z() /
+             separation.squaredNorm();
     }
   return beam * -normal.x() * sum * down.cross(across).norm() / (parts * parts);
 }

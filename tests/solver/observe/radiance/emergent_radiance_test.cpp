@@ -51,7 +51,7 @@ TetrahedralMesh column(double depth, int fineness) {
   });
 }
 
-/// Bright matter magnifies what an iteration leaves.
+/// A highly scattering medium magnifies what an iteration leaves.
 SolveOptions converged() {
   SolveOptions options;
   options.tolerance = 1e-8;

@@ -136,8 +136,8 @@ TEST(RayRadiance, PassesLevelLeavesAsTheyLie) {
   const Scene scene(canopy, directions_ldfe_sq(1));
   for (const double mu : {1.0, 0.6, 0.0}) {
     const Vec3 towards(std::sqrt(1 - mu * mu), 0, mu);
-    const double way = mu == 1.0 ? 0.8 : std::min(0.6 / towards.x(), mu > 0 ? 0.8 / mu : 1e9);
-    EXPECT_NEAR(scene.along({0.4, 0.3, 0.2}, towards), 3 * std::exp(-2 * mu * way), 1e-9) << mu;
+    const double path_length = mu == 1.0 ? 0.8 : std::min(0.6 / towards.x(), mu > 0 ? 0.8 / mu : 1e9);
+    EXPECT_NEAR(scene.along({0.4, 0.3, 0.2}, towards), 3 * std::exp(-2 * mu * path_length), 1e-9) << mu;
   }
 }
 
@@ -199,10 +199,10 @@ TEST(RayRadiance, ScattersTheSunOnceExactly) {
   for (const Vec3& looking : {Vec3(0, 1, 0), Vec3(0.2, 0.6, 0.5), Vec3(0.1, 0.3, -0.4)}) {
     const Vec3 unit = looking.normalized();
     const Vec3 from(0.4, 0.05, 0.5);
-    double way = 0.95 / unit.y();
-    if (unit.z() != 0) way = std::min(way, 0.5 / std::abs(unit.z()));
-    const double expected = 1e-6 * value_of(phase, unit.z()) * 5 * way;
-    // What scatters twice is a millionth of it; so is what is lost on the way.
+    double path_length = 0.95 / unit.y();
+    if (unit.z() != 0) path_length = std::min(path_length, 0.5 / std::abs(unit.z()));
+    const double expected = 1e-6 * value_of(phase, unit.z()) * 5 * path_length;
+    // What scatters twice is a millionth of it; so is what is lost on the path.
     EXPECT_NEAR(scene.along(from, looking, 2), expected, 3e-6 * expected);
     EXPECT_NEAR(scene.along(from, looking), expected, 3e-6 * expected);
   }
@@ -240,7 +240,7 @@ TetrahedralMesh cube_with_crate() {
   return TetrahedralMesh(tetrahedralize(arrange(geometry), options));
 }
 
-// Shafts beside the shadow of a crate: of the ray's way from x = 0 to 1 only what lies outside of the shadow
+// Shafts beside the shadow of a crate: of the ray's path from x = 0 to 1 only what lies outside of the shadow
 // is lit, so the integral of e^(-s x) leaves that stretch out. The cells do not know where the shadow's edges
 // are; the points on the ray do, to a cell's part.
 TEST(RayRadiance, ShaftsEndAtTheShadowOfACrate) {

@@ -66,9 +66,10 @@ TEST(WallLight, SendsBackTheLightOfALampExactly) {
   LightBeams beams(1);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
-    const Vec3 point = mesh.centroid(face), way = point - lamp.position;
-    const double expected = mesh.area_normal(face).normalized().dot(way) / std::pow(way.norm(), 3) *
-                            std::exp(-0.7 * way.norm()) * 0.5 / std::numbers::pi;
+    const Vec3 point = mesh.centroid(face), separation = point - lamp.position;
+    const double expected = mesh.area_normal(face).normalized().dot(separation) /
+                            std::pow(separation.norm(), 3) * std::exp(-0.7 * separation.norm()) * 0.5 /
+                            std::numbers::pi;
     std::vector<double> radiance(1, 0);
     wall_light.add_reflected(face, point, wall_light.brought(), 16, beams, radiance);
     EXPECT_NEAR(radiance[0], expected, 1e-9 * expected);

@@ -149,7 +149,7 @@ LitAccounts lit_accounts(const LightSetup& lights, int region, const DirectionSe
   std::iota(options.keep_ordinates.begin(), options.keep_ordinates.end(), 0);
   LitAccounts accounts;
   const TetrahedralMesh& mesh = lights.problem().mesh();
-  const auto reader = [&](const SweptLight& swept) {
+  const auto reader = [&](const DirectionSetSolution& swept) {
     for (const auto& cone : cones)
       accounts.collided.push_back(region_account(lights, options, swept, region_scope(mesh, region, cone)));
   };
@@ -171,12 +171,12 @@ Problem lit_gas(const TetrahedralMesh& mesh, std::vector<Light> lights, double l
   return Problem(mesh, {}, media, walls, AngularSpace::sphere, std::move(lights));
 }
 
-/// How far light on its way from lights may miss, in all directions and in a cone.
+/// How far uncollided light may miss, in all directions and in a cone.
 struct Miss {
   double all, cone;
 };
 
-// Beside lights too: what directions carried closes as the iteration does, light on its way from the lights
+// Beside lights too: what directions carried closes as the iteration does, uncollided light
 // as the sums over points do, and what it scatters is what the other takes over.
 void expect_closed(const Problem& problem, const std::vector<int>& regions, const Miss& allowed,
                    const DirectionSet* first_collided = nullptr) {

@@ -43,7 +43,7 @@ TEST(WallIntensity, OfAFurnaceIsLambertian) {
   EXPECT_EQ(intensity_of(furnace, 4, 4, 3).collided, found.collided);
 }
 
-// A bulb of 4 pi W sends 1 W/sr; what the window lets out is that, attenuated on the way.
+// A bulb of 4 pi W sends 1 W/sr; what the window lets out is that, attenuated on the path.
 TEST(WallIntensity, HasTheBulbsThatAreSeenThroughTheWindow) {
   const TetrahedralMesh mesh = box_with_a_window();
   std::vector<Wall> walls(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0));

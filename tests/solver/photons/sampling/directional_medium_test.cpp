@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Photons in matter whose absorption or scattering depends on the direction.
+// Photons in media whose absorption or scattering depends on the direction.
 #include "solver/photons/sampling/directional_medium.h"
 
 #include <gtest/gtest.h>
@@ -104,7 +104,7 @@ TEST(DirectionalMedium, LevelLeavesReflectAndTransmitAsTwoStreams) {
   EXPECT_LT(std::abs(derived.mean(2)), 3 * derived.error(2) + 1e-12);
 }
 
-// Absorption by a formula of the direction, and what is left of an extinction. Where it depends on the place
+// Absorption by a formula of the direction, and the remainder of an extinction. Where it depends on the place
 // too it is the mean over each cell, which a ray does not meet evenly.
 TEST(DirectionalMedium, AbsorptionByAFormulaIsThatOfTheDirection) {
   const TetrahedralMesh mesh = cube_mesh(0.02);

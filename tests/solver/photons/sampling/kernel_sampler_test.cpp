@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Photons in matter that scatters by a formula of both directions.
+// Photons in media that scatter by a formula of both directions.
 #include "solver/photons/sampling/kernel_sampler.h"
 
 #include <gtest/gtest.h>

@@ -32,7 +32,7 @@ TEST(SolvePhotons, FurnaceIsEverywhereTheSame) {
   EXPECT_EQ(found.report.lost, 0);
 }
 
-// With a black cold enclosure nothing is drawn by lot but the roulette.
+// With a black cold enclosure nothing is random but the roulette.
 TEST(SolvePhotons, BalanceCloses) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.5, 2, 1), uniform_wall(1, 0, 0, 0));

@@ -72,7 +72,7 @@ Problem lit_from_below(const TetrahedralMesh& mesh) {
 }
 
 // What patches send is not known before: links are split until all stay for what is found. Below the sheet
-// and, by way of it, above.
+// and, via it, above.
 TEST(LinksConvergence, LinksAreSplitUntilTheBoundHoldsBesideASheet) {
   const TetrahedralMesh mesh = room_below_a_sheet();
   const Problem problem = lit_from_below(mesh);

@@ -32,10 +32,10 @@ TetrahedralMesh room_with_board() {
 }
 
 bool passes_the_board(const Vec3& from, const Vec3& to) {
-  const Vec3 way = to - from;
+  const Vec3 separation = to - from;
   double begin = 0, end = 1;
   for (Eigen::Index x = 0; x < 3; ++x) {
-    const double a = (board_min[x] - from[x]) / way[x], b = (board_max[x] - from[x]) / way[x];
+    const double a = (board_min[x] - from[x]) / separation[x], b = (board_max[x] - from[x]) / separation[x];
     begin = std::max(begin, std::min(a, b));
     end = std::min(end, std::max(a, b));
   }

@@ -67,7 +67,7 @@ TEST(AnisotropicAcceleration, ForwardScatteringTakesFewSweeps) {
   }
 }
 
-/// A void inside matter that scatters by a matrix.
+/// A void inside a medium that scatters by a matrix.
 Problem hollow_box(const TetrahedralMesh& mesh, double scattering, double asymmetry) {
   Medium matter = forward(asymmetry, dense), gap = uniform_medium(1, 0, 0, 0);
   matter.scattering = {Coefficient(scattering)};

@@ -48,8 +48,8 @@ class CellBalance : public testing::TestWithParam<bool> {
   void solve(const RandomCell& cell, double (&u)[4]) const {
     const bool lumped = GetParam();
     const double alpha = (lumped ? 3 : 0.6) * cell.volume_extinction;
-    const FaceFlows<double> flows = face_flows(cell.a);
-    solve_cell(flows, invert_cell(flows, alpha, lumped ? 0.0 : alpha), cell.right, u);
+    const ProjectedAreas<double> areas = projected_areas(cell.a);
+    solve_cell(areas, invert_cell(areas, alpha, lumped ? 0.0 : alpha), cell.right, u);
   }
 
  private:
@@ -99,9 +99,9 @@ TEST_P(CellBalance, ConstantInflowInVoidStaysConstant) {
     RandomCell cell = next();
     cell.volume_extinction = 0;
     for (double& value : cell.right) value = 0;
-    const FaceFlows<double> flows = face_flows(cell.a);
+    const ProjectedAreas<double> areas = projected_areas(cell.a);
     const double ones[3] = {1, 1, 1};
-    for (int f = 0; f < 4; ++f) add_inflow(flows, f, ones, cell.right);
+    for (int f = 0; f < 4; ++f) add_inflow(areas, f, ones, cell.right);
     double u[4];
     solve(cell, u);
     for (const double value : u) EXPECT_NEAR(value, 1, 1e-13);
@@ -114,14 +114,14 @@ INSTANTIATE_TEST_SUITE_P(Mass, CellBalance, testing::Values(false, true),
 TEST(LumpedCellBalance, KeepsThickCellsNearlyPositive) {
   // Unit inflow through one face of an optically thick cell: the consistent mass swings far below zero.
   const double a[4] = {-1, 0.5, 0.3, 0.2};
-  const FaceFlows<double> flows = face_flows(a);
+  const ProjectedAreas<double> areas = projected_areas(a);
   double right[4] = {};
   const double ones[3] = {1, 1, 1};
-  add_inflow(flows, 0, ones, right);
+  add_inflow(areas, 0, ones, right);
   double consistent[4], lumped[4];
   const double thick = 100;
-  solve_cell(flows, invert_cell(flows, 0.6 * thick, 0.6 * thick), right, consistent);
-  solve_cell(flows, invert_cell(flows, 3 * thick, 0.0), right, lumped);
+  solve_cell(areas, invert_cell(areas, 0.6 * thick, 0.6 * thick), right, consistent);
+  solve_cell(areas, invert_cell(areas, 3 * thick, 0.0), right, lumped);
   EXPECT_LT(consistent[0], -0.01);
   EXPECT_GT(lumped[0], -1e-4);
 }

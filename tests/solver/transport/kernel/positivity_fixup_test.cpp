@@ -23,19 +23,19 @@ class Cells {
     std::uniform_real_distribution<double> uniform(-1, 1);
     double a[4] = {uniform(random_), uniform(random_), uniform(random_), 0};
     a[3] = -(a[0] + a[1] + a[2]);
-    const FaceFlows<double> flows = face_flows(a);
+    const ProjectedAreas<double> areas = projected_areas(a);
     const bool lumped = count_ % 2 == 0;
     const double extinction = count_++ % 5 == 0 ? 0 : std::pow(10, 4 * uniform(random_));
     const double alpha = (lumped ? 3 : 0.6) * extinction, beta = lumped ? 0 : alpha;
     double right[4] = {};
     for (int f = 0; f < 4; ++f) {
       const double inflow[3] = {bright(), bright(), bright()};
-      add_inflow(flows, f, inflow, right);
+      add_inflow(areas, f, inflow, right);
     }
     Cell cell{};
-    balance_weights(flows, alpha, beta, cell.weights);
+    balance_weights(areas, alpha, beta, cell.weights);
     cell.balance = right[0] + right[1] + right[2] + right[3];
-    solve_cell(flows, invert_cell(flows, alpha, beta), right, cell.values);
+    solve_cell(areas, invert_cell(areas, alpha, beta), right, cell.values);
     return cell;
   }
   double bright() {

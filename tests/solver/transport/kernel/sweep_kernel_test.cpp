@@ -10,7 +10,7 @@
 #include "base/errors.h"
 #include "solver/transport/cells/cell_coefficients.h"
 #include "solver/transport/kernel/cell_balance.h"
-#include "solver/transport/order/seen_area.h"
+#include "solver/transport/order/projected_area.h"
 #include "solver/transport/order/sweep_order.h"
 #include "tests/solver/transport/sample_problems.h"
 
@@ -89,9 +89,9 @@ std::vector<double> swept_plainly(const Problem& problem, const Vec3& direction,
     double a[4], right[4], u[4];
     for (std::size_t f = 0; f < 4; ++f) {
       const FaceIndex face(mesh.faces(cell)[f]);
-      a[f] = (mesh.owner(face) == cell ? 1 : -1) * seen_area(mesh.area_normal(face), direction);
+      a[f] = (mesh.owner(face) == cell ? 1 : -1) * projected_area(mesh.area_normal(face), direction);
     }
-    const FaceFlows<double> flows = face_flows(a);
+    const ProjectedAreas<double> areas = projected_areas(a);
     const auto source = cells.source_factors(cell, 0);
     for (double& r : right) r = (4 * source.sum + source.own) * problem.emission(cell, band);
     for (int f = 0; f < 4; ++f) {
@@ -109,10 +109,10 @@ std::vector<double> swept_plainly(const Problem& problem, const Vec3& direction,
             std::find(vertices.begin(), vertices.end(), mesh.vertices(face)[k]) - vertices.begin();
         inflow[k] = radiance[4 * other.at() + static_cast<std::size_t>(node)];
       }
-      add_inflow(flows, f, inflow, right);
+      add_inflow(areas, f, inflow, right);
     }
     const double mass = cells.mass(cell, 0);
-    solve_cell(flows, invert_cell(flows, std::abs(mass), std::max(mass, 0.0)), right, u);
+    solve_cell(areas, invert_cell(areas, std::abs(mass), std::max(mass, 0.0)), right, u);
     std::copy(u, u + 4, &radiance[4 * cell.at()]);
   }
   return radiance;

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "solver/angular/sets/direction_set.h"
-#include "solver/transport/order/seen_area.h"
+#include "solver/transport/order/projected_area.h"
 #include "tests/solver/transport/sample_problems.h"
 
 namespace etendue {
@@ -47,7 +47,7 @@ void expect_cells_after_upwind_cells(const TetrahedralMesh& mesh, int cells_per_
     const std::vector<std::int32_t> position = positions(order);
     for (std::int32_t f = mesh.boundary_face_count(); f < mesh.face_count(); ++f) {
       const FaceIndex face(f);
-      const double a = seen_area(mesh.area_normal(face), direction);
+      const double a = projected_area(mesh.area_normal(face), direction);
       if (a == 0) continue;
       const CellIndex upwind = a > 0 ? mesh.owner(face) : mesh.neighbour(face);
       const CellIndex downwind = a > 0 ? mesh.neighbour(face) : mesh.owner(face);
@@ -74,7 +74,7 @@ TEST(SweepOrder, LevelsOfAlikeCellsHoldRunsThroughWhoseFacesLightGoesTheSameWay)
       for (unsigned k = 0; k < 4; ++k) {
         const FaceIndex face(mesh.faces(cell)[k]);
         const double out = mesh.owner(face) == cell ? 1 : -1;
-        bits |= static_cast<unsigned>(out * seen_area(mesh.area_normal(face), direction) > 0) << k;
+        bits |= static_cast<unsigned>(out * projected_area(mesh.area_normal(face), direction) > 0) << k;
       }
       return bits;
     };
@@ -112,7 +112,7 @@ TEST(SweepOrder, VisitsACellAsSoonAsItsTileIsOpenAndItsUpwindCellsAreVisited) {
     earliest[c] = static_cast<std::int32_t>(std::find(sequence.begin(), sequence.end(), tiles.of_cell(c)) -
                                             sequence.begin());
   for (std::int32_t f = mesh.boundary_face_count(); f < mesh.face_count(); ++f) {
-    const double a = seen_area(mesh.area_normal(FaceIndex(f)), direction);
+    const double a = projected_area(mesh.area_normal(FaceIndex(f)), direction);
     const CellIndex owner = mesh.owner(FaceIndex(f)), neighbour = mesh.neighbour(FaceIndex(f));
     const CellIndex upwind = a > 0 ? owner : neighbour, downwind = a > 0 ? neighbour : owner;
     earliest[downwind.at()] = std::max(earliest[downwind.at()], step[upwind.at()]);
@@ -168,7 +168,7 @@ TEST(SweepOrder, BothSidesAgreeOnParallelFaces) {
       for (std::size_t k = 0; k < 4; ++k) {
         const FaceIndex face(mesh.faces(CellIndex(visited_cell(visit)))[k]);
         const bool parallel = (parallel_faces(visit) >> k & 1) != 0;
-        EXPECT_EQ(parallel, seen_area(mesh.area_normal(face), direction.normalized()) == 0);
+        EXPECT_EQ(parallel, projected_area(mesh.area_normal(face), direction.normalized()) == 0);
       }
   }
 }
@@ -198,7 +198,7 @@ void expect_slots_deliver(const TetrahedralMesh& mesh, const SweepOrder& order, 
       const FaceIndex face(mesh.faces(cell)[k]);
       const FaceCode code = unpacked(visit.faces[k]);
       const double side = mesh.owner(face) == cell ? 1 : -1;
-      const double a = side * seen_area(mesh.area_normal(face), direction);
+      const double a = side * projected_area(mesh.area_normal(face), direction);
       if (a == 0) {
         EXPECT_EQ(code.slot, 0);
       } else if (face.value() < mesh.boundary_face_count()) {

@@ -24,7 +24,7 @@ Problem cube_problem(const TetrahedralMesh& mesh) {
 /// there.
 double sign(int c, std::size_t r) { return std::popcount(static_cast<unsigned>(c) & r) % 2 == 0 ? 1 : -1; }
 
-/// Every ordinate stands in one orbit, all of an orbit in one batch, and harmonics have the signs of their
+/// Every ordinate is in one orbit, all of an orbit in one batch, and harmonics have the signs of their
 /// class.
 void expect_orbits(const DirectionSet& set, int size) {
   const TetrahedralMesh mesh = cube_mesh(0.1);

@@ -111,7 +111,7 @@ TEST(OrdinateLights, OnAWallShineIntoTheDomainAlone) {
 }
 
 TEST(OrdinateLights, ShineFromTheirOwnSide) {
-  const TetrahedralMesh mesh = unfolded_mesh(cube_mesh(2e-2));
+  const TetrahedralMesh mesh = mesh_with_image(cube_mesh(2e-2));
   SurfaceLight panel{{}, {1, 1}};
   for (const Vec3& p : square(0).triangles) panel.triangles.push_back(Vec3(1, p.x(), p.y()));
   const Vec3 normal =

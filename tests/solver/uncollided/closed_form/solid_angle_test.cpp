@@ -26,7 +26,7 @@ double volume_from(const Vec3& eye) {
     points.clear();
     append_points(wedge.directions, 0.1, TriangleRule::seven_points, points);
     for (const SolidAnglePoint& point : points) {
-      const double in = wedge.way_in(point.direction), out = wedge.way_out(point.direction);
+      const double in = wedge.distance_in(point.direction), out = wedge.distance_out(point.direction);
       EXPECT_GE(out, in - 1e-12);
       volume += point.weight * (out * out * out - in * in * in) / 3;
     }
@@ -74,7 +74,7 @@ TEST(SolidAngle, OfTrianglesThatHoldTheOriginIsRefused) {
 }
 
 // Simpson's rule with many intervals.
-TEST(AttenuatedWay, IsTheIntegralAlongIt) {
+TEST(AttenuationIntegrals, IsTheIntegralAlongIt) {
   for (const double extinction : {0.0, 1e-3, 0.039, 0.041, 1.0, 30.0}) {
     const double length = 0.5;
     double constant = 0, linear = 0;
@@ -84,8 +84,8 @@ TEST(AttenuatedWay, IsTheIntegralAlongIt) {
       constant += weight * std::exp(-extinction * x);
       linear += weight * x * std::exp(-extinction * x);
     }
-    EXPECT_NEAR(attenuated_way(extinction, length).constant, constant, 1e-11 * constant);
-    EXPECT_NEAR(attenuated_way(extinction, length).linear, linear, 1e-10 * linear);
+    EXPECT_NEAR(attenuation_integrals(extinction, length).constant, constant, 1e-11 * constant);
+    EXPECT_NEAR(attenuation_integrals(extinction, length).linear, linear, 1e-10 * linear);
   }
 }
 

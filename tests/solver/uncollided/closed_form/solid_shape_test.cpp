@@ -36,12 +36,13 @@ double by_points(const Vec3& low, const Vec3& high, const Vec3& eye, double exti
   for (std::size_t i = 0; i < 24; ++i)
     for (std::size_t j = 0; j < 24; ++j)
       for (std::size_t k = 0; k < 24; ++k) {
-        const Vec3 way = middle + half.cwiseProduct(Vec3(rule.nodes[i], rule.nodes[j], rule.nodes[k])) - eye;
-        const double r = way.norm();
+        const Vec3 separation =
+            middle + half.cwiseProduct(Vec3(rule.nodes[i], rule.nodes[j], rule.nodes[k])) - eye;
+        const double r = separation.norm();
         const double part = rule.weights[i] * rule.weights[j] * rule.weights[k] * half.prod() *
                             std::exp(-extinction * r) / (r * r);
         fluence += part;
-        flux -= part / r * way;
+        flux -= part / r * separation;
       }
   return fluence;
 }
@@ -81,7 +82,7 @@ TEST(SolidShape, LosesWhatMatterTakes) {
     }
 }
 
-// In the middle of thick matter, and where the eye lies on a face, an edge or a corner of it.
+// In the middle of an optically thick medium, and where the eye lies on a face, an edge or a corner of it.
 TEST(SolidShape, FillsTheSphereOrAHalfOrAQuarterOfIt) {
   const SolidShape shape(box({0, 0, 0}, {1, 1, 1}));
   constexpr double extinction = 200;

@@ -122,8 +122,9 @@ Scattered scattered_in(const SubTetrahedron& part, const std::array<Vec3, 4>& co
 }
 
 // 1,536 directions sum this phase function up to 1e-4, so that nothing is left of the scaling to the set.
-// What is left is the interpolation between directions of light: points of the grid of 32 divisions are up to
-// d = sqrt(6)/32 apart, and linear interpolation over d misses d^2/8 p'' of the peak, p''/p = 3 g/(1 - g)^2.
+// The remaining error is the interpolation between directions of light: points of the grid of 32 divisions
+// are up to d = sqrt(6)/32 apart, and linear interpolation over d misses d^2/8 p'' of the peak, p''/p = 3
+// g/(1 - g)^2.
 TEST(FirstCollision, IsTheMeanOfTheExactSource) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   const PhaseFunction phase = PhaseHenyeyGreenstein{0.6};

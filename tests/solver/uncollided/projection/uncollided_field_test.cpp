@@ -301,8 +301,8 @@ double part_found(const TetrahedralMesh& mesh, double specular, double extinctio
   return (absorbed + kept) / sent;
 }
 
-// In even matter nothing is interpolated; what is missed lies in the few cells at its edges. Mirrors keep 0.4
-// of what arrives.
+// In a homogeneous medium nothing is interpolated; what is missed lies in the few cells at its edges. Mirrors
+// keep 0.4 of what arrives.
 TEST(UncollidedField, OfAVolumeBalancesBesideMirrorsToo) {
   const TetrahedralMesh mesh = two_region_mesh(0.02);
   EXPECT_NEAR(part_found(mesh, 0, 0.8), 1, 1.5e-5);
@@ -329,7 +329,7 @@ TEST(UncollidedField, OfAVolumeThatTouchesMirrorsBalances) {
   EXPECT_NEAR(found / lights.sources().front()->power()[0], 1, 1e-5);
 }
 
-// Where it is another extinction that the volume has, what is left is looked at from vertices and edges.
+// Where it is another extinction that the volume has, the attenuation is sampled from vertices and edges.
 TEST(UncollidedField, OfAThickVolumeBalances) {
   EXPECT_NEAR(part_found(two_region_mesh(0.01), 0, 3), 1, 2e-4);
 }
@@ -367,8 +367,8 @@ TEST(UncollidedField, OfSlantingSunsBalancesInThickCells) {
   }
 }
 
-// A plate 100 times as wide as it is thick: what lies side by side in a cell is reached by ways that come in
-// far from each other, through the same matter; but along one edge light comes in by the side.
+// A plate 100 times as wide as it is thick: what lies side by side in a cell is reached by paths that come in
+// far from each other, through the same medium; but along one edge light comes in by the side.
 TEST(UncollidedField, OfASlantingSunBalancesInWideFlatCells) {
   const TetrahedralMesh mesh =
       moved_mesh(cube_mesh(0.2), [](const Vec3& p) { return Vec3(10 * p.x(), 10 * p.y(), 0.1 * p.z()); });
@@ -380,14 +380,14 @@ TEST(UncollidedField, OfASlantingSunBalancesInWideFlatCells) {
   EXPECT_NEAR((absorbed + integral_over_walls(mesh, field.irradiance)) / sources[0]->power()[0], 1, 1e-6);
 }
 
-TEST(UncollidedField, BeforeAMirrorIsThatOfTheUnfoldedRoom) {
+TEST(UncollidedField, BeforeAMirrorIsThatOfTheRoomWithItsImage) {
   const TetrahedralMesh half = cube_mesh(2e-3);
-  const TetrahedralMesh whole = unfolded_mesh(half);
+  const TetrahedralMesh whole = mesh_with_image(half);
   std::vector<Wall> walls(half.wall_names().size(), uniform_wall(1, 0, 0, 0));
   walls[static_cast<std::size_t>(wall_of(half, "xmax"))].specular = {0.8};
   const Problem mirrored(half, {}, {uniform_medium(1, 0.9, 0, 0)}, walls);
-  const Problem unfolded = uniform_problem(whole, uniform_medium(1, 0.9, 0, 0), uniform_wall(1, 0, 0, 0));
-  const LightPaths before(mirrored), open(unfolded);
+  const Problem with_image = uniform_problem(whole, uniform_medium(1, 0.9, 0, 0), uniform_wall(1, 0, 0, 0));
+  const LightPaths before(mirrored), open(with_image);
   const Vec3 lamp(0.7, 0.4, 0.3), image(1.3, 0.4, 0.3), there(0.2, 0.8, 0.7);
   const UncollidedField field = uncollided_field(before, point_at(lamp, before), 1);
   const double direct = fluence_at(whole, uncollided_field(open, point_at(lamp, open), 1).fluence, there);

@@ -72,27 +72,28 @@ double power_at(const TetrahedralMesh& mesh, const UncollidedField& field, const
 TEST(BeamAtMirror, GoesOnByTheLawOfReflection) {
   const TetrahedralMesh mesh = cube_mesh(0.02);
   const CellLocator locator(mesh);
-  const double reflectance = 0.7, radius = 0.1, way = std::hypot(0.25, 1);
+  const double reflectance = 0.7, radius = 0.1, path_length = std::hypot(0.25, 1);
   for (const BeamProfile::Shape shape : {disc, gaussian}) {
     const Problem problem = with_mirrors(
         mesh, beam_through_top(mesh, shape, radius, {0.25, 0.5, 1}, {0.25, 0, -1}), reflectance, {"zmin"});
     const LightSetup lights(problem);
     const auto profile = [&](double from_axis) {
-      const double r = std::abs(from_axis) / way / radius;
+      const double r = std::abs(from_axis) / path_length / radius;
       return shape == gaussian ? std::exp(-2 * r * r) : r < 1 ? 1 : 0;
     };
     for (const Vec3& point : {Vec3(0.4, 0.5, 0.35), Vec3(0.46, 0.5, 0.35), Vec3(0.6, 0.5, 0.45),
                               Vec3(0.65, 0.5, 0.7), Vec3(0.5, 0.5, 0.05)}) {
       const double down = profile(point.x() - 0.5 + 0.25 * point.z()),
                    up = profile(point.x() - 0.5 - 0.25 * point.z());
-      const double expected = down * std::exp(-extinction * way * (1 - point.z())) +
-                              reflectance * up * std::exp(-extinction * way * (1 + point.z()));
+      const double expected = down * std::exp(-extinction * path_length * (1 - point.z())) +
+                              reflectance * up * std::exp(-extinction * path_length * (1 + point.z()));
       const LightAtPoint light = lights.at({locator.find(point).front().cell, point}, std::nullopt);
       EXPECT_NEAR(light.fluence[0], expected, 1e-9);
     }
     const UncollidedField field = uncollided_field(lights.paths(), lights.sources(), 1);
     const double sent = lights.sources()[0]->power()[0];
-    const double at_mirror = std::exp(-extinction * way), at_top = reflectance * at_mirror * at_mirror;
+    const double at_mirror = std::exp(-extinction * path_length),
+                 at_top = reflectance * at_mirror * at_mirror;
     if (shape == disc) {
       EXPECT_NEAR(power_at(mesh, field, "zmin") / sent, at_mirror, 2e-3);
       EXPECT_NEAR(power_at(mesh, field, "zmax") / sent, at_top, 2e-3);

@@ -81,15 +81,15 @@ TEST(ExtendedSource, DiscSeenEdgeOnIsDark) {
     }
 }
 
-/// A ball of radius 0.15 in the unit cube: a hole whose wall shines with radiance 1, or matter that would if
-/// it were thick enough.
+/// A ball of radius 0.15 in the unit cube: a hole whose wall shines with radiance 1, or a medium that would
+/// if it were thick enough.
 enum class Ball { wall, matter };
 const Vec3 ball_centre(0.5, 0.5, 0.7);
 constexpr double radius_of_ball = 0.15;
 
 class SceneWithBall {
  public:
-  /// The extinction of its matter times the radius.
+  /// The extinction of its medium times the radius.
   SceneWithBall(Ball kind, int facets, double thickness)
       : mesh_(mesh_with(kind, facets)), problem_(problem_on(mesh_, thickness)), lights_(problem_) {}
 
@@ -102,11 +102,12 @@ class SceneWithBall {
     const Vec3 up = (ball_centre - point).normalized();
     double sum = 0;
     for (const auto& facet : facets_of(mesh_)) {
-      std::array<Vec3, 3> way;
-      for (std::size_t i = 0; i < 3; ++i) way[i] = facet[i] - point;
-      if ((way[1] - way[0]).cross(way[2] - way[0]).dot(way[0]) >= 0) continue;
+      std::array<Vec3, 3> separation;
+      for (std::size_t i = 0; i < 3; ++i) separation[i] = facet[i] - point;
+      if ((separation[1] - separation[0]).cross(separation[2] - separation[0]).dot(separation[0]) >= 0)
+        continue;
       for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 &a = way[i], &b = way[(i + 1) % 3];
+        const Vec3 &a = separation[i], &b = separation[(i + 1) % 3];
         sum += std::atan2(a.cross(b).norm(), a.dot(b)) * b.cross(a).normalized().dot(up) / 2;
       }
     }
@@ -173,7 +174,7 @@ class SceneWithBall {
 /// Near the ball and far from it.
 std::vector<Vec3> places() { return {{0.5, 0.5, 0.5}, {0.52, 0.49, 0.1}, {0.1, 0.2, 0.9}}; }
 
-/// What a ball of matter brings to a meter that faces it, over what one of radiance 1 does, pi sin^2 a: the
+/// What a ball of a medium brings to a meter that faces it, over what one of radiance 1 does, pi sin^2 a: the
 /// integral of 1 - exp(-2 s sqrt(R^2 - d^2 sin^2)) over the ball's disc.
 double part_of_black(double thickness) {
   const double x = 2 * thickness;

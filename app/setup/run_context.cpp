@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/setup/run_context.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "app/case/build/build.h"
+#include "app/write/result/balance_check.h"
+
+namespace etendue {
+
+std::string how_to_go_on(const Case& input) {
+  const std::filesystem::path file = std::filesystem::absolute(input.output.directory) / "solution.vtu";
+  return fmt::format("to go on from there: --set 'solve.initial=\"{}\"'\n", file.string());
+}
+
+TetrahedralMesh mesh_visibly(const Case& input, const Log& log, const StageDisplay& stages) {
+  const ShownStage stage(stages, input.mesh.file ? "reading the mesh" : "meshing");
+  return build_mesh(input, log);
+}
+
+WrittenResults write_visibly(const RunResult& result, const StageDisplay& stages) {
+  const ShownStage stage(stages, "writing");
+  return write_results(result);
+}
+
+Case case_of(const RunRequest& request) {
+  Case input = read_case(request.file, request.overrides);
+  if (request.traces == RunTraces::all) return input;
+  input.cameras.clear();
+  input.initial.reset();
+  input.output.checkpoint_every = 0;
+  return input;
+}
+
+int thread_count(const Case& input) {
+  return input.solve.threads > 0 ? input.solve.threads
+                                 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void note_left_out(RunResult& result) {
+  std::size_t points = 0;
+  for (const Probe& probe : result.input.probes) points += probe.points.size();
+  if (result.probes.size() < points)
+    result.left_out.push_back(
+        fmt::format("{} of {} points of probes", points - result.probes.size(), points));
+  // Photons read no sensors.
+  const std::size_t sensors = result.errors ? 0 : result.input.sensors.size();
+  if (result.sensors.size() < sensors)
+    result.left_out.push_back(fmt::format("{} of {} sensors", sensors - result.sensors.size(), sensors));
+}
+
+RunResult result_of(const RunContext& run, const Solution& solution, std::vector<ProbeRow> probes,
+                    int threads) {
+  RunResult result{.input = run.input,
+                   .problem = run.problem,
+                   .solution = solution,
+                   .probes = std::move(probes),
+                   .balances = balances(run.problem, solution),
+                   .walls = wall_powers(run.problem, solution),
+                   .regions = region_powers(run.problem, solution),
+                   .seconds = run.seconds,
+                   .threads = threads,
+                   .record = run.request.record};
+  result.seconds.total = run.watch.total();
+  return result;
+}
+
+ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) {
+  if (interrupted) {
+    const std::string missing =
+        result.left_out.empty() ? "" : fmt::format(" but for {}", fmt::join(result.left_out, ", "));
+    err << "interrupted: the results are whole" << missing << " and are those of "
+        << (result.solution.converged() ? "the converged solution\n"
+                                        : "the last sweep; " + how_to_go_on(result.input));
+    return ExitCode::interrupted;
+  }
+  err << balance_warning(result);
+  if (result.solution.converged()) return is_balanced(result) ? ExitCode::done : ExitCode::not_converged;
+  if (result.errors)
+    err << fmt::format(
+        "the error is above solve.until = {} after solve.photons = {} histories in each band; the results "
+        "are "
+        "marked; {}",
+        result.input.photons->until, result.input.photons->photons, how_to_go_on(result.input));
+  else
+    err << fmt::format(
+        "not converged to solve.tolerance = {} within solve.max_sweeps = {}; the results are marked; {}",
+        result.input.solve.tolerance, result.input.solve.max_sweeps, how_to_go_on(result.input));
+  return ExitCode::not_converged;
+}
+
+ExitCode conclude_without_traces(const RunResult& result, const ResultReader& reader) {
+  if (reader) reader(result);
+  return result.solution.converged() ? ExitCode::done : ExitCode::not_converged;
+}
+
+}  // namespace etendue
