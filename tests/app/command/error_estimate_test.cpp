@@ -60,6 +60,18 @@ TEST(ErrorEstimate, SaysWhatHelpsWhereErrorsExceedTwoPercent) {
   EXPECT_TRUE(has(verdict_of(by_directions), "directions.order")) << verdict_of(by_directions);
 }
 
+TEST(ErrorEstimate, NamesTheLeastSureNumberInWords) {
+  const std::vector<std::pair<AnswerNumber, std::string>> named = {
+      {{"wall floor", "grey", "incoming", 2, 0}, "the power incoming at wall floor, band grey"},
+      {{"region gas", "grey", "absorbed", 2, 0}, "the power absorbed by region gas, band grey"},
+      {{"probe line 3", "grey", "fluence", 2, 0}, "the fluence at probe line 3, band grey"},
+      {{"sensor eye", "photopic", "ugr", 2, 0}, "the ugr of sensor eye, band photopic"}};
+  for (const auto& [number, words] : named) {
+    const std::string verdict = verdict_of(error_estimate({number}, {of_cells({0.1})}, false));
+    EXPECT_TRUE(has(verdict, "the least sure is " + words + ":")) << verdict;
+  }
+}
+
 TEST(ErrorEstimate, IsALowerBoundWherePartsAreNotKnownOrCellsAreCoarse) {
   ErrorPart unknown = of_directions({});
   unknown.how = "that takes about 60 s; --estimate finds it";
