@@ -3,6 +3,7 @@
 
 #include "app/command/memory_forecast.h"
 #include "app/command/ordinates_setup.h"
+#include "app/command/phase_text.h"
 #include "app/command/photon_pictures.h"
 #include "app/command/probes.h"
 #include "app/command/run_photons.h"
@@ -16,7 +17,7 @@ namespace {
 /// Cells, directions and bands of a sweep that takes a moment.
 constexpr double quick_sweep = 2e7;
 
-RunMemory check_directions_run(const Case& input, const Problem& problem) {
+CheckedRun check_directions_run(const Case& input, const Problem& problem) {
   OrdinatesSetup run(input, problem);
   const bool collides_once = !run.directions.first_collided.empty();
   const double work = static_cast<double>(problem.mesh().cell_count()) * problem.band_count() *
@@ -29,25 +30,25 @@ RunMemory check_directions_run(const Case& input, const Problem& problem) {
     solve(problem, run.set(), options);
     if (collides_once) solve(problem, run.directions.first_collided.front(), options);
   }
-  return run.memory();
+  return {run.memory(), run.resolution(problem), plan_texts(problem, run.set())};
 }
 
 }  // namespace
 
-std::optional<RunMemory> check_run(const Case& input, const Problem& problem) {
+CheckedRun check_run(const Case& input, const Problem& problem) {
   if (!input.photons && !input.radiosity) return check_directions_run(input, problem);
   const CellLocator locator(problem.mesh());
   if (input.photons) {
     check_for_photons(input, problem);
     check_photon_cameras(input.cameras, problem);
     place_probes(input.probes, problem.mesh(), locator);
-    return photon_run_memory(input, problem);
+    return {photon_run_memory(input, problem), {}, {}};
   }
   check_for_radiosity(input, problem);
   place_probes(input.probes, problem.mesh(), locator);
   const LightSetup lights(problem);
   check_sensors(input.sensors, locator, problem);
-  return std::nullopt;
+  return {};
 }
 
 Case with_coarsest_cells(Case input) {

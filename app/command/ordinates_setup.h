@@ -9,6 +9,7 @@
 #include "app/command/run_options.h"
 #include "mesh/tetrahedra/cell_locator.h"
 #include "solver/lights/light_setup.h"
+#include "solver/measure/resolution.h"
 #include "solver/ordinates/solve.h"
 
 namespace etendue {
@@ -28,6 +29,9 @@ struct OrdinatesSetup {
   OrdinatesSetup& operator=(const OrdinatesSetup&) = delete;
 
   const DirectionSet& set() const { return directions.sets.front(); }
+  /// How finely cells and the finest directions resolve the problem; cells count as lumped where the options
+  /// let the program choose.
+  Resolution resolution(const Problem& problem) const;
   RunMemory memory() const { return memory_of(lights, directions, options); }
 };
 
