@@ -57,7 +57,8 @@ std::string remedy_for(ErrorCause cause, const AnswerNumber& number) {
     case ErrorCause::histories:
       break;
   }
-  return "Use more histories (solve.photons); four times as many halve it.";
+  return fmt::format("Use more histories ({}); four times as many halve it.",
+                     number.where.starts_with("probe ") ? "solve.probe_photons" : "solve.photons");
 }
 
 std::string unknown_parts(const ErrorEstimate& estimate) {

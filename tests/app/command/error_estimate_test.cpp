@@ -72,6 +72,15 @@ TEST(ErrorEstimate, NamesTheLeastSureNumberInWords) {
   }
 }
 
+TEST(ErrorEstimate, NamesTheHistoriesThatHelp) {
+  const auto verdict_for = [](const std::string& where) {
+    const ErrorPart chance{.cause = ErrorCause::histories, .how = "", .errors = {1}};
+    return verdict_of(error_estimate({{where, "grey", "fluence", 2, 0}}, {chance}, false));
+  };
+  EXPECT_TRUE(has(verdict_for("probe duct 1"), "(solve.probe_photons)")) << verdict_for("probe duct 1");
+  EXPECT_TRUE(has(verdict_for("wall floor"), "(solve.photons)")) << verdict_for("wall floor");
+}
+
 TEST(ErrorEstimate, IsALowerBoundWherePartsAreNotKnownOrCellsAreCoarse) {
   ErrorPart unknown = of_directions({});
   unknown.how = "that takes about 60 s; --estimate finds it";
