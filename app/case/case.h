@@ -126,6 +126,7 @@ struct LightCase {
   std::string note;  ///< how the sun stands or a lamp is tilted, for people; may be empty
   Uncollided uncollided = Uncollided::automatic;
   std::vector<std::string> walls;
+  bool of_wall = false;  ///< walls.NAME.beam, which is no sun
   Origin origin;
 };
 

@@ -47,9 +47,10 @@ void write_comparison(const Comparison& comparison, const Case& input, const Pro
   folder.add_text(
       "comparison" + suffix + ".html",
       comparison_page(comparison, problem, input.title.empty() ? "Comparison" : input.title, tables));
+  const std::vector<std::string> names = folder.names();
   folder.publish({});
   out << "written to " << directory.string() << ":";
-  for (const std::string& name : folder.names()) out << " " << name;
+  for (const std::string& name : names) out << " " << name;
   out << std::endl;
 }
 

@@ -23,8 +23,13 @@ double relative(double error, const AnswerNumber& number) { return error / std::
 
 std::string percent(double part) { return fmt::format("{:.2g} %", 100 * part); }
 
+/// "power absorbed by region skin", "power incoming at wall floor", "fluence at probe line 3".
 std::string name_of(const AnswerNumber& number) {
-  return fmt::format("{} of {}, band {}", number.quantity, number.where, number.band);
+  std::string what = number.quantity + " of ";
+  if (number.where.starts_with("region ")) what = "power absorbed by ";
+  if (number.where.starts_with("wall ")) what = "power incoming at ";
+  if (number.where.starts_with("probe ")) what = number.quantity + " at ";
+  return fmt::format("{}{}, band {}", what, number.where, number.band);
 }
 
 /// The part that errs most in a number; null where none is known.
@@ -52,7 +57,8 @@ std::string remedy_for(ErrorCause cause, const AnswerNumber& number) {
     case ErrorCause::histories:
       break;
   }
-  return "Use more histories (solve.photons); four times as many halve it.";
+  return fmt::format("Use more histories ({}); four times as many halve it.",
+                     number.where.starts_with("probe ") ? "solve.probe_photons" : "solve.photons");
 }
 
 std::string unknown_parts(const ErrorEstimate& estimate) {

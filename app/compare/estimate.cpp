@@ -51,7 +51,13 @@ struct Kept {
   bool whole = false;
 };
 
-/// What users ask for: powers of regions and walls, probes and sensors.
+/// What is made of the radiometry of a sensor: what the eye sees, and ratios.
+bool is_derived(const SensorTableRow& row) {
+  return row.quantity.starts_with("uniformity_") || row.quantity.starts_with("daylight_factor") ||
+         (row.band == "photopic" && row.quantity != "glare_sources");
+}
+
+/// What users ask for: powers of regions and walls, probes and sensors with all that is made of them.
 std::vector<AnswerNumber> asked_numbers(const RunResult& run) {
   std::vector<AnswerNumber> numbers;
   for (AnswerNumber& number : answer_of(run).numbers) {
@@ -59,10 +65,18 @@ std::vector<AnswerNumber> asked_numbers(const RunResult& run) {
     const bool of_wall = number.where.starts_with("wall ") && number.quantity == "incoming";
     if (of_region || of_wall || number.where.starts_with("probe ")) numbers.push_back(std::move(number));
   }
-  for (const SensorRow& sensor : run.sensors)
-    for (const SensorTableRow& row : radiant_rows(run, sensor))
-      numbers.push_back({"sensor " + row.sensor, row.band, row.quantity, row.value(), row.error});
+  const auto add = [&](const SensorTableRow& row) {
+    numbers.push_back({"sensor " + row.sensor, row.band, row.quantity, row.value(), row.error});
+  };
+  for (const SensorRow& sensor : run.sensors) std::ranges::for_each(radiant_rows(run, sensor), add);
+  for (const SensorTableRow& row : sensor_rows(run))
+    if (is_derived(row)) add(row);
   return numbers;
+}
+
+/// Of one number; none where both are infinite, as UGR before a black background is.
+double change_of(const AnswerNumber& from, const AnswerNumber& to) {
+  return to.value == from.value ? 0 : to.value - from.value;
 }
 
 Kept kept_of(const RunResult& run) {
@@ -162,7 +176,7 @@ class Estimation {
     part.how = repetition.how(*other);
     for (std::size_t i = 0; i < run_.numbers.size(); ++i)
       part.errors.push_back(
-          error_of_change(other->numbers[i].value - run_.numbers[i].value, ratio, repetition.order));
+          error_of_change(change_of(run_.numbers[i], other->numbers[i]), ratio, repetition.order));
   }
 
   void add_cells() {

@@ -164,7 +164,7 @@ MethodAnswer answer_of(const RunResult& run) {
     if (!note.empty()) answer.notes.push_back(method + ": " + note.substr(0, note.find('\n')));
   if (run.errors && run.errors->unreached_probes > 0)
     answer.notes.push_back(fmt::format(
-        "{}: {} values of probes were reached by no history; their errors are upper bounds, three "
+        "{}: values of probes that no history reached: {}; the error is an upper bound there, three "
         "histories' worth",
         method, run.errors->unreached_probes));
   return answer;

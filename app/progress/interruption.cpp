@@ -9,6 +9,7 @@
 #include <cstring>
 #include <ctime>
 #include <limits>
+#include <utility>
 
 #include "app/request/exit_code.h"
 
@@ -22,6 +23,7 @@ std::atomic<std::int64_t> first_noted = 0;       ///< when a signal was noted fi
 static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler must not wait");
 constexpr std::int64_t nanoseconds_of_grace = 500'000'000;
 constexpr char nothing_written[] = "\ninterrupted: nothing was written\n";
+const char* words_before_results = nothing_written;
 const char* volatile last_words = nothing_written;
 
 struct sigaction interrupt_before;
@@ -54,7 +56,7 @@ Interruption::Interruption(const char* words) : Interruption() {
 }
 
 Interruption::Interruption() {
-  last_words = nothing_written;
+  last_words = words_before_results;
   signals_noted = 0;
   signals_allowed = 0;
   struct sigaction action {};
@@ -85,5 +87,11 @@ bool Interruption::noted() const { return signals_noted > 0; }
 bool Interruption::is_overdue() const {
   return signals_noted > 0 && nanoseconds_now() - first_noted > nanoseconds_of_grace;
 }
+
+EarlierResults::EarlierResults(std::string words) : words_(std::move(words)) {
+  words_before_results = words_.c_str();
+}
+
+EarlierResults::~EarlierResults() { words_before_results = nothing_written; }
 
 }  // namespace etendue

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 namespace etendue {
 
 /// What the program does on SIGINT and SIGTERM while this lives. At first it ends at once with exit code 130:
@@ -27,6 +29,19 @@ class Interruption {
 
  private:
   bool may_note_ = true;
+};
+
+/// While this lives, a run that is ended before it wrote anything ends with these words in place of "nothing
+/// was written": of what runs before it left. Not to be made or destroyed while an Interruption lives.
+class EarlierResults {
+ public:
+  explicit EarlierResults(std::string words);
+  ~EarlierResults();
+  EarlierResults(const EarlierResults&) = delete;
+  EarlierResults& operator=(const EarlierResults&) = delete;
+
+ private:
+  std::string words_;
 };
 
 }  // namespace etendue

@@ -16,6 +16,7 @@
 #include "app/run/report/field_text.h"
 #include "app/run/report/lamp_text.h"
 #include "app/run/report/phase_text.h"
+#include "app/run/report/resolution_text.h"
 #include "app/setup/run_context.h"
 #include "app/write/vtk/solution_file.h"
 #include "mesh/tetrahedra/mesh_report.h"
@@ -88,14 +89,19 @@ ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream
   const TetrahedralMesh mesh = mesh_visibly(meshed, log, stages);
   std::optional<ShownStage> setting_up(std::in_place, stages, "setting up");
   const Problem problem = build_problem(input, mesh);
-  const std::optional<RunMemory> needed = check_run(input, problem);
+  const CheckedRun checked = check_run(input, problem);
+  const bool is_meshed = request.mesh || input.mesh.file.has_value();
   std::string memory;
-  if (needed)
-    memory = request.mesh || input.mesh.file ? memory_text(*needed, problem)
-                                             : expected_memory_text(*needed, input, problem, log);
+  if (checked.memory)
+    memory = is_meshed ? memory_text(*checked.memory, problem)
+                       : expected_memory_text(*checked.memory, input, problem, log);
   setting_up.reset();
   out << request.file.string() << " is a valid case\n" << summary_of(input) << lamp_text(problem, input);
   for (const std::string& field : field_texts(input, mesh)) out << field << '\n';
+  if (is_meshed) {
+    for (const std::string& plan : checked.plans) out << "scattering in " << plan << '\n';
+    if (checked.resolution) out << resolution_text(*checked.resolution);
+  }
   out << memory;
   if (request.mesh) out << '\n' << to_string(mesh_report(mesh), mesh, input.units.length);
   return ExitCode::done;

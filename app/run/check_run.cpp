@@ -8,6 +8,7 @@
 #include "app/run/methods/run_photons.h"
 #include "app/run/methods/run_radiosity.h"
 #include "app/run/ordinates_setup.h"
+#include "app/run/report/phase_text.h"
 #include "solver/transport/solve/solve.h"
 
 namespace etendue {
@@ -16,7 +17,7 @@ namespace {
 /// Cells, directions and bands of a sweep that takes a moment.
 constexpr double quick_sweep = 2e7;
 
-RunMemory check_directions_run(const Case& input, const Problem& problem) {
+CheckedRun check_directions_run(const Case& input, const Problem& problem) {
   OrdinatesSetup run(input, problem);
   const bool collides_once = !run.directions.first_collided.empty();
   const double work = static_cast<double>(problem.mesh().cell_count()) * problem.band_count() *
@@ -29,25 +30,25 @@ RunMemory check_directions_run(const Case& input, const Problem& problem) {
     solve(problem, run.set(), options);
     if (collides_once) solve(problem, run.directions.first_collided.front(), options);
   }
-  return run.memory();
+  return {run.memory(), run.resolution(problem), plan_texts(problem, run.set())};
 }
 
 }  // namespace
 
-std::optional<RunMemory> check_run(const Case& input, const Problem& problem) {
+CheckedRun check_run(const Case& input, const Problem& problem) {
   if (!input.photons && !input.radiosity) return check_directions_run(input, problem);
   const CellLocator locator(problem.mesh());
   if (input.photons) {
     check_for_photons(input, problem);
     check_photon_cameras(input.cameras, problem);
     place_probes(input.probes, problem.mesh(), locator);
-    return photon_run_memory(input, problem);
+    return {photon_run_memory(input, problem), {}, {}};
   }
   check_for_radiosity(input, problem);
   place_probes(input.probes, problem.mesh(), locator);
   const LightSetup lights(problem);
   check_sensors(input.sensors, locator, problem);
-  return std::nullopt;
+  return {};
 }
 
 Case with_coarsest_cells(Case input) {

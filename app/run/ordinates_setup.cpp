@@ -24,4 +24,10 @@ OrdinatesSetup::OrdinatesSetup(const Case& input, const Problem& problem)
   if (input.exact) options.angular_input = &exact.emplace(input, problem, set()).input;
 }
 
+Resolution OrdinatesSetup::resolution(const Problem& problem) const {
+  Resolution found = resolution_of(problem, finest(directions), locator);
+  if (options.order != SpaceOrder::linear || options.lumping != Lumping::automatic) found.thick_count = 0;
+  return found;
+}
+
 }  // namespace etendue

@@ -11,6 +11,7 @@
 #include "solver/angular/sets/direction_set.h"
 #include "solver/problem/problem.h"
 #include "solver/solution/solve_options.h"
+#include "solver/transport/solve/resolution.h"
 #include "solver/uncollided/lights/light_setup.h"
 
 namespace etendue {
@@ -30,6 +31,9 @@ struct OrdinatesSetup {
   OrdinatesSetup& operator=(const OrdinatesSetup&) = delete;
 
   const DirectionSet& set() const { return directions.sets.front(); }
+  /// How finely cells and the finest directions resolve the problem; cells count as lumped where the options
+  /// let the program choose.
+  Resolution resolution(const Problem& problem) const;
   RunMemory memory() const { return memory_of(lights, directions, options); }
 };
 

@@ -117,11 +117,13 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
   }
   const RunMemory expected = setup.memory();
   const std::string memory = check_memory(expected.solving, mesh, problem.band_count(), expected.matrices);
-  const Resolution resolution = resolution_of(problem, finest(all_directions), locator);
+  const Resolution resolution = setup.resolution(problem);
   out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions), problem.band_count(),
                      options.threads)
       << refraction_caution(all_directions, problem) << resolution_text(resolution) << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
+  for (const std::string& plan : plan_texts(problem, directions))
+    out << "scattering in " << plan << std::endl;
 
   log.belongs_in(input.output.directory);
   seconds.setup += watch.lap();

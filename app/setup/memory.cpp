@@ -13,6 +13,9 @@ namespace {
 
 constexpr double mebibyte = 1024.0 * 1024.0;
 
+/// The program and its libraries, before a case [bytes].
+constexpr double program_itself = 36e6;
+
 /// How the cells are counted and the memory is bounded.
 struct Precision {
   std::string cells;
@@ -24,7 +27,7 @@ std::string checked(double solving, const Precision& precision, double cells, in
                     const std::string& matrices) {
   // The files hold four values of the fluence and of three components of the net flux in each cell and band.
   const double writing = 4.0 * (1 + 3) * sizeof(double) * bands * cells;
-  const double needed = solving + writing;
+  const double needed = program_itself + solving + writing;
   if (needed <= installed_memory())
     return fmt::format("memory: {} {:.3g} GiB{}{}\n", precision.bound, needed / gibibyte, matrices,
                        precision.rest);

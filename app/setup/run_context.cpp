@@ -75,7 +75,8 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) 
         result.left_out.empty() ? "" : fmt::format(" but for {}", fmt::join(result.left_out, ", "));
     err << "interrupted: the results are whole" << missing << " and are those of "
         << (result.solution.converged() ? "the converged solution\n"
-                                        : "the last sweep; " + how_to_go_on(result.input));
+                                        : (result.errors ? "the histories so far; " : "the last sweep; ") +
+                                              how_to_go_on(result.input));
     return ExitCode::interrupted;
   }
   err << balance_warning(result);

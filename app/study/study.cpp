@@ -7,6 +7,7 @@
 #include <new>
 #include <optional>
 
+#include "app/progress/interruption.h"
 #include "app/request/commands.h"
 #include "app/setup/memory.h"
 #include "app/study/study_forecast.h"
@@ -165,6 +166,18 @@ class Study {
   ExitCode code_ = ExitCode::done;
 };
 
+/// Which levels are done, where they are, and how to go on.
+std::string interrupted_text(const StudyRequest& request, const Case& input, const Study& study) {
+  std::string done;
+  for (const LevelResult& result : study.results())
+    done += fmt::format("{}level-{}", done.empty() ? "" : ", ", result.level);
+  return fmt::format(
+      "interrupted: of {} levels {} done, in {} with study.csv and study.json; to go on: the same command "
+      "with --resume\n",
+      level_count(request), done.empty() ? "none is" : done + (study.results().size() == 1 ? " is" : " are"),
+      input.output.directory.string());
+}
+
 }  // namespace
 
 ExitCode study_case(const StudyRequest& request, std::ostream& out, std::ostream& err) {
@@ -179,19 +192,29 @@ ExitCode study_case(const StudyRequest& request, std::ostream& out, std::ostream
     trust = study_trust(rows, study.results(), request.refinement);
     write_tables(request, input, rows, trust, study.failures());
   };
+  const auto report = [&] {
+    return study_text(rows, study.results(), request.refinement, study.failures()) +
+           expectation_text(input, request.refinement) +
+           trust_text(trust, study.results(), request.refinement, level_count(request));
+  };
   for (std::size_t i = 0; i < levels.size() && study.goes_on(); ++i) {
+    // A study that is ended early leaves the table of what there is, and shows it.
+    std::optional<EarlierResults> so_far;
+    if (!study.results().empty()) so_far.emplace("\n" + report() + interrupted_text(request, input, study));
     study.take(levels[i], static_cast<int>(i) + 1);
-    tabulate();  // a study that is ended early leaves the table of what there is
+    tabulate();
   }
   study.compare_fields(levels);
   tabulate();
-  out << study_text(rows, study.results(), request.refinement, study.failures())
-      << expectation_text(input, request.refinement)
-      << trust_text(trust, study.results(), request.refinement);
+  out << report();
   const std::string no_plot = request.plot ? draw_study(input.output.directory) : "not asked for";
   out << "written to " << input.output.directory.string() << ": study.csv study.json"
       << (no_plot.empty() ? " study.svg\n" : "\n");
   if (request.plot && !no_plot.empty()) out << "no plot: " << no_plot << '\n';
+  if (!study.goes_on()) {
+    out << std::flush;
+    err << interrupted_text(request, input, study);
+  }
   return study.code();
 }
 

@@ -67,6 +67,11 @@ std::string left_out(Refinement refinement) {
   return "";
 }
 
+std::string alone_text(int asked) {
+  return asked == 1 ? "\nOne level does not tell its error: ask for --levels 3.\n"
+                    : "\nOne level alone is done, which does not tell its error.\n";
+}
+
 }  // namespace
 
 const char* name_of(TrustBasis basis) {
@@ -101,9 +106,8 @@ std::vector<StudyTrust> study_trust(const std::vector<StudyRow>& rows, const std
 }
 
 std::string trust_text(const std::vector<StudyTrust>& trust, const std::vector<LevelResult>& levels,
-                       Refinement refinement) {
-  if (trust.empty())
-    return levels.size() == 1 ? "\nOne level does not tell its error: ask for --levels 3.\n" : "";
+                       Refinement refinement, int asked) {
+  if (trust.empty()) return levels.size() == 1 ? alone_text(asked) : "";
   std::vector<StudyTrust> sorted = trust;
   std::ranges::stable_sort(sorted, std::greater(), relative);
   TextTable table({"band", "quantity", "value", "error", "relative", "from"},

@@ -27,8 +27,8 @@ struct StudyTrust {
 std::vector<StudyTrust> study_trust(const std::vector<StudyRow>& rows, const std::vector<LevelResult>& levels,
                                     Refinement refinement);
 
-/// For people: the largest first, and in words what they leave out.
+/// For people: the largest first, and in words what they leave out. `asked` levels were to be run.
 std::string trust_text(const std::vector<StudyTrust>& trust, const std::vector<LevelResult>& levels,
-                       Refinement refinement);
+                       Refinement refinement, int asked);
 
 }  // namespace etendue

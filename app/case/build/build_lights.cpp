@@ -153,10 +153,25 @@ BeamLight refracted(const BeamLight& beam, const Vec3& normal, double index) {
   return inside;
 }
 
+/// The walls that a beam can meet from outside.
+std::vector<int> walls_facing(const Vec3& direction, const std::vector<int>& walls,
+                              const TetrahedralMesh& mesh) {
+  std::vector<int> facing;
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const int wall = mesh.wall(FaceIndex(f));
+    const Vec3& outwards = mesh.area_normal(FaceIndex(f));
+    if (-outwards.dot(direction) > least_cosine * outwards.norm() && std::ranges::count(walls, wall) > 0 &&
+        std::ranges::count(facing, wall) == 0)
+      facing.push_back(wall);
+  }
+  return facing;
+}
+
 /// A beam behind the walls by which it comes in.
 BeamLight beam_inside(const LightCase& light, const BeamLight& beam, const std::vector<Wall>& walls,
                       const TetrahedralMesh& mesh, std::vector<Fault>& faults) {
-  const std::vector<int>& numbers = beam.walls;
+  const std::vector<int> numbers =
+      light.walls.empty() ? walls_facing(beam.direction, beam.walls, mesh) : beam.walls;
   const auto refracts = [&](int w) { return walls[static_cast<std::size_t>(w)].refractive_index != 1; };
   const auto first = std::ranges::find_if(numbers, refracts);
   if (first == numbers.end()) return beam;
@@ -164,6 +179,7 @@ BeamLight beam_inside(const LightCase& light, const BeamLight& beam, const std::
   const std::optional<Vec3> normal = normal_of_wall(mesh, *first);
   if (numbers.size() == 1 && normal && beam.direction.dot(*normal) > 0) {
     BeamLight inside = refracted(beam, *normal, walls[static_cast<std::size_t>(*first)].refractive_index);
+    inside.walls = numbers;
     if (beam.profile) refract_profile(beam.direction, *normal, point_of(mesh, *first), inside);
     return inside;
   }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "app/case/build/build.h"
 #include "app/case/build/mesh_names.h"
@@ -20,9 +21,22 @@ namespace {
 /// Cells that the numbers of faces and points still count.
 constexpr double largest_mesh = 2e8;
 
+/// Reads a file that a key of the case names. Throws InputError at that key where it cannot be read.
+template <class Read>
+auto read_named(const InputFile& file, const Read& read) {
+  try {
+    return read();
+  } catch (const FileError& error) {
+    throw InputError(fault_at(file.origin, "\"" + file.path.filename().string() + "\"",
+                              std::string(error.what()) + "; name a file that is there"));
+  }
+}
+
 SurfaceComplex surface_of(const MeshCase& mesh, const Log& log) {
   if (!mesh.surface) return arrange(mesh.geometry, log);
-  return read_surface(mesh.surface->path, {mesh.scale, mesh.regions, mesh.surface->origin, mesh.up}, log);
+  return read_named(*mesh.surface, [&] {
+    return read_surface(mesh.surface->path, {mesh.scale, mesh.regions, mesh.surface->origin, mesh.up}, log);
+  });
 }
 
 /// The sound mesh with its cells cut into eight as often as wanted.
@@ -64,7 +78,8 @@ RawMesh mesh_of_voxels(const Case& input, const FieldData& image, FacetSize size
 /// Voxels are meshed in the image's own axes, where their planes are exact, and turned into their place then.
 RawMesh mesh_of_labels(const Case& input, const Log& log) {
   const LabelsCase& labels = *input.mesh.labels;
-  const FieldData image = read_field({.path = labels.file.path, .array = labels.array});
+  const FieldData image =
+      read_named(labels.file, [&] { return read_field({.path = labels.file.path, .array = labels.array}); });
   if (!image.image)
     throw InputError(fault_at(labels.file.origin, "\"" + labels.file.path.string() + "\"",
                               "holds no image; use .vti or .nii"));
@@ -82,8 +97,10 @@ RawMesh mesh_of_labels(const Case& input, const Log& log) {
 TetrahedralMesh build_mesh(const Case& input, const Log& log) {
   if (input.mesh.labels) return split(mesh_of_labels(input, log), input.mesh);
   if (!input.mesh.file) return split(filled(input, surface_of(input.mesh, log), log), input.mesh);
-  const TetrahedralMesh mesh = split(
-      read_mesh(input.mesh.file->path, input.mesh.scale, input.mesh.file->origin, input.mesh.up), input.mesh);
+  RawMesh raw = read_named(*input.mesh.file, [&] {
+    return read_mesh(input.mesh.file->path, input.mesh.scale, input.mesh.file->origin, input.mesh.up);
+  });
+  const TetrahedralMesh mesh = split(std::move(raw), input.mesh);
   check_names(input, names_of(mesh));
   return mesh;
 }

@@ -81,6 +81,9 @@ LightTable read_grid(const std::filesystem::path& path) {
 }  // namespace
 
 LightTable read_light_table(const std::filesystem::path& path, const Origin& origin) {
+  if (!std::ifstream(path))
+    throw InputError(fault_at(origin, "\"" + path.filename().string() + "\"",
+                              path.string() + ": cannot be opened; name a file that is there"));
   LightTable table;
   std::string kind = path.extension().string();
   std::ranges::transform(kind, kind.begin(),
@@ -89,7 +92,6 @@ LightTable read_light_table(const std::filesystem::path& path, const Origin& ori
     table = read_ldt(path);
   } else if (kind == ".ies") {
     std::ifstream stream(path);
-    if (!stream) throw FileError(path.string(), "cannot be read (" + origin.key + ")");
     table = read_ies(stream, path);
   } else if (columns_of(path) == 3) {
     table = read_grid(path);

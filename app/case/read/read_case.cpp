@@ -70,6 +70,18 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   return result;
 }
 
+/// What building the mesh would say of files that are not there.
+void check_mesh_files(const MeshCase& mesh, Faults& faults) {
+  const auto check = [&](const InputFile& file) {
+    if (!std::filesystem::exists(file.path))
+      faults.push_back(fault_at(file.origin, "\"" + file.path.filename().string() + "\"",
+                                "is no file; name one that is there"));
+  };
+  if (mesh.file) check(*mesh.file);
+  if (mesh.surface) check(*mesh.surface);
+  if (mesh.labels) check(mesh.labels->file);
+}
+
 Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides& overrides) {
   Faults faults;
   for (const std::string& assignment : overrides) apply_override(root, assignment, faults);
@@ -87,6 +99,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
     check_sensors_see_lights(result, faults);
   }
   report_unused(root, faults);
+  if (!faults.empty()) check_mesh_files(result.mesh, faults);  // all in one round
   if (!faults.empty()) throw InputError(std::move(faults));
   result.resolved_toml = render_toml(root);
   return result;

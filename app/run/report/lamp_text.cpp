@@ -39,6 +39,9 @@ std::string lamp_text(const Problem& problem, const Case& input) {
                         lamps[i].note.empty() ? "" : "; ", lamps[i].note);
   if (lamps.size() > lamps_told) text += fmt::format("and {} more lamps\n", lamps.size() - lamps_told);
   for (const BeamPower& beam : beam_powers(problem, input)) text += beam_text(beam, input.units.power);
+  for (const WallBeam& beam : wall_beams(problem, input))
+    text += fmt::format("beam {}: {:.4g} {} on its wall, {:.4g} {}/{}^2 across it\n", beam.name, beam.power,
+                        input.units.power, beam.irradiance, input.units.power, input.units.length);
   for (const Daylight& day : daylight(input))
     text += fmt::format("{}: {:.4g} {}/{}^2{} on a level plane{}{}\n", day.name, day.irradiance,
                         input.units.power, input.units.length,

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "solver/materials/kernels/kernel_profile.h"
+#include "solver/transport/scattering/scattering_plan.h"
 
 namespace etendue {
 
@@ -20,6 +21,31 @@ std::vector<std::string> phase_texts(const Case& input) {
           medium.phase.size() == 1 ? "" : fmt::format(" (band {})", input.bands.names[band]);
       texts.push_back(fmt::format("{}{}: {}", name, in_band, phase_name(medium.phase[band])));
     }
+  }
+  return texts;
+}
+
+namespace {
+
+std::string treatment_text(const ScatteringTreatment& how) {
+  return how.is_dense() ? "by a matrix (" + how.reason + ")"
+                        : fmt::format("by moments of degree {} ({})", how.degree, how.reason);
+}
+
+}  // namespace
+
+std::vector<std::string> plan_texts(const Problem& problem, const DirectionSet& directions) {
+  const std::vector<ScatteringTreatment> plan = plan_scattering(problem, directions);
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    if (!plan[i].is_dense() && plan[i].degree == 0) continue;
+    const std::string how = treatment_text(plan[i]);
+    std::string names = problem.bands().names[i % bands];
+    while ((i + 1) % bands != 0 && treatment_text(plan[i + 1]) == how)
+      names += ", " + problem.bands().names[++i % bands];
+    texts.push_back(fmt::format("{}, {} {}: {}", problem.media()[i / bands].name,
+                                names.find(',') == std::string::npos ? "band" : "bands", names, how));
   }
   return texts;
 }

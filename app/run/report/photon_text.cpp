@@ -81,7 +81,7 @@ std::string errors_text(const RunResult& result) {
       errors.unreached_probes == 0
           ? ""
           : fmt::format(
-                "  {} values of probes were reached by no history: their errors are upper bounds, three "
+                "  values of probes that no history reached: {}; the error is an upper bound there, three "
                 "histories' worth\n",
                 errors.unreached_probes);
   if (rows > longest_table) return "\nstandard errors: many, see the tables\n" + unreached;

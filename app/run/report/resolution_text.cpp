@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/transport/cells/cell_coefficients.h"
+
 namespace etendue {
 namespace {
 
@@ -29,6 +31,19 @@ bool has_coarse_directions(const Resolution& resolution) {
 
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
+std::string cells_line(const Resolution& resolution) {
+  if (resolution.largest_thickness <= 0) return "";
+  std::string text = fmt::format("cells: {:.2g} mean free paths thick (median), {:.2g} at most",
+                                 resolution.median_thickness, resolution.largest_thickness);
+  if (resolution.transport_thickness_at_lights > 0)
+    text +=
+        fmt::format("; at lights {:.2g} transport mean free paths", resolution.transport_thickness_at_lights);
+  if (resolution.thick_count > 0)
+    text += fmt::format("; mass lumped in {} of {} cells and bands (thicker than {})", resolution.thick_count,
+                        resolution.pair_count, lumping_thickness);
+  return text + "\n";
+}
+
 }  // namespace
 
 bool is_coarse(const Resolution& resolution) {
@@ -36,10 +51,7 @@ bool is_coarse(const Resolution& resolution) {
 }
 
 std::string resolution_text(const Resolution& resolution) {
-  std::string text;
-  if (resolution.largest_thickness > 0)
-    text += fmt::format("cells: {:.2g} mean free paths thick (median), {:.2g} at most\n",
-                        resolution.median_thickness, resolution.largest_thickness);
+  std::string text = cells_line(resolution);
   if (has_thick_cells(resolution))
     text += fmt::format(
         "caution: cells at lights are {:.2g} transport mean free paths thick (median), and what they absorb "

@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "solver/transport/cells/resolution.h"
+#include "solver/transport/solve/resolution.h"
 
 namespace etendue {
 
-/// Lines for the terminal before a run: the optical thickness of cells, and a caution with a remedy where
-/// cells at lights or directions are too coarse. Empty in a vacuum.
+/// Lines for the terminal before a run: the optical thickness of cells, that at lights, how many are lumped,
+/// and a caution with a remedy where cells at lights or directions are too coarse. Empty in a vacuum.
 std::string resolution_text(const Resolution& resolution);
 /// Whether that text has a caution: results are off by percents.
 bool is_coarse(const Resolution& resolution);

@@ -89,6 +89,42 @@ std::string grid_png(const RunResult& result, const SensorRow& row) {
   return toned_png({parts[0] * block, parts[1] * block}, colors, std::nullopt, Tone::linear);
 }
 
+/// Significant digits that are told: of what a view is rated by, of what has no error, and at most.
+constexpr int digits_of_a_view = 3, digits_without_error = 4, most_digits = 6;
+
+bool is_of_a_view(const SensorTableRow& row) {
+  return row.quantity == "background_luminance" || row.quantity == "glare_sources" || row.quantity == "ugr" ||
+         row.quantity == "dgp";
+}
+
+bool has_no_sources(const std::string& sensor, const std::vector<SensorTableRow>& rows) {
+  return std::ranges::any_of(rows, [&](const SensorTableRow& row) {
+    return row.sensor == sensor && row.quantity == "glare_sources" && row.value() == 0;
+  });
+}
+
+/// " W/m^2"; of a plain number nothing.
+std::string unit_text(const SensorTableRow& row) { return row.unit == "1" ? "" : " " + row.unit; }
+
+std::string rating_text(const SensorTableRow& row, const std::vector<SensorTableRow>& rows) {
+  if (row.quantity == "glare_sources") return fmt::format("{:.0f}", row.value());
+  if (row.quantity == "ugr" && has_no_sources(row.sensor, rows)) return "no sources";
+  return fmt::format("{:.{}g}{}", row.value(), digits_of_a_view, unit_text(row));
+}
+
+/// Digits down to the second of the error.
+int digits_of(double value, double error) {
+  if (!(error > 0) || value == 0 || !std::isfinite(error)) return digits_without_error;
+  const double places = std::floor(std::log10(std::abs(value))) - std::floor(std::log10(error)) + 2;
+  return static_cast<int>(std::clamp(places, 1., static_cast<double>(most_digits)));
+}
+
+std::string reading_text(const SensorTableRow& row) {
+  const std::string left = row.error > 0 ? fmt::format(", rays leave {:.1g}", row.error) : "";
+  return fmt::format("{:.{}g}{} (uncollided {:.{}g}{})", row.value(), digits_of(row.value(), row.error),
+                     unit_text(row), row.uncollided, digits_of(row.uncollided, row.error), left);
+}
+
 }  // namespace
 
 std::string sensors_csv(const RunResult& result) {
@@ -124,9 +160,12 @@ std::string spectrum_csv(const RunResult& result, const SensorRow& row) {
 
 std::string sensors_text(const RunResult& result) {
   std::string text;
-  for (const SensorTableRow& row : sensor_rows(result))
-    text += fmt::format("sensor {}: {} {} {:.6g} {} (uncollided {:.6g}, rays leave {:.1g})\n", row.sensor,
-                        row.quantity, row.band, row.value(), row.unit, row.uncollided, row.error);
+  const std::vector<SensorTableRow> rows = sensor_rows(result);
+  for (const SensorTableRow& row : rows) {
+    text += fmt::format("sensor {}: {} {} ", row.sensor, row.quantity, row.band);
+    text += is_of_a_view(row) ? rating_text(row, rows) : reading_text(row);
+    text += '\n';
+  }
   const Photometry photometry(result.problem.bands());
   if (!text.empty() && photometry.known()) text += "  photopic: " + photometry.rule() + "\n";
   return text;

@@ -33,7 +33,7 @@ std::vector<Daylight> daylight(const Case& input) {
   const std::optional<SiScale> scale = si_scale(input.units.length, input.units.power);
   std::vector<Daylight> found;
   for (const LightCase& light : input.lights) {
-    if (light.kind != "sun" && light.kind != "sky") continue;
+    if (light.of_wall || (light.kind != "sun" && light.kind != "sky")) continue;
     const std::vector<double> level = unobstructed_irradiance(light);
     Daylight& day = found.emplace_back();
     day.name = light.name;
@@ -41,6 +41,23 @@ std::vector<Daylight> daylight(const Case& input) {
     day.irradiance = std::accumulate(level.begin(), level.end(), 0.0);
     if (scale && photometry.known())
       day.illuminance = photometry.luminous(level) * scale->power / (scale->length * scale->length);
+  }
+  return found;
+}
+
+std::vector<WallBeam> wall_beams(const Problem& problem, const Case& input) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  std::vector<WallBeam> found;
+  for (const LightCase& light : input.lights) {
+    if (!light.of_wall) continue;
+    double area = 0;  // across the beam
+    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+      const FaceIndex face(f);
+      if (mesh.wall_names()[static_cast<std::size_t>(mesh.wall(face))] == light.walls.front())
+        area += std::max(0.0, -mesh.area_normal(face).dot(light.direction));
+    }
+    const double irradiance = std::accumulate(light.strength.begin(), light.strength.end(), 0.0);
+    found.push_back({light.name, irradiance, irradiance * area});
   }
   return found;
 }

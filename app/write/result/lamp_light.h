@@ -29,7 +29,16 @@ struct Daylight {
   double illuminance = -1;  ///< [lx]; -1 where the bands or units have no photometry
 };
 
-/// Of the suns and skies of a case.
+/// Of the suns and skies of a case; walls.NAME.beam are none.
 std::vector<Daylight> daylight(const Case& input);
+
+/// A collimated beam as wide as its wall, walls.NAME.beam, of all bands.
+struct WallBeam {
+  std::string name;
+  double irradiance = 0;  ///< across the beam [units.power/units.length^2]
+  double power = 0;       ///< that arrives at the wall from outside [units.power]
+};
+
+std::vector<WallBeam> wall_beams(const Problem& problem, const Case& input);
 
 }  // namespace etendue

@@ -96,7 +96,7 @@ SurfaceComplex read_surface(const std::filesystem::path& path, const SurfaceFile
     return InputError(fault_at(options.origin, fmt::format("\"{}\"", path.string()), problem));
   };
   if (ending != ".stl" && ending != ".obj" && ending != ".ply" && ending != ".off")
-    throw refuse("is not a kind of surface file; .poly, .smesh, .stl, .obj, .ply or .off");
+    throw refuse("is not a kind of surface file; use .poly, .smesh, .stl, .obj, .ply or .off");
   PolygonSoup soup = read_soup(path, ending);
   for (Vec3& point : soup.points) point = with_z_up(options.scale * point, options.up);
   try {

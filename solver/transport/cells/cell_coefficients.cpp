@@ -7,9 +7,6 @@
 namespace etendue {
 namespace {
 
-/// Cells thicker than this oscillate with the consistent mass where light enters (docs/theory/theory.md).
-constexpr double lumping_thickness = 2;
-
 /// Outward area normals of faces 0, 1 and 2.
 template <class Real>
 void write_normals(const TetrahedralMesh& mesh, CellIndex cell, double scale, Real* record) {

@@ -9,6 +9,10 @@
 
 namespace etendue {
 
+/// Extinction times size above which Lumping::automatic lumps the mass of a cell: thicker ones oscillate with
+/// the consistent mass where light enters (docs/theory/theory.md).
+inline constexpr double lumping_thickness = 2;
+
 /// What the cell balance needs of each cell, whatever the direction.
 class CellCoefficients {
  public:

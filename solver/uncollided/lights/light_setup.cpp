@@ -2,9 +2,11 @@
 #include "solver/uncollided/lights/light_setup.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <numbers>
 
 #include "mesh/tetrahedra/search/cell_locator.h"
@@ -24,6 +26,23 @@ constexpr double small_part = 0.05;
 
 /// Part of a light that may end at a wall that refracts: what it reflects or lets out is left out.
 constexpr double most_at_refraction = 1e-6;
+
+/// Walls that refract and that a light meets from within, and the part of its power that arrives there.
+struct Meeting {
+  std::vector<std::string> walls;
+  double part = 0;
+};
+
+std::string text_of(const Meeting& met, const std::string& light) {
+  const bool alone = met.walls.size() == 1;
+  return fmt::format(
+      "the light {} meets the {} {}, which {}, from within with {:.2g} of its power (light along rays ends "
+      "at "
+      "such a wall in this version, which may take {:g} of it); use uncollided = false, or solve.method = "
+      "\"photons\"",
+      light, alone ? "wall" : "walls", fmt::join(met.walls, ", "), alone ? "refracts" : "refract", met.part,
+      most_at_refraction);
+}
 
 std::vector<double> values_of_cell(const Problem& problem, CellIndex cell,
                                    double (Problem::*value)(CellIndex, int) const) {
@@ -97,7 +116,7 @@ LightSetup::LightSetup(const Problem& problem)
 }
 
 void LightSetup::check_refraction() {
-  std::vector<Fault> faults;
+  std::map<std::size_t, Meeting> refused;
   // The beams of a fibre follow each other.
   const auto continues_fibre = [&](std::size_t i) {
     return sources_[i]->name() == sources_[i - 1]->name() && sources_[i]->as_beam() != nullptr &&
@@ -114,21 +133,20 @@ void LightSetup::check_refraction() {
         at_wall += sent * part_at_wall(paths_, shadow_edges_, source, wall);
       }
       const double part = power > 0 ? at_wall / power : 0;
-      if (part > most_at_refraction)
-        faults.push_back(fault_at(
-            origins_[i], "",
-            fmt::format(
-                "the light {} meets the wall {}, which refracts, from within with {:.2g} of its power "
-                "(light along rays ends at such a wall in this version, which may take {:g} of it); "
-                "use uncollided = false, or solve.method = \"photons\"",
-                sources_[i]->name(), wall.name, part, most_at_refraction)));
-      else if (part > 0)
+      if (part > most_at_refraction) {
+        refused[i].walls.push_back(wall.name);
+        refused[i].part += part;
+      } else if (part > 0) {
         notes_.push_back(fmt::format(
             "light {}: {:.2g} of its power reaches the wall {}, which refracts, from within before "
             "its first collision, and ends there (its reflection is left out)",
             sources_[i]->name(), part, wall.name));
+      }
     }
   }
+  std::vector<Fault> faults;
+  for (const auto& [source, met] : refused)
+    faults.push_back(fault_at(origins_[source], "", text_of(met, sources_[source]->name())));
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 

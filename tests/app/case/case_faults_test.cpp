@@ -354,7 +354,8 @@ TEST(CaseFaults, OfAnEmptyFileNameWhatACaseNeeds) {
             "slab.toml: mesh: no geometry; use exactly one of file, surface, labels or primitives (box, "
             "sphere, cylinder)\n"
             "slab.toml: media: no entry; add one for each region, or \"*\" for all\n"
-            "slab.toml: walls: no entry; add one for each wall, or \"*\" for all");
+            "slab.toml: walls: no entry; add one for each wall, or \"*\" for all, as [walls.\"*\"] with "
+            "diffuse = 0.5");
 }
 
 TEST(CaseFaults, OfAFormulaQuoteTheParser) {

@@ -98,15 +98,31 @@ absorption = 1
 diffuse = 0.5
 )";
   EXPECT_TRUE(has(fault_of("[mesh]\nfile = \"part.step\"\n" + rest), "is not the name of a mesh file"));
-  EXPECT_TRUE(has(fault_of("[mesh]\nfile = \"missing.msh\"\n" + rest), "missing.msh"));
-  EXPECT_TRUE(has(fault_of("[mesh]\nsurface = \"missing.stl\"\n" + rest), "missing.stl"));
+  EXPECT_TRUE(
+      has(fault_of("[mesh]\nfile = \"missing.msh\"\n" + rest), "case.toml:2: mesh.file = \"missing.msh\""));
+  EXPECT_TRUE(has(fault_of("[mesh]\nsurface = \"missing.stl\"\n" + rest), "case.toml:2: mesh.surface = "));
+  EXPECT_TRUE(has(fault_of("[mesh]\nlabels = { file = \"missing.vti\", regions = { a = 1 } }\n" + rest),
+                  "case.toml:2: mesh.labels.file = "));
+  EXPECT_TRUE(
+      has(fault_of(test::small_case() + "[[light]]\nname = \"lamp\"\nkind = \"point\"\nposition = "
+                                        "[0.5, 0.5, 0.5]\npower = 1\ndistribution = \"missing.ies\"\n"),
+          "case.toml:32: light[0].distribution = "));
+  // What else is wrong comes in the same round.
+  const std::string both = fault_of("[mesh]\nfile = \"missing.msh\"\n[media.a]\n");
+  EXPECT_TRUE(has(both, "missing.msh") && has(both, "as [walls.\"*\"]")) << both;
 }
 
 TEST(Command, CheckRefusesWhatOnlyTheProblemOfARunShows) {
   const std::string lamp = "[[light]]\nname = \"lamp\"\nkind = \"point\"\npower = 1\nposition = ";
   const std::string room = test::small_case();
   EXPECT_TRUE(has(fault_of(room + "[walls.zmax]\nrefractive_index = 1.5\n" + lamp + "[0.5, 0.5, 0.5]\n"),
-                  "refracts, from within"));
+                  "the wall zmax, which refracts, from within"));
+  const std::string all = fault_of(room +
+                                   "[walls.xmin]\nrefractive_index = 1.5\n[walls.xmax]\n"
+                                   "refractive_index = 1.5\n" +
+                                   lamp + "[0.5, 0.5, 0.5]\n");
+  EXPECT_TRUE(has(all, "the walls xmin, xmax, which refract, from within")) << all;
+  EXPECT_EQ(std::ranges::count(all, '\n'), 1) << all;
   EXPECT_TRUE(has(fault_of(room + lamp + "[2, 0, 0]\n"), "reaches out of the mesh"));
   EXPECT_TRUE(has(fault_of(room + "[[probe]]\nname = \"out\"\npoints = [[2, 0, 0]]\n"), "lies outside"));
   EXPECT_TRUE(has(fault_of(room + "[media.smok]\nabsorption = 1\n"), "smok"));
@@ -133,6 +149,21 @@ double memory_told(const Outcome& outcome, const std::string& bound) {
   const std::string begin = "memory: " + bound + " ";
   const auto found = outcome.out.find(begin);
   return found == std::string::npos ? -1 : std::stod(outcome.out.substr(found + begin.size()));
+}
+
+TEST(Command, CheckWithMeshCautionsAsARunDoes) {
+  const CaseFolder folder;
+  const std::vector<std::string> thick = {"--set", "media.smoke.absorption=30", "--set",
+                                          "media.smoke.phase={ model = \"henyey-greenstein\", g = 0.9 }"};
+  std::vector<std::string> check = {"check", folder.file(), "--mesh"}, run = {"run", folder.file()};
+  check.insert(check.end(), thick.begin(), thick.end());
+  run.insert(run.end(), thick.begin(), thick.end());
+  const std::string checked = etendue_says(check).out, done = etendue_says(run).out;
+  for (const char* what : {"scattering in smoke, bands red, green, blue: ", "cells: ", "mass lumped in ",
+                           "caution: cells at lights", "caution: directions are"}) {
+    EXPECT_TRUE(has(checked, what)) << checked;
+    EXPECT_LT(done.find(what), done.find("iteration (")) << what << done;
+  }
 }
 
 TEST(Command, CheckTellsTheMemoryThatARunTakes) {
@@ -293,6 +324,27 @@ TEST(Memory, OfAMatrixIsSaidBeforeTheRunAndRefusedWithTheFigureWhereThereIsNotAs
   EXPECT_EQ(refused.code, ExitCode::input_error) << refused.out;
   EXPECT_TRUE(has(refused.err, " GiB (scattering by a matrix: ")) << refused.err;
   EXPECT_TRUE(has(refused.err, "or scattering_method = \"moments\"")) << refused.err;
+}
+
+// As a process of its own, whose peak is that of the run.
+TEST(Memory, OfARunByPhotonsIsAsForecast) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer takes memory of its own";
+#endif
+  for (const std::string volume : {"0.02", "1e-4"}) {
+    const CaseFolder folder;
+    const std::string said = (folder.path() / "said").string();
+    const std::string command =
+        ETENDUE_PROGRAM " run " + folder.file() + " --set 'solve.method=\"photons\"' " +
+        "--set solve.photons=100 --no-estimate --set mesh.max_volume=" + volume + " >" + said;
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+    const double told = memory_told({ExitCode::done, test::text_of(said), ""}, "at most") * gibibyte;
+    const std::string summary = test::text_of(folder.results() + "/summary.json");
+    const std::string key = "\"peak_memory\": ";
+    const std::size_t at = summary.find(key);
+    ASSERT_NE(at, std::string::npos) << summary;
+    EXPECT_NEAR(told / std::stod(summary.substr(at + key.size())), 1, 0.2) << volume;
+  }
 }
 
 TEST(Memory, RefusesWhatTheMachineDoesNotHaveWithTheFigure) {

@@ -15,7 +15,7 @@ const std::map<std::string_view, Overrides> coarsely = {
     {"room", {"mesh.edge_length=1.5", "camera.0.pixels=[16, 12]"}},
     {"furnace", {"mesh.edge_length=1.5"}},
     {"tissue", {"mesh.edge_length=3", "solve.photons=200"}},
-    {"shield", {"mesh.edge_length=30", "directions.order=1", "media.source.uncollided=false"}}};
+    {"shield", {"mesh.edge_length=30", "solve.photons=2000", "solve.probe_photons=200"}}};
 
 TEST(NewCase, WritesCasesThatRun) {
   const CaseFolder folder;

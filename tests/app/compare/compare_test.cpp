@@ -47,6 +47,7 @@ TEST(Compare, OrdinatesAndPhotonsAgree) {
   for (const char* name : {"comparison.csv", "comparison.html", "difference.vtu", "ordinates", "photons"})
     EXPECT_EQ(std::ranges::count(ScratchFolder::names_in(folder.results()), name), 1) << name;
   EXPECT_TRUE(has(outcome.out, "within 3 errors")) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "results: difference.vtu comparison.csv comparison.html\n")) << outcome.out;
   EXPECT_TRUE(has(text_of(folder.path() / "results/comparison.html"), "data:image/png;base64,iVBOR"));
   const std::string table = text_of(folder.path() / "results/comparison.csv");
   EXPECT_TRUE(has(table, "\"wall floor\",\"red\",incoming,")) << table;

@@ -60,6 +60,27 @@ TEST(ErrorEstimate, SaysWhatHelpsWhereErrorsExceedTwoPercent) {
   EXPECT_TRUE(has(verdict_of(by_directions), "directions.order")) << verdict_of(by_directions);
 }
 
+TEST(ErrorEstimate, NamesTheLeastSureNumberInWords) {
+  const std::vector<std::pair<AnswerNumber, std::string>> named = {
+      {{"wall floor", "grey", "incoming", 2, 0}, "the power incoming at wall floor, band grey"},
+      {{"region gas", "grey", "absorbed", 2, 0}, "the power absorbed by region gas, band grey"},
+      {{"probe line 3", "grey", "fluence", 2, 0}, "the fluence at probe line 3, band grey"},
+      {{"sensor eye", "photopic", "ugr", 2, 0}, "the ugr of sensor eye, band photopic"}};
+  for (const auto& [number, words] : named) {
+    const std::string verdict = verdict_of(error_estimate({number}, {of_cells({0.1})}, false));
+    EXPECT_TRUE(has(verdict, "the least sure is " + words + ":")) << verdict;
+  }
+}
+
+TEST(ErrorEstimate, NamesTheHistoriesThatHelp) {
+  const auto verdict_for = [](const std::string& where) {
+    const ErrorPart chance{.cause = ErrorCause::histories, .how = "", .errors = {1}};
+    return verdict_of(error_estimate({{where, "grey", "fluence", 2, 0}}, {chance}, false));
+  };
+  EXPECT_TRUE(has(verdict_for("probe duct 1"), "(solve.probe_photons)")) << verdict_for("probe duct 1");
+  EXPECT_TRUE(has(verdict_for("wall floor"), "(solve.photons)")) << verdict_for("wall floor");
+}
+
 TEST(ErrorEstimate, IsALowerBoundWherePartsAreNotKnownOrCellsAreCoarse) {
   ErrorPart unknown = of_directions({});
   unknown.how = "that takes about 60 s; --estimate finds it";

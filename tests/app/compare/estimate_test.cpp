@@ -140,5 +140,71 @@ TEST(Estimate, OfPhotonsAndRadiosityIsTheirOwn) {
   EXPECT_EQ(summary_of(room)["estimate"]["parts"][0]["cause"], "patches");
 }
 
+/// An evenly lit room with a lamp, a desk under it and an observer.
+constexpr const char* office = R"([bands]
+names = ["light"]
+edges = [400, 700]
+[mesh]
+edge_length = 0.6
+[[mesh.box]]
+region = "air"
+min = [0, 0, 0]
+max = [3, 3, 2.5]
+[[mesh.patch]]
+wall = "window"
+min = [0, 1, 1]
+max = [0, 2, 2]
+[media.air]
+[walls.window]
+glazing = { transmittance = 0.8 }
+[walls."*"]
+diffuse = 0.5
+[[light]]
+name = "sky"
+kind = "sky"
+cie_type = 1
+illuminance = 10000
+walls = ["window"]
+[[sensor]]
+name = "desk"
+kind = "grid"
+position = [0.5, 0.5, 0.8]
+along = [2, 0, 0]
+across = [0, 2, 0]
+normal = [0, 0, 1]
+parts = [2, 2]
+daylight_factor = true
+[[sensor]]
+name = "eye"
+kind = "glare"
+position = [2.5, 1.5, 1.2]
+direction = [-1, 0, 0]
+parts = [20]
+[directions]
+set = "product"
+order = 2
+[output]
+directory = "results"
+)";
+
+// A ratio errs less than its parts where both err alike: the error is that of the ratio itself.
+TEST(Estimate, TellsPhotometryAndRatiosOfSensors) {
+  const CaseFolder folder(office);
+  const Outcome outcome = etendue_says({"run", folder.file(), "--estimate"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  const json estimate = summary_of(folder)["estimate"];
+  for (const char* quantity :
+       {"illuminance_mean", "daylight_factor_mean", "uniformity_u0", "uniformity_ud"}) {
+    const json number = number_of(estimate, "sensor desk", quantity);
+    ASSERT_FALSE(number.is_null()) << quantity;
+    EXPECT_GT(number["error"], 0) << quantity;
+    EXPECT_LT(number["relative"], 1) << quantity;
+  }
+  for (const char* quantity : {"illuminance", "ugr", "dgp"})
+    EXPECT_FALSE(number_of(estimate, "sensor eye", quantity).is_null()) << quantity;
+  EXPECT_NEAR(number_of(estimate, "sensor desk", "illuminance_mean")["relative"].get<double>(),
+              number_of(estimate, "sensor desk", "irradiance_mean")["relative"].get<double>(), 1e-9);
+}
+
 }  // namespace
 }  // namespace etendue

@@ -166,6 +166,30 @@ TEST(Interruption, WhileEstimatingErrorsLeavesTheResultsOfTheRun) {
   }
 }
 
+/// The last line of what the program said.
+std::string last_line_of(const std::string& said) {
+  const std::size_t before = said.rfind('\n', said.size() - 2);
+  return said.substr(before + 1);
+}
+
+// The third level of eight times the cells takes minutes to mesh.
+TEST(Interruption, OfAStudyLeavesAndShowsTheLevelsThatAreDone) {
+  const CaseFolder folder;
+  Process study({"study", folder.file(), "--levels", "3", "--progress", "plain", "--set",
+                 "mesh.max_volume=2e-4", "--no-plot", "--refine", "mesh"},
+                said_in(folder));
+  ASSERT_TRUE(study.says("level 3 of 3")) << text_of(said_in(folder));
+  study.send(SIGINT);
+  EXPECT_EQ(study.wait(), 130) << text_of(said_in(folder));
+  const std::string said = text_of(said_in(folder));
+  EXPECT_EQ(last_line_of(said), "interrupted: of 3 levels level-1, level-2 are done, in " +
+                                    std::filesystem::path(folder.results()).string() +
+                                    " with study.csv and study.json; to go on: the same command with "
+                                    "--resume\n");
+  EXPECT_NE(said.find("how far to trust level 2"), std::string::npos) << said;
+  EXPECT_EQ(said.find("nothing was written"), std::string::npos) << said;
+}
+
 TEST(Interruption, WhileMeshingLeavesNothing) {
   const CaseFolder folder;
   std::vector<std::string> arguments = endless_run(folder);

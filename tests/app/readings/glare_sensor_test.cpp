@@ -20,6 +20,7 @@ using std::numbers::pi;
 using test::box_case;
 using test::CaseFolder;
 using test::etendue_says;
+using test::has;
 using test::Outcome;
 using test::rows_of;
 using test::text_of;
@@ -141,6 +142,15 @@ TEST(GlareSensor, NeedsAnEye) {
   EXPECT_EQ(refused.code, ExitCode::input_error);
   EXPECT_NE(refused.err.find("glare needs bands that the eye sees; use bands.edges"), std::string::npos)
       << refused.err;
+}
+
+TEST(GlareSensor, TellsPlainNumbersWithoutAUnitAndWhereNothingGlares) {
+  const CaseFolder folder(room("sources = \"lights\"\n"));
+  const std::string lit = etendue_says({"run", folder.file()}).out;
+  EXPECT_TRUE(has(lit, "sensor eye: glare_sources photopic 1\n")) << lit;
+  const CaseFolder faint(room("threshold = 1e9\n"));
+  const std::string dark = etendue_says({"run", faint.file()}).out;
+  EXPECT_TRUE(has(dark, "sensor eye: ugr photopic no sources\n")) << dark;
 }
 
 }  // namespace

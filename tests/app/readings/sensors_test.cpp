@@ -54,7 +54,9 @@ TEST(Sensors, WriteWhatTheyMeasure) {
   EXPECT_NEAR(rows["desk blue-green irradiance W/m^2"].at(0), factor, 1e-9);
   EXPECT_NEAR(rows["desk yellow irradiance W/m^2"].at(2), 2 * factor, 1e-9);
   EXPECT_EQ(rows["desk yellow irradiance W/m^2"].at(1), 0);
-  EXPECT_NE(run.out.find("sensor desk: irradiance yellow 1.5045"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("sensor desk: irradiance yellow 1.505 W/m^2 (uncollided 1.505)\n"),
+            std::string::npos)
+      << run.out;
   EXPECT_NE(run.out.find("photopic: V(lambda), 683 lm/W"), std::string::npos) << run.out;
   const double lux = rows["desk photopic illuminance lx"].at(2);
   EXPECT_GT(lux, 300);

@@ -14,14 +14,14 @@ using test::has;
 using test::Outcome;
 
 /// A disc of 2 W and radius 0.2 that comes down into a unit cube at x.
-std::string said(const std::string& x, const std::string& walls) {
+std::string said(const std::string& x, const std::string& walls,
+                 const std::string& entry = "walls = [\"zmax\"]\n") {
   const CaseFolder folder(
       "[mesh]\nmax_volume = 0.1\n[[mesh.box]]\nregion = \"gel\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n"
       "[media.gel]\nabsorption = 1\n[walls.\"*\"]\n" +
       walls +
-      "[[light]]\nname = \"laser\"\nkind = \"beam\"\npower = 2\nradius = 0.2\ndirection = [0, 0, -1]\n"
-      "walls = [\"zmax\"]\nposition = [" +
-      x + ", 0.5, 1]\n");
+      "[[light]]\nname = \"laser\"\nkind = \"beam\"\npower = 2\nradius = 0.2\ndirection = [0, 0, -1]\n" +
+      entry + "position = [" + x + ", 0.5, 1]\n");
   const Outcome outcome = etendue_says({"check", folder.file()});
   EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err;
   return outcome.out;
@@ -51,6 +51,13 @@ TEST(BeamPower, LeavesOutWhatTheSurfaceReflects) {
   const std::string out = said("0.5", "[walls.zmax]\nrefractive_index = 1.5\n");
   EXPECT_TRUE(has(out, "beam laser: 1.92 of 2 W comes in, 0.08 is reflected or absorbed by its walls"))
       << out;
+}
+
+// It meets zmax alone, though xmin refracts too.
+TEST(BeamPower, ComesInByTheWallThatItMeetsWhereNoneIsNamed) {
+  const std::string out =
+      said("0.5", "[walls.xmin]\nrefractive_index = 1.5\n[walls.zmax]\nrefractive_index = 1.5\n", "");
+  EXPECT_TRUE(has(out, "beam laser: 1.92 of 2 W comes in")) << out;
 }
 
 }  // namespace

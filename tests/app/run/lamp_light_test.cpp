@@ -94,6 +94,19 @@ normal = [0, 0, 1]
       << run.out;
 }
 
+// A beam 60 degrees aslant on a wall of 2 by 1 m: half of 3 W/m^2 on 2 m^2.
+TEST(Daylight, IsNotTheBeamOfAWall) {
+  const CaseFolder folder(box_case({.size = "[2, 1, 1]", .bands = "names = [\"red\"]\nedges = [600, 700]"},
+                                   "[walls.zmin]\nbeam = { direction = [0, 0.8660254037844386, 0.5], "
+                                   "irradiance = 3 }\n[walls.\"*\"]\n"));
+  const Outcome run = etendue_says({"run", folder.file()});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  EXPECT_NE(run.out.find("beam zmin.beam: 3 W on its wall, 3 W/m^2 across it\n"), std::string::npos)
+      << run.out;
+  EXPECT_EQ(run.out.find("level plane"), std::string::npos) << run.out;
+  EXPECT_EQ(text_of(folder.path() / "results" / "summary.json").find("\"daylight\""), std::string::npos);
+}
+
 // Vertical planes under a whole clear sky (type 12) with the sun 40 degrees high in the south, of what a
 // level plane gets: the standard's formulas summed over 300 x 600 directions by a program of its own. The sky
 // comes in some 200 parts.

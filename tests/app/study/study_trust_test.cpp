@@ -80,7 +80,7 @@ TEST(StudyTrust, IsToldWithTheWorstFirstAndWhatItLeavesOut) {
   const std::vector<LevelResult> levels = {
       level_with(1, 10, 8, {{"red", "probe:a:0", 1.5, {}}, {"red", "probe:a:1", 1.6, {}}}),
       level_with(2, 80, 8, {{"red", "probe:a:0", 1.497, {}}, {"red", "probe:a:1", 2, {}}})};
-  const std::string text = trust_text(trust_of(levels, Refinement::mesh), levels, Refinement::mesh);
+  const std::string text = trust_text(trust_of(levels, Refinement::mesh), levels, Refinement::mesh, 3);
   EXPECT_TRUE(has(text, "how far to trust level 2 (80 cells, 8 directions)")) << text;
   EXPECT_LT(text.find("probe:a:1"), text.find("probe:a:0")) << text;
   EXPECT_TRUE(has(text, "1 of 2 quantities are within 1 %")) << text;
@@ -92,7 +92,8 @@ TEST(StudyTrust, OfOneLevelIsNotClaimed) {
   const std::vector<LevelResult> levels = {level_with(1, 10, 8, {{"red", "probe:a:0", 1.5, {}}})};
   const auto trust = trust_of(levels, Refinement::mesh);
   EXPECT_TRUE(trust.empty());
-  EXPECT_TRUE(has(trust_text(trust, levels, Refinement::mesh), "ask for --levels 3"));
+  EXPECT_TRUE(has(trust_text(trust, levels, Refinement::mesh, 1), "ask for --levels 3"));
+  EXPECT_TRUE(has(trust_text(trust, levels, Refinement::mesh, 3), "One level alone is done"));
 }
 
 StudyRequest study_of(Refinement refinement, int levels) {

@@ -186,6 +186,7 @@ std::optional<LightCase> read_beam(Section& wall, const std::string& name, const
   beam.origin = section.origin();
   beam.name = name + ".beam";
   beam.kind = "sun";
+  beam.of_wall = true;
   beam.walls = {name};
   beam.direction = unit_if(section, "direction").value_or(-Vec3::UnitZ());
   beam.strength = band_numbers_if(section, "irradiance", bands);

@@ -266,11 +266,12 @@ WallCase read_wall(const std::string& name, Section section, const Bands& bands,
 
 template <class Entry, class Reader>
 std::map<std::string, Entry> read_entries(Section section, const Bands& bands, std::string_view kind,
-                                          Reader reader) {
+                                          std::string_view example, Reader reader) {
   std::map<std::string, Entry> entries;
   for (auto& [name, table] : section.named()) entries.emplace(name, reader(name, std::move(table), bands));
   if (section.node().table().entries.empty() && !section.node().faulty)
-    section.fault("no entry; add one for each " + std::string(kind) + ", or \"*\" for all");
+    section.fault("no entry; add one for each " + std::string(kind) + ", or \"*\" for all" +
+                  std::string(example));
   return entries;
 }
 
@@ -280,7 +281,7 @@ std::map<std::string, MediumCase> read_media(Section media, const MatterContext&
   const auto reader = [&context](const std::string&, Section section, const Bands&) {
     return read_medium(std::move(section), context);
   };
-  return read_entries<MediumCase>(std::move(media), context.bands, "region", reader);
+  return read_entries<MediumCase>(std::move(media), context.bands, "region", "", reader);
 }
 
 std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands,
@@ -288,7 +289,8 @@ std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands,
   const auto reader = [&case_folder](const std::string& name, Section section, const Bands& all) {
     return read_wall(name, std::move(section), all, case_folder);
   };
-  return read_entries<WallCase>(std::move(walls), bands, "wall", reader);
+  return read_entries<WallCase>(std::move(walls), bands, "wall", ", as [walls.\"*\"] with diffuse = 0.5",
+                                reader);
 }
 
 }  // namespace etendue

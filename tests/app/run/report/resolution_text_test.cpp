@@ -17,7 +17,17 @@ TEST(ResolutionText, CautionsOnlyOfCellsAndDirectionsThatAreTooCoarse) {
   fine.transport_thickness_at_lights = 0.4;
   fine.direction_spacing = 0.2;
   fine.narrowest = {"tissue", 0.08};
-  EXPECT_EQ(resolution_text(fine), "cells: 0.5 mean free paths thick (median), 2 at most\n");
+  EXPECT_EQ(
+      resolution_text(fine),
+      "cells: 0.5 mean free paths thick (median), 2 at most; at lights 0.4 transport mean free paths\n");
+
+  Resolution lumped = fine;
+  lumped.transport_thickness_at_lights = 0;
+  lumped.thick_count = 3;
+  lumped.pair_count = 8;
+  EXPECT_EQ(resolution_text(lumped),
+            "cells: 0.5 mean free paths thick (median), 2 at most; mass lumped in 3 of 8 cells and bands "
+            "(thicker than 2)\n");
 
   Resolution thick = fine;
   thick.transport_thickness_at_lights = 2.3;

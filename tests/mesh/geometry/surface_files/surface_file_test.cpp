@@ -258,10 +258,11 @@ TEST_F(SurfaceFile, RefusesBrokenOffAndPly) {
 }
 
 TEST_F(SurfaceFile, RefusesUnknownEndingsAndMissingFiles) {
-  EXPECT_THAT(fault_of("room.step"),
-              testing::StrEq(
-                  "case.toml:3: mesh.surface = \"room.step\": is not a kind of surface file; .poly, .smesh, "
-                  ".stl, .obj, .ply or .off"));
+  EXPECT_THAT(
+      fault_of("room.step"),
+      testing::StrEq(
+          "case.toml:3: mesh.surface = \"room.step\": is not a kind of surface file; use .poly, .smesh, "
+          ".stl, .obj, .ply or .off"));
   for (const char* name : {"/nowhere/a.stl", "/nowhere/a.obj", "/nowhere/a.ply", "/nowhere/a.poly"})
     EXPECT_THROW(read_surface(name, options()), FileError) << name;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/transport/cells/resolution.h"
+#include "solver/transport/solve/resolution.h"
 
 #include <gtest/gtest.h>
 

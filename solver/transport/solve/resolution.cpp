@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/transport/cells/resolution.h"
+#include "solver/transport/solve/resolution.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <set>
 
 #include "solver/transport/cells/cell_coefficients.h"
+#include "solver/transport/scattering/scattering_plan.h"
 
 namespace etendue {
 namespace {
@@ -73,6 +74,21 @@ double largest_extinction(const Problem& problem, CellIndex cell) {
   return largest;
 }
 
+long count_thick(const Problem& problem, const DirectionSet& directions) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  const std::vector<ScatteringTreatment> plan = plan_scattering(problem, directions);
+  long count = 0;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
+    for (int b = 0; b < problem.band_count(); ++b) {
+      const CellIndex cell(c);
+      const auto of_plan = static_cast<std::size_t>(mesh.region(cell) * problem.band_count() + b);
+      const double extinction =
+          problem.absorption(cell, b) + (1 - plan[of_plan].forward) * problem.scattering(cell, b);
+      if (extinction * cell_size(mesh.volume(cell)) > lumping_thickness) ++count;
+    }
+  return count;
+}
+
 std::optional<NarrowPhase> narrowest_phase(const Problem& problem) {
   const TetrahedralMesh& mesh = problem.mesh();
   std::vector<char> scatters(problem.media().size() * static_cast<std::size_t>(problem.band_count()), 0);
@@ -114,6 +130,8 @@ Resolution resolution_of(const Problem& problem, const DirectionSet& directions,
   if (!thickness.empty()) found.largest_thickness = std::ranges::max(thickness);
   found.median_thickness = median(std::move(thickness));
   found.transport_thickness_at_lights = median(std::move(at_lights));
+  found.thick_count = count_thick(problem, directions);
+  found.pair_count = static_cast<long>(mesh.cell_count()) * problem.band_count();
   if (problem.space() == AngularSpace::sphere) {
     found.direction_spacing = std::sqrt(4 * std::numbers::pi / directions.count());
     found.narrowest = narrowest_phase(problem);
