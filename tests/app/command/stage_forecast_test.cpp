@@ -97,6 +97,17 @@ TEST(ShownStage, IsSilentWhereItIsShort) {
   EXPECT_EQ(out.str(), "");
 }
 
+// A picture of seconds without gathering: what gathers must not go on saying so beside the picture.
+TEST(ShownStage, OfGatheringIsOverWhereNothingIsGathered) {
+  const CaseFolder folder(test::small_case() +
+                          "[[camera]]\nname = \"front\"\nposition = [0.5, 0.1, 0.5]\n"
+                          "look_at = [0.5, 0.9, 0.5]\npixels = [450, 450]\nsamples = 9\n");
+  const Outcome outcome = etendue_says({"run", folder.file(), "--progress", "plain"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(test::has(outcome.out, "picture front: ")) << outcome.out;
+  EXPECT_FALSE(test::has(outcome.out, "looking for the light of walls")) << outcome.out;
+}
+
 /// Expects that all entries but the total add up to it; what the system takes from the program between two
 /// of them is a part of none.
 void expect_sum(const CaseFolder& folder, const std::string& said) {
