@@ -9,13 +9,14 @@ namespace etendue {
 namespace {
 
 // Often enough to see that it lives, seldom enough for a log and for a terminal.
+constexpr double seconds_to_first_line = 1;
 constexpr double seconds_between_lines = 5;
 constexpr double seconds_between_drawings = 0.2;
 
 std::string state_of(const PhotonProgress& progress) {
   const double error = progress.error.empty() ? 0 : *std::ranges::max_element(progress.error);
-  std::string text = fmt::format("photons {:9.3g} of {:.3g}  error {:.2f} %", progress.histories,
-                                 progress.planned, 100 * error);
+  std::string text = fmt::format("photons {:9.3g} of {:.3g}", progress.histories, progress.planned);
+  if (progress.batches > 1) text += fmt::format("  error {:.2f} %", 100 * error);
   if (progress.until > 0) text += fmt::format("  wanted {:.2g} %", 100 * progress.until);
   text += fmt::format("  {:.1f} s", progress.seconds);
   if (progress.seconds_left >= 0) text += fmt::format(", about {:.0f} s left", progress.seconds_left);
@@ -28,7 +29,9 @@ void PhotonDisplay::show(const PhotonProgress& progress) {
   if (style_ == ProgressStyle::none) return;
   const bool draws = style_ == ProgressStyle::bar;
   waiting_ = state_of(progress);
-  if (progress.seconds < shown_at_ + (draws ? seconds_between_drawings : seconds_between_lines)) return;
+  const double interval = draws ? seconds_between_drawings : seconds_between_lines;
+  if (progress.seconds < (shown_at_ ? *shown_at_ + interval : draws ? interval : seconds_to_first_line))
+    return;
   shown_at_ = progress.seconds;
   if (draws)
     out_ << "\r  " << waiting_ << "\x1b[K" << std::flush;

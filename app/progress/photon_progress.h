@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <ostream>
+#include <string>
 
 #include "app/request/command_line.h"
 #include "solver/photons/solve/solve_photons.h"
@@ -22,8 +24,8 @@ class PhotonDisplay {
  private:
   ProgressStyle style_;
   std::ostream& out_;
-  double shown_at_ = -1e9;  ///< [s]
-  std::string waiting_;     ///< the last state, where it was not shown
+  std::optional<double> shown_at_ = {};  ///< [s]
+  std::string waiting_;                  ///< the last state, where it was not shown
   bool drawn_ = false;
 };
 

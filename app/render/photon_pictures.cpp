@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/progress/stage_progress.h"
 #include "solver/observe/photon_map/map_picture.h"
 #include "solver/photons/sampling/directional_medium.h"
 
@@ -53,7 +54,11 @@ std::size_t estimate_photon_map_memory(const Case& input, const Problem& problem
 bool write_photon_pictures(const PictureOrder& order, const Problem& problem, const CellLocator& locator,
                            int threads) {
   const PhotonMapOptions options = map_options(*order.input.photons, threads);
-  std::vector<BandHits> hits = keep_hits(problem, locator, options, [&] { return !order.interrupted(); });
+  std::vector<BandHits> hits;
+  {
+    const ShownStage stage({order.progress, order.out, order.interrupted}, "photon map");
+    hits = keep_hits(problem, locator, options, [&] { return !order.interrupted(); });
+  }
   if (order.interrupted()) return false;
   order.out << kept_text(order.input.bands, hits) << std::flush;
   const MapRadiance map(problem, std::move(hits), options.neighbours);

@@ -134,7 +134,8 @@ bool write_pictures(const Case& input, const std::vector<CameraCase>& cameras, c
   return write_pictures(
       {input, cameras, directory, progress, out, interrupted, begun},
       [&](const Camera& camera, const StageObserver& observer) {
-        std::optional<ShownStage> gathering(std::in_place, stages, "looking for the light of walls");
+        std::optional<ShownStage> gathering;
+        if (camera.gather > 0) gathering.emplace(stages, "looking for the light of walls");
         return take_picture(scene, camera, threads, observer, [&](double share) {
           const bool goes_on = gathering && gathering->observer()(share);
           if (share == 1 || !goes_on) gathering.reset();

@@ -59,6 +59,11 @@ bool need_rays(const Case& input, AngularSpace space) {
   });
 }
 
+/// The seconds of a solution's stages; no time is in two of them.
+double sum_of(const SolveSeconds& solve) {
+  return solve.setup + solve.lights + solve.orders + solve.sweep + solve.low_order;
+}
+
 /// Runs the case of a request whose style of progress is resolved. Tells the log where it belongs when all
 /// that the case names is read: a run that is refused before leaves no files.
 ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream& err,
@@ -138,7 +143,8 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
   if (!solved) return ExitCode::interrupted;
   const Solution& solution = *solved;
   interruption.note_all();
-  watch.lap();
+  // What is around the stages of the solution, and in none of them.
+  seconds.setup += std::max(0.0, watch.lap() - sum_of(solution.seconds) - seconds.sensors);
   std::optional<RayRadiance> scene;
   if (need_rays(input, problem.space())) {
     const ShownStage stage(stages, "what rays look at");

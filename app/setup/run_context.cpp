@@ -11,6 +11,15 @@
 #include "app/write/result/balance_check.h"
 
 namespace etendue {
+namespace {
+
+/// What the results of an interrupted run are those of.
+std::string last_state(const RunResult& result) {
+  return result.errors ? fmt::format("{:.6g} histories in each band", result.errors->histories)
+                       : "the last sweep";
+}
+
+}  // namespace
 
 std::string how_to_go_on(const Case& input) {
   const std::filesystem::path file = std::filesystem::absolute(input.output.directory) / "solution.vtu";
@@ -75,8 +84,7 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) 
         result.left_out.empty() ? "" : fmt::format(" but for {}", fmt::join(result.left_out, ", "));
     err << "interrupted: the results are whole" << missing << " and are those of "
         << (result.solution.converged() ? "the converged solution\n"
-                                        : (result.errors ? "the histories so far; " : "the last sweep; ") +
-                                              how_to_go_on(result.input));
+                                        : last_state(result) + "; " + how_to_go_on(result.input));
     return ExitCode::interrupted;
   }
   err << balance_warning(result);

@@ -27,6 +27,7 @@ class StageCounter {
     return !stopped_;
   }
   bool stopped() const { return stopped_; }
+  std::size_t done() const { return done_; }
 
  private:
   using Clock = std::chrono::steady_clock;

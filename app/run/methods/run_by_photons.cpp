@@ -31,13 +31,12 @@ ExitCode run_by_photons(const RunContext& run, std::ostream& out, std::ostream& 
       << std::flush;
   if (!run.input.sensors.empty())
     out << "  photons read no sensors in this version: those of the case do nothing here\n";
-  run.interruption.note_the_first();
   const ProgressStyle style = resolved_style(run.request.progress, out);
   const std::function<bool()> interrupted = [&] { return run.interruption.noted(); };
   const StageDisplay stages{style, out, interrupted};
   RunSeconds seconds = run.seconds;
   seconds.setup += run.watch.lap();
-  PhotonRun found = run_photons({run.input, run.problem, locator, threads, stages});
+  PhotonRun found = run_photons({run.input, run.problem, locator, threads, stages, run.interruption});
   seconds.probes = found.probe_seconds;
   seconds.measures = run.watch.lap() - found.solution.seconds.sweep - found.probe_seconds;
   run.interruption.note_all();

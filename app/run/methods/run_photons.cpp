@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include "app/progress/photon_progress.h"
 #include "app/readings/probes.h"
 #include "app/run/methods/photon_numbers.h"
@@ -57,6 +58,7 @@ class ProbeRows {
     return std::move(rows_);
   }
 
+  /// Without the probes that have no estimates.
   std::vector<ProbeRow> from(const std::vector<std::vector<ProbeEstimate>>& estimates) {
     for (std::size_t i = 0; i < rows_.size(); ++i)
       for (const ProbeEstimate& found : estimates[i]) {
@@ -69,6 +71,7 @@ class ProbeRows {
         rows_[i].irradiance->push_back(found.irradiance->value);
         rows_[i].errors->irradiance->push_back(found.irradiance->error);
       }
+    std::erase_if(rows_, [](const ProbeRow& row) { return row.values.empty(); });
     return std::move(rows_);
   }
 
@@ -100,6 +103,55 @@ PhotonSums sums_to_start_from(const PhotonRunInput& run, std::ostream& out) {
   return PhotonSums::unpacked(state.photons);
 }
 
+PhotonOptions options_of(const PhotonRunInput& run) {
+  const PhotonCase& wanted = *run.input.photons;
+  PhotonOptions options;
+  options.photons = wanted.photons;
+  options.until = wanted.until;
+  options.seed = static_cast<std::uint64_t>(wanted.seed);
+  options.threads = run.threads;
+  return options;
+}
+
+/// Before the first batch is whole a signal ends the program at once: there is nothing to keep.
+PhotonSolution walk_visibly(const PhotonRunInput& run, const PhotonOptions& options,
+                            const BatchReader& reader) {
+  std::optional<ShownStage> setting_up(std::in_place, run.stages, "setting up photons");
+  PhotonDisplay display(run.stages.style, run.stages.out);
+  PhotonSolution found = solve_photons(
+      run.problem, run.locator, options,
+      [&](const PhotonProgress& progress) {
+        setting_up.reset();
+        if (progress.batches > 0) run.interruption.note_the_first();
+        display.show(progress);
+        return run.interruption.noted() ? SolveControl::stop : SolveControl::proceed;
+      },
+      reader);
+  setting_up.reset();
+  display.finish();
+  return found;
+}
+
+/// From histories that start there, or, where none can go back, from the field of the cells.
+void add_probes(const PhotonRunInput& run, const std::vector<PhotonProbe>& points,
+                const BatchStatistics& derived, PhotonRun& result) {
+  ProbeRows rows(run);
+  const std::size_t numbers = 4 * points.size() * static_cast<std::size_t>(run.problem.band_count());
+  if (!can_walk_back(run.problem)) {
+    result.probes = rows.from_field(derived, derived.size() - numbers);
+    return;
+  }
+  if (points.empty()) return;
+  const PhotonCase& wanted = *run.input.photons;
+  result.probes =
+      rows.from(walk_back_from(points, run.problem, run.locator,
+                               {wanted.probe_photons, static_cast<std::uint64_t>(wanted.seed), run.threads},
+                               ShownStage(run.stages, "probes").observer()));
+  result.walked_back = wanted.probe_photons;
+  run.stages.out << fmt::format("probes: {:.3g} histories walked back from each of {} points\n",
+                                wanted.probe_photons, result.probes.size());
+}
+
 }  // namespace
 
 void check_for_photons(const Case& input, const Problem& problem) {
@@ -109,51 +161,24 @@ void check_for_photons(const Case& input, const Problem& problem) {
 }
 
 PhotonRun run_photons(const PhotonRunInput& run) {
-  std::ostream& out = run.stages.out;
-  const std::function<bool()>& interrupted = run.stages.interrupted;
   Stopwatch watch;
-  const PhotonCase& wanted = *run.input.photons;
   const std::vector<PhotonProbe> points = probe_points(run.input.probes);
-  PhotonOptions options;
-  options.photons = wanted.photons;
-  options.until = wanted.until;
-  options.seed = static_cast<std::uint64_t>(wanted.seed);
-  options.threads = run.threads;
+  PhotonOptions options = options_of(run);
   PhotonSums initial;
   if (run.input.initial) {
-    initial = sums_to_start_from(run, out);
+    initial = sums_to_start_from(run, run.stages.out);
     options.initial = &initial;
   }
-  PhotonDisplay display(run.stages.style, out);
-  PhotonSolution found = solve_photons(
-      run.problem, run.locator, options,
-      [&](const PhotonProgress& progress) {
-        display.show(progress);
-        return interrupted() ? SolveControl::stop : SolveControl::proceed;
-      },
-      [&](const Solution& batch) {
-        std::vector<double> numbers = MeasuredNumbers(run.problem, batch).list();
-        const std::vector<double> probes = field_at_probes(points, run, batch);
-        numbers.insert(numbers.end(), probes.begin(), probes.end());
-        return numbers;
-      });
-  display.finish();
+  PhotonSolution found = walk_visibly(run, options, [&](const Solution& batch) {
+    std::vector<double> numbers = MeasuredNumbers(run.problem, batch).list();
+    const std::vector<double> probes = field_at_probes(points, run, batch);
+    numbers.insert(numbers.end(), probes.begin(), probes.end());
+    return numbers;
+  });
   found.solution.seconds.sweep = watch.lap();
   PhotonRun result{std::move(found.solution), {}, {}};
-  const std::size_t measured =
-      found.sums.derived.size() - 4 * points.size() * static_cast<std::size_t>(run.problem.band_count());
-  ProbeRows rows(run);
-  const auto estimates = interrupted() ? std::vector<std::vector<ProbeEstimate>>()
-                                       : walk_back_from(points, run.problem, run.locator,
-                                                        {wanted.probe_photons, options.seed, run.threads},
-                                                        ShownStage(run.stages, "probes").observer());
-  if (!estimates.empty()) result.walked_back = wanted.probe_photons;
-  if (!estimates.empty())
-    out << fmt::format("probes: {:.3g} histories walked back from each of {} points\n", wanted.probe_photons,
-                       points.size());
-  result.probes = estimates.empty() ? rows.from_field(found.sums.derived, measured) : rows.from(estimates);
+  add_probes(run, points, found.sums.derived, result);
   result.probe_seconds = watch.lap();
-  found.solution = {};
   result.errors = errors_of(run, {result.solution, std::move(found.sums), std::move(found.report)});
   return result;
 }

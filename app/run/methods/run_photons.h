@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/case/case.h"
+#include "app/progress/interruption.h"
 #include "app/progress/stage_progress.h"
 #include "app/write/result/run_result.h"
 #include "mesh/tetrahedra/search/cell_locator.h"
@@ -18,12 +19,13 @@ struct PhotonRunInput {
   const CellLocator& locator;
   int threads = 1;
   const StageDisplay& stages;
+  Interruption& interruption;
 };
 
 /// A solution by photons with all that is measured of it.
 struct PhotonRun {
   Solution solution;
-  std::vector<ProbeRow> probes;
+  std::vector<ProbeRow> probes;  ///< those that were read
   RunErrors errors;
   double probe_seconds = 0;  ///< of walking back
   double walked_back = 0;    ///< histories of each probe; 0 where probes read the field of the cells
@@ -32,7 +34,8 @@ struct PhotonRun {
 /// Throws InputError where photons do not know what the case asks.
 void check_for_photons(const Case& input, const Problem& problem);
 
-/// Walks the histories of a case, and back from its probes.
+/// Walks the histories of a case, and back from its probes. A signal ends the program at once until a batch
+/// is whole; later ones leave out batches and probes that are not.
 PhotonRun run_photons(const PhotonRunInput& run);
 
 }  // namespace etendue

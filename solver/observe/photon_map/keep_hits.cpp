@@ -45,7 +45,8 @@ std::vector<BandHits> keep_hits(const Problem& problem, const CellLocator& locat
   const auto all = static_cast<std::size_t>(options.photons);
   const auto batch =
       static_cast<std::size_t>(std::clamp(options.hits / batches_of_a_map, smallest_batch, largest_batch));
-  for (int b = 0; b < problem.band_count(); ++b) {
+  StageCounter counter(all * bands.size(), [&](double) { return !go_on || go_on(); });
+  for (int b = 0; b < problem.band_count() && !counter.stopped(); ++b) {
     BandHits& band = bands[static_cast<std::size_t>(b)];
     Growing walls(options.hits, band.walls), matter(options.hits, band.matter);
     for (std::size_t done = 0; done < all && !(walls.full() && matter.full());) {
@@ -53,15 +54,15 @@ std::vector<BandHits> keep_hits(const Problem& problem, const CellLocator& locat
       std::vector<PhotonBatches::Hits> round(count);
       const auto size_of = [&](std::size_t i) { return std::min(batch, rest - i * batch); };
       parallel_for(count, options.threads, 1, [&](std::size_t i) {
-        round[i] = batches.hits(b, done + i * batch, size_of(i));
-        return !go_on || go_on();
+        round[i] = batches.hits(b, done + i * batch, size_of(i), counter);
+        return !counter.stopped();
       });
+      if (counter.stopped()) break;
       for (std::size_t i = 0; i < count; ++i) {
         walls.add(round[i].walls, size_of(i));
         matter.add(round[i].matter, size_of(i));
         done += size_of(i);
       }
-      if (go_on && !go_on()) break;
     }
     for (KeptHits* kept : {&band.walls, &band.matter})
       kept->power = kept->histories > 0 ? batches.power(b) / kept->histories : 0;

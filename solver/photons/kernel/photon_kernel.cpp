@@ -14,6 +14,8 @@ namespace {
 // and steps of one history in all: only light caught between mirrors in a void goes on for so long.
 constexpr int longest_stand = 200;
 constexpr std::int64_t longest_history = 50'000'000;
+// Rounds of steps between two questions to who watches: a fraction of a millisecond, which costs nothing.
+constexpr int rounds_between_questions = 4096;
 
 /// Whether coefficients or turns anywhere depend on the direction: the others need not ask.
 enum class Turning { by_angle, by_direction };
@@ -135,6 +137,26 @@ ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, P
   return photon.weight >= roulette || survives(photon, roulette);
 }
 
+/// Tells who watches, now and then, how many histories have ended.
+class Telling {
+ public:
+  ETENDUE_PHOTON_MEMBER explicit Telling(const WalkWatch& watch) : watch_(watch) {}
+  ETENDUE_PHOTON_MEMBER void end_one() { ++ended_; }
+  /// After each round; whether the walk goes on.
+  ETENDUE_PHOTON_MEMBER bool goes_on() { return ++rounds_ < rounds_between_questions || ask(); }
+  bool ask() {
+    const std::uint64_t ended = ended_;
+    rounds_ = 0;
+    ended_ = 0;
+    return watch_.goes_on == nullptr || watch_.goes_on(watch_.watcher, ended);
+  }
+
+ private:
+  const WalkWatch& watch_;
+  std::uint64_t ended_ = 0;
+  int rounds_ = 0;
+};
+
 /// Walks histories, `together` of them step by step in turn: one computes while another waits for its next
 /// cell. `score_of(i)` takes what history i leaves.
 template <int together, Turning turning, class ScoreOf>
@@ -153,11 +175,13 @@ ETENDUE_PHOTON_INLINE PhotonCounts walk(const PhotonSceneView& scene, const Hist
     history[place] = next++;
   };
   while (alive < together && next < count) begin(alive++);
-  while (alive > 0) {
+  Telling telling(range.watch);
+  while (alive > 0 && telling.goes_on()) {
     for (int place = 0; place < alive; ++place) {
       auto& score = score_of(history[place]);
       if (step<turning>(scene, range.roulette, *photon[place], score, counts)) continue;
       counts.segments += photon[place]->steps;
+      telling.end_one();
       if (next < count) {
         begin(place);
         continue;
@@ -168,6 +192,7 @@ ETENDUE_PHOTON_INLINE PhotonCounts walk(const PhotonSceneView& scene, const Hist
       --place;
     }
   }
+  telling.ask();
   return counts;
 }
 

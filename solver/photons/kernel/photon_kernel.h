@@ -8,12 +8,20 @@
 
 namespace etendue {
 
+/// Asked by the thread that walks histories, some thousand times a second: `ended` of them have ended since
+/// the last time. False ends the walk at once, with histories that are cut short.
+struct WalkWatch {
+  bool (*goes_on)(void* watcher, std::uint64_t ended) = nullptr;  ///< null: the walk goes on to its end
+  void* watcher = nullptr;
+};
+
 /// Histories that follow each other.
 struct HistoryRange {
   std::span<const PhotonStart> starts;
   std::uint64_t first = 0;  ///< number of the first; the random numbers of each depend on its number alone
   std::uint64_t seed = 1;
   double roulette = 0;  ///< weight below which a photon plays for its life
+  WalkWatch watch = {};
 };
 
 /// Functions that walk histories, compiled for one instruction set. Absorption and walls take from the weight

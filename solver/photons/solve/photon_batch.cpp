@@ -28,19 +28,24 @@ PhotonBatches::PhotonBatches(const Problem& problem, const CellLocator& locator,
     bands_.push_back(std::make_unique<Band>(problem, input_, locator, b));
 }
 
-PhotonBatches::Outcome PhotonBatches::walk(std::uint64_t first, std::size_t count) const {
+PhotonBatches::Outcome PhotonBatches::walk(std::uint64_t first, std::size_t count,
+                                           StageCounter& counter) const {
   Outcome outcome{empty_fields(problem_), {}, 0};
   TallySums sums(problem_.mesh());
   const double start = processor_seconds();
   for (int b = 0; b < problem_.band_count(); ++b) {
     const Band& band = *bands_[static_cast<std::size_t>(b)];
-    if (band.sources.power() == 0) continue;
+    if (band.sources.power() == 0) {
+      counter.add(count);
+      continue;
+    }
     sums.clear();
     for (std::size_t done = 0; done < count; done += chunk) {
       const std::vector<PhotonStart> starts =
           band.sources.starts(seed_, {first, count}, done, std::min(chunk, count - done));
-      const PhotonCounts counts =
-          kernels_.follow(band.mesh.view(), {starts, first + done, seed_, roulette}, sums.view());
+      const PhotonCounts counts = kernels_.follow(
+          band.mesh.view(), {starts, first + done, seed_, roulette, watch_by(counter)}, sums.view());
+      if (counter.stopped()) return {};
       outcome.counts.segments += counts.segments;
       outcome.counts.collisions += counts.collisions;
       outcome.counts.lost += counts.lost;
@@ -53,7 +58,8 @@ PhotonBatches::Outcome PhotonBatches::walk(std::uint64_t first, std::size_t coun
   return outcome;
 }
 
-PhotonBatches::Hits PhotonBatches::hits(int number, std::uint64_t first, std::size_t count) const {
+PhotonBatches::Hits PhotonBatches::hits(int number, std::uint64_t first, std::size_t count,
+                                        StageCounter& counter) const {
   const Band& band = *bands_[static_cast<std::size_t>(number)];
   Hits hits;
   if (band.sources.power() == 0) return hits;
@@ -66,13 +72,15 @@ PhotonBatches::Hits PhotonBatches::hits(int number, std::uint64_t first, std::si
     HitBuffers buffers{{hits.walls.data() + old_walls, walls, 0},
                        {hits.matter.data() + old_matter, matter, 0}};
     const std::vector<PhotonStart> starts = band.sources.starts(seed_, {first, count}, done, now);
-    kernels_.record(band.mesh.view(), {starts, first + done, seed_, roulette_of_hits}, buffers);
+    kernels_.record(band.mesh.view(), {starts, first + done, seed_, roulette_of_hits, watch_by(counter)},
+                    buffers);
+    if (counter.stopped()) return {};
     const bool fits = buffers.walls.count <= walls && buffers.matter.count <= matter;
     hits.walls.resize(old_walls + (fits ? buffers.walls.count : 0));
     hits.matter.resize(old_matter + (fits ? buffers.matter.count : 0));
     walls = std::max(walls, buffers.walls.count);
     matter = std::max(matter, buffers.matter.count);
-    // Else the histories are walked again, with buffers that are large enough.
+    // Else they are walked again, with buffers that are large enough.
     if (fits) done += now;
   }
   return hits;

@@ -4,12 +4,19 @@
 #include <memory>
 #include <vector>
 
+#include "base/parallel/stage_observer.h"
 #include "solver/photons/kernel/photon_kernel.h"
 #include "solver/photons/solve/photon_mesh.h"
 #include "solver/photons/solve/photon_sources.h"
 #include "solver/photons/solve/photon_tally.h"
 
 namespace etendue {
+
+/// Counts the histories of a walk, and ends it where the counter is stopped. The counter must outlive it.
+inline WalkWatch watch_by(StageCounter& counter) {
+  return {[](void* watcher, std::uint64_t ended) { return static_cast<StageCounter*>(watcher)->add(ended); },
+          &counter};
+}
 
 /// What all batches of a problem have in common.
 class PhotonBatches {
@@ -18,21 +25,22 @@ class PhotonBatches {
   PhotonBatches(const Problem& problem, const CellLocator& locator, std::uint64_t seed);
 
   struct Outcome {
-    Solution fields;  ///< what this batch alone estimates
+    Solution fields;  ///< what this batch alone estimates; none where it was cut short
     PhotonCounts counts;
     double seconds = 0;  ///< of the processor
   };
   /// Walks the histories `first` … `first + count - 1` of every band. Bands share their random numbers: where
-  /// they are alike, so is their noise. May be called by several threads at a time.
-  Outcome walk(std::uint64_t first, std::size_t count) const;
+  /// they are alike, so is their noise. The counter counts the histories of all bands, and cuts the batch
+  /// short where it is stopped. May be called by several threads at a time.
+  Outcome walk(std::uint64_t first, std::size_t count, StageCounter& counter) const;
 
-  /// Where the same histories of one band met walls that scatter light, and where they were scattered. May be
-  /// called by several threads at a time.
+  /// Where the same histories of one band met walls that scatter light, and where they were scattered. None
+  /// where the counter was stopped. May be called by several threads at a time.
   struct Hits {
     std::vector<PhotonHit> walls;
     std::vector<PhotonHit> matter;
   };
-  Hits hits(int band, std::uint64_t first, std::size_t count) const;
+  Hits hits(int band, std::uint64_t first, std::size_t count, StageCounter& counter) const;
 
   /// Of draws from kernels the part that was beyond what they were taken to be at most.
   double beyond_bounds() const { return input_.media.beyond_bounds(); }

@@ -36,11 +36,14 @@ struct ProbeOptions {
   int threads = 0;  ///< 0: all cores
 };
 
+/// Whether histories can go back along the light: not where the problem has lights, since backward histories
+/// do not meet a point or a beam, nor where a kernel does not claim to be reciprocal.
+bool can_walk_back(const Problem& problem);
+
 /// Light at points, without any cell around them that it is averaged over: histories start there and go back
 /// along the light, which scatters and is reflected the same way backwards (reciprocity), and collect what
-/// media and walls emit. Points must lie in the mesh. Empty where the problem has lights: backward histories
-/// do not meet a point or a beam; and where a kernel does not claim to be reciprocal; and where the observer
-/// stopped it. [probe][band]
+/// media and walls emit. Points must lie in the mesh, and the problem must be one that can_walk_back().
+/// [probe][band]; where the observer stops it, probes that are not whole in all bands have no estimates.
 std::vector<std::vector<ProbeEstimate>> walk_back_from(const std::vector<PhotonProbe>& probes,
                                                        const Problem& problem, const CellLocator& locator,
                                                        const ProbeOptions& options,

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 
 #include "solver/photons/solve/photon_batch.h"
 #include "solver/solution/node_means.h"
@@ -17,7 +19,7 @@ namespace {
 
 // Batches of a run of a given number of histories: with M of them a standard error is known to 1/sqrt(2 M).
 constexpr double wanted_batches = 64;
-// Largest number of histories in a batch: a run can be watched and stopped between batches.
+// Largest number of histories in a batch: what a stopped run has of them is whole batches.
 constexpr double largest_batch = 2e5;
 // Batches between two looks at the error that was asked for; not by threads, so that none of them counts.
 constexpr int batches_of_a_round = 16;
@@ -34,7 +36,8 @@ class PhotonRun {
         observer_(observer),
         reader_(reader),
         bands_(static_cast<std::size_t>(problem.band_count())),
-        batches_(problem, locator, options.seed) {
+        batches_(problem, locator, options.seed),
+        counter_(static_cast<std::size_t>(options.photons) * bands_, [this](double) { return go_on(); }) {
     if (options.initial != nullptr) sums_ = *options.initial;
     begun_with_ = static_cast<double>(sums_.histories);
   }
@@ -78,10 +81,27 @@ class PhotonRun {
       const double before = i * size;
       const auto number = static_cast<std::size_t>(std::min(size, rest - before));
       PhotonBatches::Outcome outcome;
-      if (!stopped_) outcome = batches_.walk(first + static_cast<std::uint64_t>(before), number);
+      if (!stopped_) outcome = batches_.walk(first + static_cast<std::uint64_t>(before), number, counter_);
 #pragma omp ordered
-      if (!outcome.fields.fluence.empty() && !stopped_) merge(outcome, number);
+      add(outcome, number);
     }
+  }
+
+  /// Batches behind one that was cut short are left out too: more histories are added behind the last.
+  void add(const PhotonBatches::Outcome& outcome, std::size_t number) {
+    if (outcome.fields.fluence.empty()) stopped_ = true;
+    if (stopped_) return;
+    merge(outcome, number);
+    std::vector<double> error = errors();
+    const std::lock_guard<std::mutex> lock(telling_);
+    whole_ = {sums_.fluence.batches(), static_cast<double>(sums_.histories), std::move(error)};
+    if (observer_ && observer_(progress()) == SolveControl::stop) stopped_ = true;
+  }
+
+  /// Within batches.
+  bool go_on() {
+    const std::lock_guard<std::mutex> lock(telling_);
+    return !stopped_ && (!observer_ || observer_(progress()) == SolveControl::proceed);
   }
 
   void merge(const PhotonBatches::Outcome& outcome, std::size_t number) {
@@ -101,7 +121,6 @@ class PhotonRun {
     report_.lost += static_cast<double>(outcome.counts.lost);
     report_.histories += weight * static_cast<double>(bands_);
     report_.seconds += outcome.seconds;
-    if (observer_ && observer_(progress()) == SolveControl::stop) stopped_ = true;
   }
 
   /// An earlier run may have asked for other numbers; then only this run's count.
@@ -110,20 +129,22 @@ class PhotonRun {
     sums_.derived.add(values, weight);
   }
 
-  PhotonProgress progress() {
-    last_error_ = errors();
+  /// While `telling_` is held.
+  PhotonProgress progress() const {
     PhotonProgress progress;
-    progress.histories = static_cast<double>(sums_.histories);
+    const double walked = static_cast<double>(counter_.done()) / static_cast<double>(bands_);
+    progress.histories = begun_with_ + walked;
+    progress.batches = whole_.batches;
     progress.planned = begun_with_ + options_.photons;
-    progress.error = last_error_;
+    progress.error = whole_.error;
     progress.until = options_.until;
     progress.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    double share = done() / options_.photons;
-    if (options_.until > 0) {
+    double share = walked / options_.photons;
+    if (options_.until > 0 && !whole_.error.empty()) {
       // The error falls as 1/sqrt(histories).
-      const double worst = *std::ranges::max_element(last_error_);
-      const double needed = progress.histories * std::pow(worst / options_.until, 2) - begun_with_;
-      share = std::max(share, needed > 0 ? done() / needed : 1.0);
+      const double worst = *std::ranges::max_element(whole_.error);
+      const double needed = whole_.histories * std::pow(worst / options_.until, 2) - begun_with_;
+      share = std::max(share, needed > 0 ? walked / needed : 1.0);
     }
     progress.seconds_left =
         std::isfinite(share) && share > 0 ? std::max(0.0, progress.seconds * (1 / share - 1)) : -1;
@@ -157,6 +178,8 @@ class PhotonRun {
     PhotonSolution result;
     Solution& solution = result.solution;
     solution.method = "photons";
+    solution.interrupted = stopped_;
+    if (sums_.fluence.batches() == 0) return result;
     solution.fluence = sums_.fluence.means();
     solution.net_flux = sums_.net_flux.means();
     solution.irradiance = sums_.irradiance.means();
@@ -166,7 +189,6 @@ class PhotonRun {
     // It does not follow from the irradiance alone; what formulas emit is in it.
     if (reflects_by_angle_) solution.exitance = sums_.exitance.means();
     solution.absorbed = sums_.absorbed.means();
-    solution.interrupted = stopped_;
     solution.history = std::move(history_);
     report_.error = errors();
     const double all = static_cast<double>(sums_.histories) * static_cast<double>(bands_);
@@ -209,12 +231,18 @@ class PhotonRun {
   const BatchReader& reader_;
   std::size_t bands_;
   PhotonBatches batches_;
+  StageCounter counter_;  ///< histories of all bands
+  std::mutex telling_;    ///< held while the observer is told, and while `whole_` changes
+  struct {
+    int batches = 0;
+    double histories = 0;
+    std::vector<double> error;
+  } whole_;
   PhotonSums sums_;
   PhotonReport report_;
   std::vector<HistoryEntry> history_;  ///< by batches
-  std::vector<double> last_error_;
   double begun_with_ = 0;
-  bool stopped_ = false;
+  std::atomic<bool> stopped_ = false;
   bool reflects_by_angle_ = std::ranges::any_of(
       problem_.walls(), [](const Wall& wall) { return wall.is_glossy() || wall.refractive_index != 1; });
   Clock::time_point start_ = Clock::now();

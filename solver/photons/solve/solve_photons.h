@@ -39,13 +39,16 @@ struct PhotonOptions {
 };
 
 struct PhotonProgress {
-  double histories = 0;  ///< per band, those of earlier runs too
+  double histories = 0;  ///< per band, those of earlier runs and of batches that are not whole too
   double planned = 0;
-  std::span<const double> error;  ///< [band] relative, of the fluence
+  int batches = 0;                ///< that are whole; a solution needs one
+  std::span<const double> error;  ///< [band] relative, of the fluence; infinite or empty: not known yet
   double until = 0;
   double seconds = 0;
   double seconds_left = 0;  ///< negative: unknown
 };
+/// Called after each batch and some times a second within batches, by one thread at a time. May ask to stop:
+/// that is done at once, and batches that are not whole then are left out.
 using PhotonObserver = std::function<SolveControl(const PhotonProgress&)>;
 
 /// Numbers made of the fields that one batch estimates; they must be linear in them. Called for one batch at
@@ -73,6 +76,7 @@ std::size_t estimate_photon_memory(const Problem& problem, int threads);
 
 /// Solves by Monte Carlo: histories of photons through the cells, with the light that they lose to absorption
 /// taken out along the path, and track lengths as estimators of the fluence and net flux in each cell.
+/// Where it is stopped before the first batch is whole, the solution has no fields.
 /// Throws InputError where photons do not know what the problem asks.
 PhotonSolution solve_photons(const Problem& problem, const CellLocator& locator, const PhotonOptions& options,
                              const PhotonObserver& observer = {}, const BatchReader& reader = {});

@@ -233,6 +233,54 @@ TEST(Interruption, WhileReadingSensorsLeavesWholeResultsWithoutThem) {
   }
 }
 
+std::vector<std::string> by_photons(const CaseFolder& folder, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments = {"run",   folder.file(), "--progress",
+                                        "plain", "--set",       "solve.method='photons'"};
+  for (const std::string& setting : more) arguments.insert(arguments.end(), {"--set", setting});
+  return arguments;
+}
+
+// Nothing but the walk back gives the values of these probes.
+TEST(Interruption, WhilePhotonProbesAreWalkedBackLeavesThemOut) {
+  const CaseFolder folder;
+  Process run(by_photons(folder, {"solve.photons=3000", "solve.probe_photons=1e9"}), said_in(folder));
+  ASSERT_TRUE(run.says("probes: ")) << text_of(said_in(folder));
+  const auto sent = std::chrono::steady_clock::now();
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
+  EXPECT_LT(std::chrono::steady_clock::now() - sent, std::chrono::seconds(2));
+  const json summary = json::parse(text_of(std::filesystem::path(folder.results()) / "summary.json"));
+  EXPECT_EQ(summary["interrupted"], true);
+  EXPECT_EQ(summary["left_out"], json{"1 of 1 points of probes"});
+  EXPECT_FALSE(std::filesystem::exists(std::filesystem::path(folder.results()) / "probes.csv"));
+  EXPECT_NE(text_of(said_in(folder)).find("but for 1 of 1 points of probes"), std::string::npos);
+}
+
+TEST(Interruption, WithinABatchOfHistoriesLeavesTheWholeOnes) {
+  const CaseFolder folder;
+  Process run(by_photons(folder, {"solve.photons=1e9", "solve.probe_photons=500"}), said_in(folder));
+  ASSERT_TRUE(run.says("error")) << text_of(said_in(folder));
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
+  const json summary = json::parse(text_of(std::filesystem::path(folder.results()) / "summary.json"));
+  EXPECT_EQ(summary["interrupted"], true);
+  EXPECT_GE(summary["photons"]["histories"], 2e5);
+  EXPECT_NE(text_of(said_in(folder)).find("histories in each band; to go on from there"), std::string::npos)
+      << text_of(said_in(folder));
+}
+
+TEST(Interruption, BeforeABatchOfHistoriesIsWholeLeavesNothing) {
+  const CaseFolder folder;
+  Process run(by_photons(folder, {"solve.photons=1e9", "media.smoke.absorption=1e-9",
+                                  "media.smoke.scattering=1e6", "walls.'*'.diffuse=1"}),
+              said_in(folder));
+  ASSERT_TRUE(run.says(" of 1e+09")) << text_of(said_in(folder));  // it has taken a second
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
+  EXPECT_NE(text_of(said_in(folder)).find("nothing was written"), std::string::npos);
+  EXPECT_EQ(ScratchFolder::names_in(folder.path()), (std::vector<std::string>{"case.toml", "said"}));
+}
+
 // Rays may take long, and before the first sweep there is nothing to keep.
 TEST(Interruption, WhileFollowingLightsLeavesNothing) {
   const ScratchFolder folder;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -42,6 +43,20 @@ TEST(ProbeHistories, FindTheLightOfAHotCubeThatScatters) {
   EXPECT_LT(found[1][0].irradiance->error, 0.001);
   EXPECT_TRUE(agrees(found[0][0].fluence, 4 * 0.060939)) << found[0][0].fluence.value;
   EXPECT_LT(found[0][0].fluence.error, 0.002);
+}
+
+// In matter of a million free paths that loses next to nothing a history takes minutes.
+TEST(ProbeHistories, LeaveOutProbesThatAreNotWholeWhereTheyAreStopped) {
+  const TetrahedralMesh mesh = cube_mesh(0.1);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 1e-9, 1e6, 1), uniform_wall(1, 0, 1, 0));
+  const auto begun = std::chrono::steady_clock::now();
+  const auto since = [&] { return std::chrono::steady_clock::now() - begun; };
+  const auto found =
+      walk_back_from({{Vec3(0.5, 0.5, 0.5), {}}, {Vec3(0.4, 0.5, 0.5), {}}}, problem, CellLocator(mesh),
+                     {1e5, 1, 2}, [&](double) { return since() < std::chrono::milliseconds(300); });
+  EXPECT_LT(since(), std::chrono::seconds(2));
+  ASSERT_EQ(found.size(), 2U);
+  for (const auto& of_bands : found) EXPECT_TRUE(of_bands.empty());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -205,6 +206,49 @@ TEST(SolvePhotons, StopsAtTheErrorThatWasAskedFor) {
   EXPECT_TRUE(found.solution.converged());
   options.photons = 1000;
   EXPECT_FALSE(solve_photons(problem, locator, options).solution.converged());
+}
+
+/// Matter of a million free paths that loses next to nothing: a history of its middle takes minutes.
+Medium endless_matter() { return uniform_medium(1, 1e-9, 1e6, 1); }
+
+TEST(SolvePhotons, StopsWithinABatchOfThickMatter) {
+  const TetrahedralMesh mesh = cube_mesh(0.1);
+  const Problem problem = uniform_problem(mesh, endless_matter(), uniform_wall(1, 0, 1, 0));
+  PhotonOptions options;
+  options.threads = 2;
+  int looks = 0;
+  const auto begun = std::chrono::steady_clock::now();
+  const PhotonSolution found =
+      solve_photons(problem, CellLocator(mesh), options, [&](const PhotonProgress& progress) {
+        ++looks;
+        EXPECT_EQ(progress.batches, 0);
+        return progress.seconds > 0.3 ? SolveControl::stop : SolveControl::proceed;
+      });
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(2));
+  EXPECT_GT(looks, 2);
+  EXPECT_TRUE(found.solution.interrupted);
+  EXPECT_EQ(found.sums.histories, 0U);
+  EXPECT_TRUE(found.solution.fluence.empty());
+}
+
+TEST(SolvePhotons, LeavesWholeBatchesWhereItIsStopped) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.5, 2, 1), uniform_wall(1, 0.1, 0.5, 0));
+  const CellLocator locator(mesh);
+  std::vector<std::vector<double>> sums;
+  for (const int threads : {1, 3}) {
+    PhotonOptions options;
+    options.photons = 64 * 3000;
+    options.threads = threads;
+    const PhotonSolution found = solve_photons(problem, locator, options, [](const PhotonProgress& progress) {
+      return progress.batches < 5 ? SolveControl::proceed : SolveControl::stop;
+    });
+    EXPECT_TRUE(found.solution.interrupted);
+    EXPECT_EQ(found.sums.fluence.batches(), 5);
+    EXPECT_EQ(found.sums.histories, 5 * 3000U);
+    sums.push_back(found.sums.packed());
+  }
+  EXPECT_EQ(sums[0], sums[1]);
 }
 
 // A mirror of its half: the same as the whole.
