@@ -21,14 +21,15 @@ namespace {
 /// Cells that the numbers of faces and points still count.
 constexpr double largest_mesh = 2e8;
 
-/// Reads a file that a key of the case names. Throws InputError at that key where it cannot be read.
+/// Reads a file that a key of the case names. A FileError names the key too.
 template <class Read>
 auto read_named(const InputFile& file, const Read& read) {
   try {
     return read();
   } catch (const FileError& error) {
-    throw InputError(fault_at(file.origin, "\"" + file.path.filename().string() + "\"",
-                              std::string(error.what()) + "; name a file that is there"));
+    const Fault key{file.origin.file, file.origin.line,
+                    file.origin.key + " = \"" + file.path.filename().string() + "\""};
+    throw FileError(to_string(key), std::string(error.what()) + "; name a file that is there");
   }
 }
 

@@ -81,9 +81,10 @@ LightTable read_grid(const std::filesystem::path& path) {
 }  // namespace
 
 LightTable read_light_table(const std::filesystem::path& path, const Origin& origin) {
-  if (!std::ifstream(path))
-    throw InputError(fault_at(origin, "\"" + path.filename().string() + "\"",
-                              path.string() + ": cannot be opened; name a file that is there"));
+  if (!std::ifstream(path)) {
+    const Fault key{origin.file, origin.line, origin.key + " = \"" + path.filename().string() + "\""};
+    throw FileError(to_string(key), path.string() + ": cannot be opened; name a file that is there");
+  }
   LightTable table;
   std::string kind = path.extension().string();
   std::ranges::transform(kind, kind.begin(),

@@ -70,8 +70,10 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   return result;
 }
 
-/// What building the mesh would say of files that are not there.
+/// Adds the files of the mesh that are not there to other faults, unless those are of the mesh too.
 void check_mesh_files(const MeshCase& mesh, Faults& faults) {
+  const auto is_of_mesh = [](const Fault& fault) { return fault.text.starts_with("mesh"); };
+  if (faults.empty() || std::ranges::any_of(faults, is_of_mesh)) return;
   const auto check = [&](const InputFile& file) {
     if (!std::filesystem::exists(file.path))
       faults.push_back(fault_at(file.origin, "\"" + file.path.filename().string() + "\"",
@@ -99,7 +101,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
     check_sensors_see_lights(result, faults);
   }
   report_unused(root, faults);
-  if (!faults.empty()) check_mesh_files(result.mesh, faults);  // all in one round
+  check_mesh_files(result.mesh, faults);
   if (!faults.empty()) throw InputError(std::move(faults));
   result.resolved_toml = render_toml(root);
   return result;
