@@ -7,6 +7,7 @@
 #include "app/case/build/build.h"
 #include "app/case/build/mesh_names.h"
 #include "app/case/volume_bounds.h"
+#include "base/unreadable_file.h"
 #include "mesh/files/fields/field_file.h"
 #include "mesh/files/mesh_file.h"
 #include "mesh/geometry/arrangement/arrangement.h"
@@ -27,9 +28,7 @@ auto read_named(const InputFile& file, const Read& read) {
   try {
     return read();
   } catch (const FileError& error) {
-    const Fault key{file.origin.file, file.origin.line,
-                    file.origin.key + " = \"" + file.path.filename().string() + "\""};
-    throw FileError(to_string(key), std::string(error.what()) + "; name a file that is there");
+    throw unreadable_file(file.origin, file.path, error.what());
   }
 }
 

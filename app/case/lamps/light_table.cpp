@@ -14,6 +14,7 @@
 #include "app/case/lamps/ldt_file.h"
 #include "base/number_columns.h"
 #include "base/text_lines.h"
+#include "base/unreadable_file.h"
 
 namespace etendue {
 namespace {
@@ -81,10 +82,7 @@ LightTable read_grid(const std::filesystem::path& path) {
 }  // namespace
 
 LightTable read_light_table(const std::filesystem::path& path, const Origin& origin) {
-  if (!std::ifstream(path)) {
-    const Fault key{origin.file, origin.line, origin.key + " = \"" + path.filename().string() + "\""};
-    throw FileError(to_string(key), path.string() + ": cannot be opened; name a file that is there");
-  }
+  if (!std::ifstream(path)) throw unreadable_file(origin, path, path.string() + ": cannot be opened");
   LightTable table;
   std::string kind = path.extension().string();
   std::ranges::transform(kind, kind.begin(),
