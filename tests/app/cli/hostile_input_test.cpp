@@ -26,7 +26,7 @@ std::string sensor_of(const std::string& name) {
          "\"\nkind = \"irradiance\"\nposition = [0.5, 0.5, 0.5]\nnormal = [0, 0, 1]\n";
 }
 
-/// Says what `check` says with no more than this address space [bytes].
+/// Outcome of `check` with no more than this address space [bytes].
 Outcome check_within(rlim_t memory, const std::string& file) {
   rlimit before{};
   getrlimit(RLIMIT_AS, &before);
