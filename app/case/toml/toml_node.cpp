@@ -15,6 +15,8 @@ template <class... Visitors>
 struct Overloaded : Visitors... {
   using Visitors::operator()...;
 };
+template <class... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;  // which Clang 14 does not deduce itself
 
 std::string number_text(double number) {
   if (std::isnan(number)) return "nan";
