@@ -12,6 +12,7 @@
 #include "solver/transport/acceleration/diffusion_acceleration.h"
 #include "solver/transport/iteration/band_vectors.h"
 #include "solver/transport/iteration/residual.h"
+#include "solver/transport/order/sweep_stopped.h"
 #include "solver/transport/state/state_copy.h"
 #include "solver/transport/sweep/finite_check.h"
 

@@ -16,6 +16,7 @@
 #include "solver/transport/iteration/gmres.h"
 #include "solver/transport/iteration/positive_iteration.h"
 #include "solver/transport/iteration/source_iteration.h"
+#include "solver/transport/order/sweep_stopped.h"
 #include "solver/transport/scattering/scattering_report.h"
 #include "solver/transport/source/directional_emission.h"
 #include "solver/transport/source/ordinate_lights.h"
@@ -65,13 +66,13 @@ std::vector<std::string> notes_of(const TransportSweep& sweep, const SolveOption
     notes.push_back(fmt::format(
         "mass lumped in {} of {} cells and bands (extinction times cell size above 2)",
         sweep.cells().lumped_count(), static_cast<long>(sweep.mesh().cell_count()) * sweep.cells().bands()));
-  if (sweep.orders().kept_count() < sweep.orders().pair_count())
-    notes.push_back(
-        fmt::format("{} of {} sweep orders kept, the others made again in every sweep (memory bound)",
-                    sweep.orders().kept_count(), sweep.orders().pair_count()));
-  if (sweep.orders().lagged_total() > 0)
-    notes.push_back(
-        fmt::format("{} faces lagged to break cycles of the sweep order", sweep.orders().lagged_total()));
+  if (sweep.discretization().orders->kept_count() < sweep.discretization().orders->pair_count())
+    notes.push_back(fmt::format(
+        "{} of {} sweep orders kept, the others made again in every sweep (memory bound)",
+        sweep.discretization().orders->kept_count(), sweep.discretization().orders->pair_count()));
+  if (sweep.discretization().orders->lagged_total() > 0)
+    notes.push_back(fmt::format("{} faces lagged to break cycles of the sweep order",
+                                sweep.discretization().orders->lagged_total()));
   for (std::string& note : sweep.walls().glossy().notes()) notes.push_back(std::move(note));
   if (sweep.is_direct()) notes.push_back("nothing scatters or reflects: one sweep solves it");
   return notes;
@@ -264,7 +265,7 @@ void read_out(TransportSweep& sweep, const TransportState& last_state, SweepReco
   for (std::size_t i = 0; i < solution.absorbed.size(); ++i) {
     const CellIndex cell(static_cast<std::int64_t>(i / bands));
     const int band = static_cast<int>(i % bands);
-    if (sweep.dense_scattering().absorbs_by_direction(cell, band)) continue;
+    if (sweep.discretization().dense.absorbs_by_direction(cell, band)) continue;
     double mean = 0;
     for (std::size_t node = 0; node < 4; ++node)
       mean += solution.fluence[(cell.at() * 4 + node) * bands + i % bands] / 4;
@@ -373,12 +374,12 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
     solution.lights.inside = lights.power_inside();
     solution.lights.from_walls = lights.power_through_walls();
   }
-  solution.kernels =
-      report_kernels(problem, directions, sweep.scattering_plan(), sweep.scattering_matrices());
+  solution.kernels = report_kernels(problem, directions, sweep.discretization().scattering.plan,
+                                    sweep.discretization().scattering.groups);
   const std::vector<std::string> notes = notes_of(sweep, options);
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
   solution.fixups = fixups_of(sweep, directions);
-  solution.lagged_faces = static_cast<int>(sweep.orders().lagged_total());
+  solution.lagged_faces = static_cast<int>(sweep.discretization().orders->lagged_total());
   const double swept = sweep.processor_seconds() + (single ? single->processor_seconds() : 0);
   const std::int64_t band_sweeps = sweep.band_sweep_count() + (single ? single->band_sweep_count() : 0);
   solution.sweep_cost =
