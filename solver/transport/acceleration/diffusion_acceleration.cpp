@@ -268,9 +268,9 @@ double DiffusionAcceleration::reflectance_seen(FaceIndex face, std::size_t band)
   return reflectance(problem_.wall(problem_.mesh().wall(face)), band);
 }
 
-// What scatters for the first time, sigma_s r, and the part beta that walls send back for the first time:
-// with the partial currents J of diffusion J_in = alpha J_out + beta r_E, so -D dn phi = 2 a
-// (1-alpha)/(1+alpha) phi
+// Light that scatters for the first time, sigma_s r of (D2), and the part beta that walls reflect for the
+// first time, (D3) and (D4) of docs/theory/iteration.md: with the partial currents J of diffusion J_in =
+// alpha J_out + beta r_E, so -D dn phi = 2 a (1-alpha)/(1+alpha) phi
 // - 2 beta/(1+alpha) r_E (docs/theory/iteration.md, D4).
 NodalVector DiffusionAcceleration::right_side(std::size_t band, const TransportState& residual) const {
   const TetrahedralMesh& mesh = problem_.mesh();

@@ -12,9 +12,10 @@
 
 namespace etendue {
 
-/// Diffusion synthetic acceleration (Alcouffe 1977; Wang and Ragusa 2010): P r = r + what the light in a
-/// residual r will still do when it scatters and reflects, found by diffusion. So P approximates the inverse
-/// of I - T, and |P r| is an estimate of the error. It acts on the fluence and on light at reflecting walls.
+/// Diffusion synthetic acceleration (Alcouffe 1977; Wang and Ragusa 2010), equations (D1) to (D6) of
+/// docs/theory/iteration.md: P r = r + the light that a residual r becomes by scattering and reflection,
+/// found by diffusion. So P approximates the inverse of I - T, and |P r| is an estimate of the error. It acts
+/// on the fluence and on light at reflecting walls.
 class DiffusionAcceleration {
  public:
   /// The arguments must outlive it. `extinction` is [cell][band] [1/length]. May do one sweep. With constant
@@ -25,7 +26,7 @@ class DiffusionAcceleration {
   /// Whether there is a low-order solver in this band. Where there is none P = I, and |P r| is no more an
   /// estimate of the error than |r|.
   bool acts_on(std::size_t band) const { return solvers_[solver_of_[band]] != nullptr; }
-  /// What |P r| has to be multiplied by for an estimate of the error. P does not bring the current of a
+  /// Factor of |P r| in the estimate of the error, (D6). P does not bring the current of a
   /// residual into balance with forward scattering, which makes it 1/(1 - albedo g) times as large.
   double caution(std::size_t band) const { return caution_[band]; }
   /// corrected = P residual, in the bands that are `active`.
@@ -35,7 +36,7 @@ class DiffusionAcceleration {
   int solver_count() const { return static_cast<int>(solvers_.size()); }
   double seconds() const { return seconds_; }              ///< in apply()
   double setup_seconds() const { return setup_seconds_; }  ///< sweeps left out
-  /// What is done, and in which bands nothing is, with the reason.
+  /// Notes on the diffusion coefficient, and on bands without acceleration, with the reason.
   std::vector<std::string> notes() const;
 
  private:

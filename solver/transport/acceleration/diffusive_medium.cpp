@@ -85,13 +85,13 @@ DiffusiveMedium by_moments(const PhaseFunction& phase, const ScatteringTreatment
 DiffusiveMedium by_matrix(const DenseGroup& group, double ratio, const DirectionSet& directions,
                           const Moments& moments) {
   DiffusiveMedium medium;
-  const bool absorbs = !group.matter.absorbing.empty();
+  const bool absorbs = !group.directional.absorbing.empty();
   Eigen::VectorXd extinction(directions.count());
   for (Eigen::Index m = 0; m < extinction.size(); ++m)
     extinction(m) =
-        group.extinction(static_cast<std::size_t>(m)) + (absorbs ? 0 : ratio * group.matter.reference);
+        group.extinction(static_cast<std::size_t>(m)) + (absorbs ? 0 : ratio * group.directional.reference);
   // The amplitude of the matrix for a scattering coefficient of 1.
-  const double amplitude = (absorbs ? 1 + ratio : 1) / group.matter.reference;
+  const double amplitude = (absorbs ? 1 + ratio : 1) / group.directional.reference;
   for (int m = 0; m < directions.count(); ++m)
     medium.scattered_of.push_back(amplitude * directions.weight(OrdinateIndex(m)) *
                                   group.kernel().leaving[static_cast<std::size_t>(m)]);

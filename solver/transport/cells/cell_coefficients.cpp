@@ -12,7 +12,8 @@ template <class Real>
 void write_normals(const TetrahedralMesh& mesh, CellIndex cell, double scale, Real* record) {
   for (std::size_t f = 0; f < 3; ++f) {
     const FaceIndex face(mesh.faces(cell)[f]);
-    // One normal for both sides of a face: what leaves one cell enters the other, to the last bits.
+    // One normal for both sides of a face: the outflow of one cell is the inflow of the other, to the last
+    // bits.
     const double side = (mesh.owner(face) == cell ? 1 : -1) / scale;
     for (std::size_t axis = 0; axis < 3; ++axis)
       record[3 * axis + f] =

@@ -10,10 +10,10 @@
 namespace etendue {
 
 /// Extinction times size above which Lumping::automatic lumps the mass of a cell: thicker ones oscillate with
-/// the consistent mass where light enters (docs/theory/theory.md).
+/// the consistent mass where light enters; equation (8) of docs/theory/theory.md.
 inline constexpr double lumping_thickness = 2;
 
-/// What the cell balance needs of each cell, whatever the direction.
+/// Coefficients of the cell equations (5) of docs/theory/theory.md that do not depend on the direction.
 class CellCoefficients {
  public:
   /// `extinction` is [cell][band] [1/length]; it need not be that of the problem (a time step adds to it).
@@ -48,7 +48,7 @@ class CellCoefficients {
   SourceFactors source_factors(CellIndex cell, int band) const;
   /// Factors of a source whose integrals with the basis functions are kept, whatever the mass of the cell.
   SourceFactors projected_source_factors(CellIndex cell) const;
-  /// What the normals, the mass and the source of a cell are divided by: 1 in double precision; in single
+  /// Divisor of the normals, the mass and the source of a cell: 1 in double precision; in single
   /// precision, where products of four areas could leave the range of numbers, a power of two near the area
   /// of the largest face.
   double scale(CellIndex cell) const { return scales_.empty() ? 1 : scales_[cell.at()]; }

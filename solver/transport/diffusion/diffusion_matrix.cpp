@@ -83,8 +83,8 @@ Eigen::Matrix4d jump_block(double area, double kappa, const FaceSide& row, const
          column.weight * third * row.sign * on_face(row.corner) * column.slope.transpose();
 }
 
-/// The wall's part. Black: kappa_b (u, v) - (u, D dn v)/2 - (D dn u, v)/2. Reflecting: the Robin term
-/// (1 - alpha)/(1 + alpha)/2 (u, v) alone, since scaling kappa_b by itself makes the form indefinite.
+/// Wall terms of (D7). Black: kappa_b (u, v) - (u, D dn v)/2 - (D dn u, v)/2. Reflecting: the Robin term
+/// (1 - alpha)/(1 + alpha)/2 (u, v) alone, since scaling kappa_b alone makes the form indefinite.
 Eigen::Matrix4d wall_block(double area, double reflectance, double partial_current, const FaceSide& side) {
   const Eigen::Matrix4d mass = face_mass(area, side.corner, side.corner);
   if (reflectance > 0) return 2 * partial_current * (1 - reflectance) / (1 + reflectance) * mass;

@@ -31,8 +31,8 @@ Eigen::Matrix4d mass_matrix(double volume, bool lumped);
 /// Gradients of the four barycentric coordinates of a cell, in columns [1/length].
 Eigen::Matrix<double, 3, 4> barycentric_gradients(const TetrahedralMesh& mesh, CellIndex cell);
 
-/// What one cell has by itself: absorption, diffusion, and the walls that it touches. On continuous functions
-/// nothing else is left of the whole form.
+/// Contribution of one cell to the form (D7) of docs/theory/iteration.md: absorption, diffusion, and the
+/// walls that it touches. On continuous functions this is the whole form.
 Eigen::Matrix4d cell_matrix(const TetrahedralMesh& mesh, const DiffusionCoefficients& coefficients,
                             CellIndex cell);
 

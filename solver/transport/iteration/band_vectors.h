@@ -12,7 +12,7 @@ namespace etendue {
 /// One number for each band.
 using BandScalars = std::vector<double>;
 
-/// Linear algebra on states, each band by itself: bands are separate linear systems that are swept together.
+/// Linear algebra on states, each band alone: bands are separate linear systems that are swept together.
 /// The inner product weights nodal values by their share of volume or wall area. Sums run over blocks of
 /// fixed size in their order: the same bits for any number of threads.
 class BandVectors {

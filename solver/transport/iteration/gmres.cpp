@@ -17,7 +17,7 @@ namespace {
 /// The residual that GMRES carries along may differ from the true one: aim a little below the tolerance.
 constexpr double safety = 0.5;
 /// Residual fraction of an error after a cycle whose sweeps are in single precision. Less would be their
-/// rounding, 1e-7 to 4e-7 of what each is given: in a void a cycle that goes on to 5e-7 takes twice as many
+/// rounding, 1e-7 to 4e-7 of what each is given: in a void a cycle that continues to 5e-7 takes twice as many
 /// sweeps.
 constexpr double single_cycle = 1e-6;
 /// Relative residuals below this are rounding.
@@ -104,7 +104,7 @@ class Run : public IterationRun {
     return sweeps_left() <= (options_.record != nullptr ? 1 : 0) || result_.interrupted;
   }
 
-  /// work_ = F(state) - state, and the relative error that it tells of.
+  /// Sets work_ = F(state) - state and returns its estimate of the relative error, (14) or (D6).
   std::vector<double> true_errors(SweepRecord* record) {
     sweep_.apply(state_, work_, record);
     ++result_.sweeps;
@@ -120,7 +120,7 @@ class Run : public IterationRun {
     return errors;
   }
 
-  /// P r of what work_ holds, where P is not in it already but only judges.
+  /// P r of the residual in work_, which has P in it already where P accelerates.
   const TransportState& judged_residual() {
     if (accelerated() || judge_ == nullptr) return work_;
     judge_->apply(work_, corrected_, active());

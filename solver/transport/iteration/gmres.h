@@ -14,9 +14,10 @@ inline constexpr std::size_t shortest_krylov_basis = 3;
 /// Restarted GMRES (Saad and Schultz 1986) on P (I - T) x = P b, where the sweep is F(x) = T x + b and x
 /// holds moments, wall irradiance, mirrored and lagged traces. One application of T is one sweep; every band
 /// has a Krylov space of its own, all are swept together. With acceleration by diffusion, P, the error is
-/// estimated as |P r| / |phi|, r = F(x) - x being the true residual. So it is without, where P only judges;
-/// and where there is no P, as |r| / (s |phi|) with s the smallest singular value of I - T seen on the Krylov
-/// spaces (1 - rho for source iteration).
+/// estimated as |P r| / |phi|, (D6) of docs/theory/iteration.md, r = F(x) - x being the true residual. So it
+/// is without, where P only judges; and where there is no P, as |r| / (s |phi|) with s the smallest singular
+/// value of I - T seen on the Krylov spaces, equation (14) of docs/theory/theory.md (1 - rho for source
+/// iteration).
 ///
 /// With a sweep in single precision (IterationOptions::single) the cycles apply that one, and so correct a
 /// residual that is found in double precision: iterative refinement (Wilkinson 1963; Carson and Higham 2018).

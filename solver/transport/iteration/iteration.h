@@ -17,8 +17,8 @@ struct IterationOptions {
   double tolerance = 1e-6;  ///< estimated relative error, per band
   int max_sweeps = 500;
   DiffusionAcceleration* acceleration = nullptr;  ///< null: none
-  /// What estimates the error where nothing is accelerated; null: what the iteration itself can tell, which
-  /// in thick media is too little.
+  /// Estimate of the error where nothing is accelerated; null: the iteration's own estimate, which is too
+  /// small in thick media.
   DiffusionAcceleration* judge = nullptr;
   /// The same sweep in single precision, for the cycles of GMRES. Null: none.
   SingleTransportSweep* single = nullptr;
@@ -30,7 +30,7 @@ struct IterationOptions {
 struct IterationResult {
   std::vector<BandConvergence> bands;
   std::vector<HistoryEntry> history;  ///< of the bands that took part in each sweep
-  std::vector<std::string> notes;     ///< what the user has to know of how it went
+  std::vector<std::string> notes;     ///< for the user
   int sweeps = 0;                     ///< over all bands; those of a band end when it is done
   bool interrupted = false;
   bool recorded = false;  ///< the record belongs to the last sweep, which gave the state

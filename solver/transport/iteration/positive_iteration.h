@@ -17,7 +17,7 @@ std::size_t anderson_memory(double state_size);
 
 /// The fixed point of a sweep that keeps values positive (TransportSweep::keep_positive), which is not
 /// affine: fixed-point iteration x <- x + P (F(x) - x), P that of diffusion where there is one, with Anderson
-/// acceleration (Anderson 1965; Walker and Ni 2011, type II), each band by itself. Meant to start from the
+/// acceleration (Anderson 1965; Walker and Ni 2011, type II), each band alone. Meant to start from the
 /// solution of the linear problem, so that little is left to do. The next state is clipped at zero, which
 /// takes it nearer to the fixed point, since that is not negative. The error is estimated as |P r| / (s
 /// |phi|), with s the smallest |change of P r| / |change of x| seen.

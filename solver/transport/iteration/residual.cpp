@@ -44,8 +44,7 @@ FieldNorms norms_in(const std::vector<double>& unit, const TetrahedralMesh& mesh
   return result;
 }
 
-/// Whether the larger norm of each band comes from a sum of squares that lost nothing to the range of
-/// numbers.
+/// Returns whether the larger norm of each band comes from a sum of squares without overflow or underflow.
 bool are_safe(const FieldNorms& norms) {
   for (std::size_t b = 0; b < norms.volume.size(); ++b) {
     const double norm = std::max(norms.volume[b], norms.walls[b]);

@@ -18,7 +18,7 @@ namespace {
 
 /// Residuals that the rate is measured over: light that bounces to and fro makes single ratios alternate.
 constexpr std::size_t rate_window = 4;
-/// A rate above this is not told apart from 1 by residuals with rounding errors.
+/// A rate above this cannot be distinguished from 1 by residuals with rounding errors.
 constexpr double largest_rate = 1 - 1e-12;
 /// Residuals below this are rounding.
 constexpr double rounding = 1e-15;
@@ -27,7 +27,7 @@ constexpr double rounding = 1e-15;
 constexpr std::size_t divergence_window = 20;
 
 /// F of those bands that are still iterated. Once a band is done the others are swept by the linear part T
-/// alone, which goes on in fewer lanes, and F(0) is added: the first image where the iteration began in
+/// alone, in fewer lanes, and F(0) is added: the first image where the iteration began in
 /// darkness, and else a sweep more.
 class Image {
  public:

@@ -10,7 +10,7 @@ namespace etendue {
 
 /// x <- F(x): every sweep scatters and reflects once more; or x <- x + P (F(x) - x). With the true residual r
 /// of the iterate the error is estimated as |P r| / |phi|, or, where there is no P, as |r| / ((1 - rho)
-/// |phi|) with the measured rate of convergence rho.
+/// |phi|), equation (14) of docs/theory/theory.md, with the measured rate of convergence rho.
 class SourceIteration : public Iteration {
  public:
   const char* name() const override { return "source-iteration"; }

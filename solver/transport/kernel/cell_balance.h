@@ -5,7 +5,7 @@
 
 namespace etendue {
 
-// Upwind discontinuous Galerkin on one straight tetrahedron (docs/theory/theory.md), linear basis. All
+// Upwind discontinuous Galerkin on one straight tetrahedron, linear basis: (5) of docs/theory/theory.md. All
 // equations are multiplied by 12. Face f lies opposite vertex f; a_f = w . (A_f n_f) is its area seen along
 // the direction, positive where light leaves. The four a_f sum to zero.
 //
@@ -14,8 +14,9 @@ namespace etendue {
 //
 //     alpha I + beta 1 1^T - n 1^T - 1 p^T,    alpha = P + alpha_mass,  beta = P + beta_mass,
 //
-// the identity plus rank two. The mass is consistent with alpha_mass = beta_mass = 0.6 sigma_t V, and lumped
-// with alpha_mass = 3 sigma_t V, beta_mass = 0. Both keep the column sums, so both keep the cell's balance.
+// the identity plus rank two. The mass is consistent, (6), with alpha_mass = beta_mass = 0.6 sigma_t V, and
+// lumped, (8), with alpha_mass = 3 sigma_t V, beta_mass = 0. Both keep the column sums, so both keep the
+// cell's balance.
 
 //
 // T is a number, or a packet of them (packet.h).
@@ -40,7 +41,7 @@ ETENDUE_KERNEL_INLINE ProjectedAreas<T> projected_areas(const T (&a)[4]) {
   return areas;
 }
 
-/// Adds to the right-hand side what enters through face f with the nodal values u[0 … 2] at its vertices:
+/// Adds the inflow through face f, with the nodal values u[0 … 2] at its vertices, to the right-hand side:
 /// 12 times n_f times the face's mass matrix, n_f (sum of u + u_i).
 template <class T>
 ETENDUE_KERNEL_INLINE void add_inflow(const ProjectedAreas<T>& areas, int f, const T* u, T (&right)[4]) {
@@ -53,7 +54,7 @@ ETENDUE_KERNEL_INLINE void add_inflow(const ProjectedAreas<T>& areas, int f, con
   }
 }
 
-/// What the nodal values need of the matrix: the only division, which takes long, and no light. So it is
+/// Part of the inverse matrix that needs no light: it has the only division, which takes long. So it is
 /// begun before the light that enters is read.
 template <class T>
 struct CellInverse {
@@ -82,8 +83,8 @@ ETENDUE_KERNEL_INLINE CellInverse<T> invert_cell(const ProjectedAreas<T>& areas,
   return cell;
 }
 
-/// The nodal values from 12 times the right-hand side, in closed form: with S the sum of the values and
-/// T = p . u, two equations in two unknowns whose determinant is positive, in vacuum too.
+/// The nodal values from 12 times the right-hand side, in closed form, (7) or (9): with S the sum of the
+/// values and T = p . u, two equations in two unknowns whose determinant is positive, in vacuum too.
 template <class T>
 ETENDUE_KERNEL_INLINE void solve_cell(const ProjectedAreas<T>& areas, const CellInverse<T>& cell,
                                       const T (&right)[4], T (&u)[4]) {

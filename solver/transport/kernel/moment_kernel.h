@@ -43,7 +43,7 @@ ETENDUE_KERNEL_INLINE void store_rows(Real* to, std::size_t step, const Lanes<W>
 
 /// From the values at the directions of an orbit to the sums over it with the signs of each class, or from
 /// sums over each class to the values at the directions: Walsh and Hadamard's transformation, by halves. Bit
-/// a of a class and of a direction stand for mirror a.
+/// a of a class and of a direction is that of mirror a.
 template <int Size, int W>
 ETENDUE_KERNEL_INLINE void change_signs(Lanes<W> (&values)[Size]) {
   ETENDUE_UNROLL

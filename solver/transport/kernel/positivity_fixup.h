@@ -7,8 +7,8 @@ namespace etendue {
 
 // Non-negative nodal values in place of the four values u of a cell, without touching its balance
 // (docs/theory/theory.md). As in cell_balance.h all is multiplied by 12. The balance is c . u = B with the
-// column sums c of the matrix and B the sum of the right-hand side: what enters and shines is what leaves and
-// is taken out. Where B >= 0 there are non-negative values that balance.
+// column sums c of the matrix and B the sum of the right-hand side, equation (10): inflow and emission equal
+// outflow and extinction. Where B >= 0 there are non-negative values that balance.
 
 /// c_j = alpha_mass + 4 beta_mass + 4 (P - p_j) >= 0, the same sum for the consistent and the lumped mass.
 template <class T>

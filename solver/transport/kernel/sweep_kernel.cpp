@@ -75,9 +75,9 @@ ETENDUE_KERNEL_INLINE void load_face(const Cells& packet, int f, std::ptrdiff_t 
 }
 
 /// Whether a face need not be read, because light leaves through it. Only a packet of one cell asks: in
-/// others what is read there counts zero times, which is cheaper than a branch that nobody can foretell.
-/// Where all bands of a cell fill a packet, the order keeps cells together through whose faces light goes the
-/// same way.
+/// others what is read there counts zero times, which is cheaper than a branch that cannot be predicted.
+/// The order keeps cells together through whose faces light goes in the same directions, where all bands of a
+/// cell fill a packet.
 template <int C, int B>
 ETENDUE_KERNEL_INLINE bool nothing_enters(const Lanes<C * B>& entering) {
   if constexpr (C > 1) {

@@ -20,9 +20,10 @@ struct FixupCensus {
   double moved = 0;         ///< integral of |change| over the cells [power length/sr]
 };
 
-/// One direction's sweep over all cells, as bare arrays. `stride` is the number of bands rounded up to whole
-/// lanes; in all arrays the band is the fastest index. What stands for each cell has one more entry at the
-/// end, for the idle cell that fills up incomplete packets (its record has a mass and nothing else).
+/// One direction's sweep over all cells, as bare arrays: reference_sweep.h for many cells and bands at a
+/// time. `stride` is the number of bands rounded up to whole lanes; in all arrays the band is the fastest
+/// index. Per-cell arrays end with one padding cell, the idle cell, that fills up incomplete packets (its
+/// record has a mass and nothing else).
 template <class Real>
 struct SweepTaskOf {
   const SweepVisit* visits = nullptr;    ///< [position]

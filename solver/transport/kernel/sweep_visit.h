@@ -10,7 +10,7 @@ namespace etendue {
 // While a direction is swept, the radiance of a cell stays in a slot until the cells behind it have read it.
 // There are far fewer slots than cells, so they stay in cache.
 
-/// Where a cell finds the radiance behind one of its faces: a slot, and the node in that slot which does not
+/// Place of the radiance behind one of the faces of a cell: a slot, and the node in that slot which does not
 /// lie on the face (3 for the slots of boundary faces, which hold the three values of the face). Packed into
 /// 32 bits.
 struct FaceCode {

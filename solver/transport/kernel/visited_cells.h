@@ -119,7 +119,7 @@ class Packet {
   /// The radiance behind face f.
   ETENDUE_KERNEL_MEMBER const Real* behind(int j, int f) const {
     const std::uint32_t code = visits_[j].faces[f];
-    // Four times the slot stands in the code as it is.
+    // The code contains four times the slot as it is.
     if constexpr (basis == Basis::linear)
       return task_.slots + static_cast<std::ptrdiff_t>(code & ~opposite_bits) * task_.stride;
     return task_.slots + static_cast<std::ptrdiff_t>(unpacked(code).slot) * task_.stride;

@@ -25,7 +25,7 @@ struct Adjacency {
   }
 };
 
-/// Where each node of a component is in the sequence of Eades, Lin and Smyth: sources first, sinks last,
+/// Position of each node of a component in the sequence of Eades, Lin and Smyth: sources first, sinks last,
 /// and between them the node with the largest surplus of leaving over entering weight.
 class GreedySequence {
  public:

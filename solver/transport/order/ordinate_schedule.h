@@ -44,8 +44,8 @@ class OrdinateSchedule {
   std::int32_t batch_end(std::int32_t batch) const { return std::min(place_count(), (batch + 1) * batch_); }
   /// The place behind the last of the group that begins at `place`.
   std::int32_t group_end(std::int32_t place) const { return group_end_[static_cast<std::size_t>(place)]; }
-  /// Whether every ordinate has seven images across the axes, all in its batch; only where that was asked
-  /// for.
+  /// Returns true where every ordinate has seven images across the axes, all in its batch; only where that
+  /// was asked for.
   bool keeps_images_together() const { return keeps_images_together_; }
   /// Whether an ordinate comes after those that a mirror with this normal, out of the domain, turns into it.
   bool knows_reflections(const Vec3& normal) const;

@@ -10,8 +10,8 @@
 
 namespace etendue {
 
-/// What the sweep orders of all directions share: for each cell what lies behind its faces, packed as the
-/// visits need it. The orders are made again and again, so this is laid out for speed.
+/// Neighbors of all cells, packed as the visits of cells need them; shared by the sweep orders of all
+/// directions. The orders are made again and again, so the layout is for speed.
 class SweepGraph {
  public:
   /// Behind interior faces the other cell's number in place of the slot; behind boundary faces the inflow.

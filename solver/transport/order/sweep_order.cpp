@@ -73,7 +73,7 @@ class OrderedWalk {
         none |= static_cast<std::uint32_t>(passage[face] == Passage::none) << k;
         if (!lagged.empty()) lag |= static_cast<std::uint32_t>(lagged[face]) << k;
       }
-      // What leaves the owner enters the other cell.
+      // The outflow of the owner is the inflow of the other cell.
       out = (out ^ ~faces.owned) & ~none & all_faces;
       const std::uint32_t passing = ~(none | faces.boundary) & all_faces;
       passage_[c] = {static_cast<std::uint8_t>(out & passing & ~lag), static_cast<std::uint8_t>(none),

@@ -9,9 +9,9 @@
 namespace etendue {
 namespace {
 
-/// Of the third-level cache, beside the slots of a group; smaller tiles, which the second level would hold,
-/// have more cells at their edges, whose slots stay taken. Not asked of the machine, because the order of
-/// visits decides the order of sums.
+/// Part of the third-level cache for a tile, beside the slots of a group; smaller tiles, which the second
+/// level would hold, have more cells at their edges, whose slots stay taken. Not asked of the machine,
+/// because the order of visits decides the order of sums.
 constexpr std::size_t tile_bytes = std::size_t{2} << 20;
 
 /// Below this many cells too few of a tile are ready at a time.

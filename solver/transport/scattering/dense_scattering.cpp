@@ -27,7 +27,7 @@ double mean_extinction(const DenseGroup& group) {
 /// Of the extinction in a cell, what the matrix says in its own way.
 double replaced(const Problem& problem, const DenseGroup& group, CellIndex cell, int band) {
   return problem.scattering(cell, band) +
-         (group.matter.absorbing.empty() ? 0 : problem.absorption(cell, band));
+         (group.directional.absorbing.empty() ? 0 : problem.absorption(cell, band));
 }
 
 [[noreturn]] void fail(const Medium& medium, const InputError& error, const std::string& where = "") {
@@ -36,8 +36,8 @@ double replaced(const Problem& problem, const DenseGroup& group, CellIndex cell,
   throw InputError(fault_at(origin, "", where + error.faults().front().text));
 }
 
-DirectionalKernel matter_of(const Medium& medium, int band, ScatteringBackend backend,
-                            const DirectionSet& directions) {
+DirectionalKernel directional_kernel_of(const Medium& medium, int band, ScatteringBackend backend,
+                                        const DirectionSet& directions) {
   const PhaseFunction& phase = medium.phase[static_cast<std::size_t>(band)];
   try {
     if (medium.is_directional(band))
@@ -105,7 +105,7 @@ std::vector<DenseGroup> dense_groups(const Problem& problem, const DirectionSet&
       }
       std::vector<KernelPlace> places = kernel_places(problem, region, band);
       if (places.empty())
-        groups.push_back({region, {band}, {}, matter_of(medium, band, backend, directions)});
+        groups.push_back({region, {band}, {}, directional_kernel_of(medium, band, backend, directions)});
       else
         add_places(problem, directions, region, band, std::move(places), groups);
     }
@@ -120,7 +120,7 @@ std::vector<DenseGroup> of_bands(const std::vector<DenseGroup>& groups, std::spa
     for (std::size_t i = 0; i < bands.size(); ++i)
       if (std::find(group.bands.begin(), group.bands.end(), bands[i]) != group.bands.end())
         kept.push_back(static_cast<int>(i));
-    if (!kept.empty()) result.push_back({group.region, std::move(kept), group.cells, group.matter});
+    if (!kept.empty()) result.push_back({group.region, std::move(kept), group.cells, group.directional});
   }
   return result;
 }
@@ -153,7 +153,7 @@ std::vector<double> effective_extinction(const Problem& problem, std::span<const
 }
 
 double DenseGroup::amplitude(const Problem& problem, CellIndex cell, int band) const {
-  return !cells.empty() ? 1 : replaced(problem, *this, cell, band) / matter.reference;
+  return !cells.empty() ? 1 : replaced(problem, *this, cell, band) / directional.reference;
 }
 
 DenseScattering::DenseScattering(const Problem& problem, const DirectionSet& directions,
@@ -330,7 +330,7 @@ void DenseScattering::set_mass(OrdinateIndex m, Real* records) const {
 
 bool DenseScattering::absorbs_by_direction() const {
   return std::any_of(groups_.begin(), groups_.end(),
-                     [](const DenseGroup& group) { return !group.matter.absorbing.empty(); }) ||
+                     [](const DenseGroup& group) { return !group.directional.absorbing.empty(); }) ||
          std::any_of(lanes_.begin(), lanes_.end(),
                      [](const Lanes& lanes) { return !lanes.absorption.empty(); });
 }
@@ -340,7 +340,7 @@ bool DenseScattering::absorbs_by_direction(CellIndex cell, int band) const {
     const DenseGroup& group = groups_[g];
     if (group.region == problem_.mesh().region(cell) &&
         std::count(group.bands.begin(), group.bands.end(), band) > 0)
-      return !group.matter.absorbing.empty() || !lanes_[g].absorption.empty();
+      return !group.directional.absorbing.empty() || !lanes_[g].absorption.empty();
   }
   return false;
 }
@@ -353,8 +353,8 @@ void DenseScattering::add_absorbed(OrdinateIndex m, const std::int32_t* index, c
   const auto nodes = static_cast<std::size_t>(cells_.nodes());
   for (std::size_t g = 0; g < lanes_.size(); ++g) {
     const Lanes& lanes = lanes_[g];
-    const bool of_matter = !groups_[g].matter.absorbing.empty();
-    if (!of_matter && lanes.absorption.empty()) continue;
+    const bool of_kernel = !groups_[g].directional.absorbing.empty();
+    if (!of_kernel && lanes.absorption.empty()) continue;
     const double factor = directions_.weight(m) / static_cast<double>(nodes);
     for (std::size_t pair = 0; pair < lanes.rows.size(); ++pair) {
       const auto cell = static_cast<std::size_t>(rows_[static_cast<std::size_t>(lanes.rows[pair])]);
@@ -362,7 +362,7 @@ void DenseScattering::add_absorbed(OrdinateIndex m, const std::int32_t* index, c
       const Real* u = angular + static_cast<std::size_t>(index[cell]) * row_length_ + band;
       double sum = 0;
       for (std::size_t i = 0; i < nodes; ++i) sum += u[i * stride];
-      const double absorption = of_matter ? lanes.amplitude[pair] * groups_[g].matter.absorbing[m.at()]
+      const double absorption = of_kernel ? lanes.amplitude[pair] * groups_[g].directional.absorbing[m.at()]
                                           : lanes.absorption[m.at() * lanes.rows.size() + pair];
       absorbed[cell * bands + band] += factor * absorption * sum;
     }

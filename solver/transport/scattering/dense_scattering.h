@@ -17,21 +17,22 @@ namespace etendue {
 struct DenseGroup {
   int region = 0;
   std::vector<int> bands;
-  std::vector<CellIndex> cells;  ///< in which the matrix holds; empty: in all of the region
-  DirectionalKernel matter;      ///< of a phase function for a scattering coefficient of 1
+  std::vector<CellIndex> cells;   ///< in which the matrix holds; empty: in all of the region
+  DirectionalKernel directional;  ///< of a phase function for a scattering coefficient of 1
 
-  const DenseKernel& kernel() const { return matter.kernel; }
-  /// What the matrix is multiplied by in a cell: sigma_s of a phase function, a density.
+  const DenseKernel& kernel() const { return directional.kernel; }
+  /// Factor of the matrix in a cell: sigma_s of a phase function, or a density.
   double amplitude(const Problem& problem, CellIndex cell, int band) const;
-  /// Extinction of one ordinate for an amplitude of 1, what goes straight ahead left out.
+  /// Extinction of one ordinate for an amplitude of 1, forward scattering omitted: equation (S2) of
+  /// docs/theory/scattering.md.
   double extinction(std::size_t ordinate) const {
-    return kernel().leaving[ordinate] + (matter.absorbing.empty() ? 0 : matter.absorbing[ordinate]);
+    return kernel().leaving[ordinate] + (directional.absorbing.empty() ? 0 : directional.absorbing[ordinate]);
   }
 };
 /// Throws InputError where a kernel of a medium is refused.
 std::vector<DenseGroup> dense_groups(const Problem& problem, const DirectionSet& directions,
                                      const std::vector<ScatteringTreatment>& plan);
-/// What some bands have of them, numbered in the order of `bands`.
+/// The same for a subset of the bands, numbered in the order of `bands`.
 std::vector<DenseGroup> of_bands(const std::vector<DenseGroup>& groups, std::span<const int> bands);
 
 /// Extinction [cell][band] that the mean ordinate sees, without the light that scatters straight ahead, where
@@ -40,7 +41,8 @@ std::vector<double> effective_extinction(const Problem& problem, std::span<const
                                          const std::vector<ScatteringTreatment>& plan,
                                          const std::vector<DenseGroup>& groups);
 
-/// Scattering through matrices: S_m = sigma_s sum over n != m of K_mn w_n u_n. Cells whose medium scatters so
+/// Scattering through matrices, equation (S1) of docs/theory/scattering.md:
+/// S_m = sigma_s sum over n != m of K_mn w_n u_n. Cells whose medium scatters so
 /// ("dense cells", in rows) keep their angular solution from sweep to sweep.
 class DenseScattering {
  public:

@@ -15,14 +15,14 @@
 
 namespace etendue {
 
-/// Scattering through moments of the radiance,
+/// Scattering through moments of the radiance, equation (11) of docs/theory/theory.md,
 ///
 ///     S(w_m) = sigma_s / (4 pi) sum over k of chi_l(k) Y_k(w_m) phi_k,   phi_k = sum of w_n Y_k(w_n) u_n,
 ///
-/// with harmonics orthonormalised on the direction set: energy and asymmetry are exact on every set. Only the
-/// cells whose medium scatters anisotropically (and those that a meter looks at or that scatter by a matrix)
-/// are "angular": they have a source for each direction and moments beyond the fluence. Rows of directions
-/// begin with a scratch row 0.
+/// with harmonics orthonormalized on the direction set, equation (12): energy and asymmetry are exact on
+/// every set. Only the cells whose medium scatters anisotropically (and those with a meter or that scatter by
+/// a matrix) are "angular": they have a source for each direction and moments beyond the fluence. Rows of
+/// directions begin with a scratch row 0.
 class ScatteringMoments {
  public:
   /// `observed` are cells whose radiance is wanted direction by direction. Where the plan says delta-M the

@@ -10,7 +10,7 @@
 namespace etendue {
 namespace {
 
-/// Where cells and walls return less, plain iteration is quick: with half of the light scattered, Kobayashi's
+/// Reflectance and albedo below which plain iteration is quick: with half of the light scattered, Kobayashi's
 /// first problem takes 11 sweeps and with acceleration 10, which cost more than one.
 constexpr double little_return = 0.5;
 

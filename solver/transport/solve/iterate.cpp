@@ -25,8 +25,8 @@ bool keeps_positive(const SolveOptions& options) {
   return options.positivity != Positivity::none && options.order == SpaceOrder::linear;
 }
 
-/// Whether the initial state has values that were kept positive, so that the linear problem needs no
-/// iteration.
+/// Returns true where the initial state has values that were kept positive, so that the linear problem needs
+/// no iteration.
 bool starts_positive(const SolveOptions& options) {
   return keeps_positive(options) && options.initial != nullptr &&
          std::ranges::all_of(options.initial->fluence, [](double value) { return value >= 0; });

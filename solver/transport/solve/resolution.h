@@ -27,7 +27,7 @@ struct Resolution {
   /// without such cells.
   double transport_thickness_at_lights = 0;
   /// Pairs of a cell and a band whose mass is lumped where that is left to the program: those thicker than
-  /// lumping_thickness by what does not go on straight ahead; and all pairs.
+  /// lumping_thickness, forward scattering omitted; and all pairs.
   long thick_count = 0, pair_count = 0;
   double direction_spacing = 0;          ///< side of a square as large as the mean weight [rad]
   std::optional<NarrowPhase> narrowest;  ///< of the phase functions in use; none if all are wide

@@ -93,7 +93,7 @@ void DirectionalEmission::check_regions() const {
         }
 }
 
-// Only directions into the domain matter.
+// Only directions into the domain count.
 void DirectionalEmission::check_walls() const {
   const TetrahedralMesh& mesh = problem_.mesh();
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {

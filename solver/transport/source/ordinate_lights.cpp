@@ -16,8 +16,8 @@ namespace {
 /// Pieces of a flat light are this much smaller than the cell they lie in, and no light has more of them.
 constexpr double piece_of_cell = 0.25;
 constexpr int most_halvings = 8;
-/// A piece is looked for at this part of its size before the light: where it lies between cells, on the side
-/// that shines.
+/// The cell of a piece is that of a point this part of its size in front of the light: on the side that
+/// emits, where the piece lies between cells.
 constexpr double before_light = 1e-6;
 
 /// The integral of a shape over the set.

@@ -6,8 +6,8 @@
 
 namespace etendue {
 
-/// Whether a sum of squares is far from the ends of the range of numbers, so that no part of it that counts
-/// was lost there. Neither zero nor NaN is.
+/// Returns whether a sum of squares is far from the ends of the range of numbers, so that overflow and
+/// underflow did not change it. Neither zero nor NaN is.
 inline bool is_safe_sum_of_squares(double sum) { return sum >= 1e-250 && sum <= 1e250; }
 
 /// A power of two by which values up to `largest` in magnitude can be multiplied to be squared safely: the

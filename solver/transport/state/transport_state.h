@@ -8,7 +8,7 @@
 
 namespace etendue {
 
-/// Whether a sweep includes what shines by itself: emission, walls' own radiance and the angular input.
+/// Whether a sweep includes all sources: emission, the radiance of walls and the angular input.
 enum class Emission { included, left_out };
 
 /// Sizes of the parts of a state, in doubles. The band, padded to `stride`, is the fastest index everywhere.
@@ -17,14 +17,15 @@ struct StateLayout {
   std::size_t moments = 0;     ///< [angular cell][moment][node][stride]; moment 0 repeats the fluence
   std::size_t radiance = 0;    ///< [ordinate][dense cell][node][stride] where scattering is by a matrix
   std::size_t irradiance = 0;  ///< [boundary face][face node][stride]
-  std::size_t mirrors = 0;     ///< [mirror face][pair of ordinates][face node][stride] what leaves the domain
+  std::size_t mirrors = 0;     ///< [mirror face][pair of ordinates][face node][stride] outflow
   std::size_t lagged = 0;      ///< [lagged face of all pairs][2 ordinates][face node][stride]
 
   std::size_t total() const { return fluence + moments + radiance + irradiance + mirrors + lagged; }
 };
 
-/// All that one sweep hands to the next, and so the vector of unknowns of every iteration: the angular
-/// solution itself is kept only where scattering is by a matrix. One contiguous array, for linear algebra.
+/// The unknowns x of the iteration (docs/theory/theory.md, section 7), which one sweep hands to the next: the
+/// angular solution itself is kept only where scattering is by a matrix. One contiguous array, for linear
+/// algebra.
 class TransportState {
  public:
   explicit TransportState(const StateLayout& layout) : layout_(layout), values_(layout.total()) {}

@@ -43,8 +43,8 @@ struct Discretization {
   StateLayout layout() const;
   /// Numbers of a fluence, [cell][node][stride].
   std::size_t fluence_size() const;
-  /// Whether one sweep gives the solution: nothing scatters, and no light that arrives at walls or lagged
-  /// faces is kept for the next sweep.
+  /// Returns true where one sweep gives the solution: nothing scatters, and no light that arrives at walls or
+  /// lagged faces is kept for the next sweep.
   bool is_direct() const;
   /// Threads that share the batches of a sweep.
   int sweep_threads() const;

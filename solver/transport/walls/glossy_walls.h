@@ -14,8 +14,8 @@
 
 namespace etendue {
 
-/// The walls with a reflectance f_r: what arrives along each ordinate is kept and reflected by a matrix in
-/// the next sweep. Faces with one normal and one reflectance share a matrix.
+/// The walls with a reflectance f_r: the radiance that arrives along each ordinate is kept, and reflected by
+/// a matrix in the next sweep. Faces with one normal and one reflectance share a matrix.
 class GlossyWalls {
  public:
   /// The arguments must outlive it.
@@ -65,7 +65,7 @@ class GlossyWalls {
   std::vector<std::int32_t> matrix_of_;  ///< [plane and wall][band], -1: none
   std::vector<Face> faces_;
   std::vector<std::int32_t> place_of_;  ///< [boundary face] among the glossy ones, -1: none
-  AlignedArray reflected_;              ///< as what arrives, of the other ordinate of each pair
+  AlignedArray reflected_;  ///< like the radiance that arrives, of the other ordinate of each pair
 };
 
 }  // namespace etendue

@@ -78,7 +78,8 @@ WallExchange::WallExchange(const Problem& problem, const DirectionSet& direction
       feeds_back_ = feeds_back_ || (range > out_of_reach && fed_back(face, band) > 0) ||
                     transmitted_[faces_.back().wall * stride_ + band] > 0;
   }
-  // Faces that light passes the same way stand together: whether it leaves is then easily foretold.
+  // Faces through which light leaves in the same directions are neighbors in the list, which helps branch
+  // prediction.
   for (std::vector<std::int32_t>* list : {&all_, &reflecting_})
     std::stable_sort(list->begin(), list->end(), [this](std::int32_t a, std::int32_t b) {
       const Face &left = faces_[static_cast<std::size_t>(a)], &right = faces_[static_cast<std::size_t>(b)];
@@ -172,8 +173,8 @@ double WallExchange::fed_back(FaceIndex face, std::size_t band) const {
                            glossy_.albedo(face, band));
 }
 
-// Of the two ordinates of a pair one leaves through a face: the pair's number is enough. What arrives at
-// glossy walls stands before the mirrors of the next sweep.
+// One of the two ordinates of a pair leaves through a face, so the number of the pair is enough. The radiance
+// at glossy walls is stored before that at the mirrors of the next sweep.
 std::size_t WallExchange::mirror_at(std::size_t row, std::int32_t ordinate) const {
   return row * row_size() + static_cast<std::size_t>(ordinate / 2) * face_length_;
 }

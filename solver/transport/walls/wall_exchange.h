@@ -18,15 +18,15 @@ namespace etendue {
 /// Walls at which a sweep accumulates the irradiance: those that reflect, or all.
 enum class AccumulateAt { reflecting, all };
 
-/// Exchange of light between the walls and the ordinates, direction by direction:
+/// Exchange of light between the walls and the ordinates, equation (13) of docs/theory/theory.md:
 ///
 ///     u_in = radiance + (diffuse / pi_h) E + (transmittance / pi_h) E(behind) + specular u_out(mirrored)
 ///            + f_r by a matrix (GlossyWalls),    pi_h = sum of w |w.n| over w.n < 0,
 ///
 /// with the discrete half range pi_h in place of pi, so that a wall gives back exactly what it reflects.
-/// Where a wall refracts Fresnel's reflectance r of the ordinate stands for `specular` and n^2 (1 - r) before
-/// `radiance`.
-/// Walls across z that no direction of the plane reaches take no part.
+/// A refracting wall has Fresnel's reflectance r of the ordinate, equation (13a), in place of `specular`, and
+/// its radiance is multiplied by n^2 (1 - r). Walls across z that no direction of the plane reaches take no
+/// part.
 class WallExchange {
  public:
   /// Throws InputError where a mirror's partner ordinate is not in the set. The arguments must outlive it.
@@ -39,9 +39,9 @@ class WallExchange {
     return glossy_.size() + mirror_rows(ReflectionPass::next_sweep) * row_size();
   }
   std::size_t passing_size() const { return mirror_rows(ReflectionPass::this_sweep) * row_size(); }
-  /// Whether the next sweep brings back some of what arrives at a wall.
+  /// Returns whether the next sweep reflects light that arrives at a wall.
   bool feeds_back() const { return feeds_back_; }
-  /// Of what arrives at a face, the part that the next sweep brings back to this side.
+  /// Part of the irradiance of a face that the next sweep reflects to this side.
   double fed_back(FaceIndex face, std::size_t band) const;
   /// [boundary face] [sr]
   const std::vector<double>& half_range() const { return half_range_; }
@@ -53,8 +53,9 @@ class WallExchange {
     return wall_reflects_[static_cast<std::size_t>(mesh_.wall(face))] != 0;
   }
 
-  /// What every direction brings in, from the last state: the walls' own radiance and what they reflect or
-  /// transmit diffusely, [boundary face][face node][stride]. What is glossy is reflected too, and kept.
+  /// Radiance that enters along every direction, from the last state: that of the walls and the light that
+  /// they reflect or transmit diffusely, [boundary face][face node][stride]. What is glossy is reflected too,
+  /// and kept.
   void form_inflow(const TransportState& last, Emission emission, int threads, std::span<double> inflow);
   /// Writes all inflow slots. They keep their values until they are written again.
   template <class Real>
@@ -76,8 +77,8 @@ class WallExchange {
                              std::span<double> passing) const;
 
   /// Adds radiance that brings the irradiance `after` - `before` to one face, the same in all directions, to
-  /// what leaves along the ordinates there, in one band. Does nothing where the face is neither glossy nor a
-  /// mirror of the next sweep.
+  /// the outgoing radiance of the ordinates there, in one band. Does nothing where the face is neither glossy
+  /// nor a mirror of the next sweep.
   void add_leaving(FaceIndex face, std::size_t band, std::span<const double> before,
                    std::span<const double> after, std::span<double> mirrors) const;
 

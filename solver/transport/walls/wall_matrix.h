@@ -8,8 +8,8 @@
 
 namespace etendue {
 
-/// How far a matrix was from keeping the energy before it was scaled: the smallest and largest ratio of a row
-/// sum to the albedo.
+/// Energy balance of a matrix before it was scaled: the smallest and largest ratio of a row sum to the
+/// albedo.
 struct RowSums {
   double smallest = 1, largest = 1;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// In thick bright media a small residual says nothing: "converged" must mean that the error is below the
-// tolerance on every path.
+// In thick media of high albedo a small residual does not bound the error: "converged" must mean that the
+// error is below the tolerance on every path.
 #include <gtest/gtest.h>
 
 #include <algorithm>

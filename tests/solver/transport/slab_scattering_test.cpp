@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
 // Slabs of optical thickness 1 under a diffuse sky, through moments and matrices, against
-// validation/reference/slab_diffuse.csv (its origin stands there).
+// validation/reference/slab_diffuse.csv (which names its source).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ struct Slab {
   double reflected = -1, transmitted = -1;  ///< parts of the incident flux
 };
 
-/// Of thickness 1, from the lines g, w, tau, R, T …
+/// Slabs of thickness 1, from the lines g, w, tau, R, T …
 Slab known_slab(double asymmetry, double albedo) {
   std::ifstream file(ETENDUE_SOURCE_DIR "/validation/reference/slab_diffuse.csv");
   Slab slab{asymmetry, albedo};
@@ -39,7 +39,7 @@ Slab known_slab(double asymmetry, double albedo) {
   return slab;
 }
 
-Medium matter_of(const std::vector<Slab>& slabs, ScatteringBackend backend) {
+Medium medium_of(const std::vector<Slab>& slabs, ScatteringBackend backend) {
   Medium medium = uniform_medium(static_cast<int>(slabs.size()), 0, 0, 0);
   for (std::size_t band = 0; band < slabs.size(); ++band) {
     medium.scattering[band] = slabs[band].albedo;
@@ -63,7 +63,7 @@ double largest_error(const std::vector<Slab>& slabs, ScatteringBackend backend, 
   Bands bands;
   bands.names.clear();
   for (int band = 0; band < count; ++band) bands.names.push_back(std::to_string(band));
-  const Problem problem(mesh, bands, {matter_of(slabs, backend)}, walls);
+  const Problem problem(mesh, bands, {medium_of(slabs, backend)}, walls);
   SolveOptions options;
   options.tolerance = 1e-5;
   const Solution solution = solve(problem, set, options);

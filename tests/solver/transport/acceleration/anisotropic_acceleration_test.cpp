@@ -38,9 +38,9 @@ Medium forward(double asymmetry, ScatteringChoice choice) {
   return medium;
 }
 
-Medium directional(DirectionalScattering matter) {
+Medium directional(DirectionalScattering law) {
   Medium medium = uniform_medium(1, 0, 0, 1);
-  medium.directional = {std::move(matter)};
+  medium.directional = {std::move(law)};
   return medium;
 }
 
@@ -69,16 +69,16 @@ TEST(AnisotropicAcceleration, ForwardScatteringTakesFewSweeps) {
 
 /// A void inside a medium that scatters by a matrix.
 Problem hollow_box(const TetrahedralMesh& mesh, double scattering, double asymmetry) {
-  Medium matter = forward(asymmetry, dense), gap = uniform_medium(1, 0, 0, 0);
-  matter.scattering = {Coefficient(scattering)};
-  matter.absorption = {Coefficient(0.2 * scattering)};
+  Medium medium = forward(asymmetry, dense), gap = uniform_medium(1, 0, 0, 0);
+  medium.scattering = {Coefficient(scattering)};
+  medium.absorption = {Coefficient(0.2 * scattering)};
   gap.name = "inner";
   std::vector<Wall> walls;
   for (const std::string& name : mesh.wall_names()) {
     walls.push_back(uniform_wall(1, 1, 0, 0));
     walls.back().name = name;
   }
-  return {mesh, Bands{}, {matter, gap}, walls};
+  return {mesh, Bands{}, {medium, gap}, walls};
 }
 
 TEST(AnisotropicAcceleration, VoidsBesideMatricesTakeFewSweeps) {

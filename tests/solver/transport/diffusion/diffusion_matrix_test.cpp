@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(DiffusionMatrix, EveryWall, testing::Values(0.0, 0.3, 0
 
 TEST(DiffusionMatrix, LinearFunctionsFluxesAreConsistent) {
   // With D constant and phi linear, div D grad phi = 0: rows of functions that do not touch a wall vanish,
-  // and jumps add nothing. With mirrors all around the sum over all rows is what leaves, nothing.
+  // and jumps add nothing. With mirrors all around the sum over all rows is the outflow, zero.
   const TetrahedralMesh mesh = cube_mesh(1e-2);
   const BlockMatrix matrix = diffusion_matrix(mesh, uniform(mesh, 0, 0.7, 1));
   NodalVector phi, image(static_cast<std::size_t>(4 * mesh.cell_count()));

@@ -100,7 +100,7 @@ TEST(OrdinateSchedule, OrdinatesFollowInTheirBatchWhatMirrorsTurnIntoThem) {
   }
 }
 
-/// Directions of whose reflection the next sweep must be told.
+/// Number of directions whose reflection is kept for the next sweep.
 std::size_t traces(const TetrahedralMesh& mesh, const std::set<std::string>& mirrors) {
   const Problem problem = cube_with_mirrors(mesh, mirrors);
   const std::vector<double> extinction(static_cast<std::size_t>(mesh.cell_count()), 0.3);

@@ -34,8 +34,8 @@ std::vector<double> across(const DirectionSet& set, const Vec3& normal) {
   return values;
 }
 
-// Of light along each ordinate the albedo is reflected, and the radiance that isotropic light is reflected
-// with is the albedo too.
+// The albedo is reflected of light along each ordinate, and it is the reflected radiance of isotropic light
+// of radiance 1.
 TEST(WallMatrix, KeepsTheEnergyOfEachDirection) {
   const DirectionSet set = directions_ldfe_sq(1);
   for (const auto& model : models())
