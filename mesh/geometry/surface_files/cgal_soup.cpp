@@ -20,7 +20,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Place = std::array<double, 3>;
 
-/// Runs in the child process: CGAL's readers trust what a file says of itself. Writes the points, the number
+/// Runs in the child process: CGAL's readers trust the counts in a file. Writes the points, the number
 /// of corners of each polygon, and the corners of all.
 void read_to_file(const std::filesystem::path& path, std::FILE* file) {
   std::vector<Kernel::Point_3> points;
