@@ -74,6 +74,7 @@ struct MeshCase {
   std::optional<SizeBound> max_volume;
   std::optional<SizeBound> edge_length;
   double quality = 1.4;
+  int max_cells = 0;  ///< 0: by the size of the cells and the details of the geometry
   double scale = 1;
   UpAxis up = UpAxis::z;                ///< of a file or surface
   int split = 0;                        ///< how often every cell is cut into eight

@@ -56,7 +56,7 @@ RawMesh filled(const Case& input, const SurfaceComplex& surface, const Log& log)
   // Before meshing, which may take long.
   check_names(input, names_of(surface));
   const TetrahedraOptions options{volume_bounds(input.mesh, surface.region_names), input.mesh.quality,
-                                  input.mesh.origin};
+                                  input.mesh.origin, input.mesh.max_cells};
   return tetrahedralize(surface, options, log);
 }
 

@@ -79,6 +79,20 @@ std::vector<KeyDeclaration> scene_keys() {
         .range = {.lowest = 1.1},
         .help = "Largest ratio of a cell's circumradius to its shortest edge."}},
       {"mesh",
+       "snap",
+       number,
+       {.default_value = "1e-9",
+        .range = {.lowest = 0, .highest = 1e-3},
+        .help =
+            "Coordinates and radii of bodies, patches and sheets that differ by less than this part of the "
+            "geometry's longest side are made equal; the log tells."}},
+      {"mesh",
+       "max_cells",
+       integer,
+       {.range = {.lowest = 1, .highest = 1e9},
+        .help = "Refuse a geometry that needs more cells; without it a million beyond those that the bounds "
+                "ask for."}},
+      {"mesh",
        "split",
        integer,
        {.default_value = "0",

@@ -92,7 +92,7 @@ std::optional<LabelsCase> read_labels(Section section, const std::filesystem::pa
 
 void reject_unused(Section& mesh) {
   if (mesh.has("file"))
-    for (const char* name : {"max_volume", "edge_length", "quality"})
+    for (const char* name : {"max_volume", "edge_length", "quality", "max_cells"})
       mesh.unused(name, "the cells of a mesh file stay as they are");
   if (!mesh.has("surface")) mesh.unused("regions", "only a surface takes it");
   if (!reads_a_file(mesh)) {
@@ -102,6 +102,7 @@ void reject_unused(Section& mesh) {
   if (!has_primitives(mesh)) {
     mesh.unused("patch", "patches lie on boxes");
     mesh.unused("sheet", "sheets stand among boxes, spheres and cylinders");
+    mesh.unused("snap", "it moves boxes, spheres and cylinders");
   }
 }
 
@@ -116,6 +117,7 @@ MeshCase read_mesh_section(Section section, const std::filesystem::path& case_fo
   mesh.file = read_file(section, "file", case_folder);
   mesh.surface = read_file(section, "surface", case_folder);
   mesh.geometry = read_geometry(section);
+  if (has_primitives(section)) mesh.geometry.snap = section.number("snap");
   read_regions(section, mesh);
   if (section.has("labels")) mesh.labels = read_labels(section.section("labels"), case_folder);
   if (reads_a_file(section)) {
@@ -125,6 +127,7 @@ MeshCase read_mesh_section(Section section, const std::filesystem::path& case_fo
   if (section.has("file")) return mesh;
   read_sizes(section, mesh);
   mesh.quality = section.number("quality");
+  if (section.has("max_cells")) mesh.max_cells = section.integer("max_cells");
   return mesh;
 }
 

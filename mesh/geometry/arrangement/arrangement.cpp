@@ -7,6 +7,7 @@
 
 #include "mesh/geometry/arrangement/body_arrangement.h"
 #include "mesh/geometry/arrangement/box_arrangement.h"
+#include "mesh/geometry/arrangement/snapping.h"
 #include "mesh/geometry/primitives/primitive_checks.h"
 
 namespace etendue {
@@ -33,8 +34,9 @@ void drop_empty_regions(SurfaceComplex& surface, const Log& log) {
 
 }  // namespace
 
-SurfaceComplex arrange(const Geometry& geometry, const Log& log) {
-  check_primitives(geometry);
+SurfaceComplex arrange(const Geometry& scene, const Log& log) {
+  check_primitives(scene);
+  const Geometry geometry = snapped(scene, log);
   const bool only_boxes =
       std::all_of(geometry.primitives.begin(), geometry.primitives.end(),
                   [](const Primitive& primitive) { return std::holds_alternative<BoxPrimitive>(primitive); });

@@ -20,7 +20,8 @@ namespace {
 /// TetGen takes points for one that are closer than this part of the scene's size.
 constexpr double kSmallestGap = 1e-8;
 
-/// Corners nearer than this part of the scene's size are one: only rounding of the bodies keeps them apart.
+/// Corners nearer than this part of the scene's size are one whatever is asked for: only rounding of the
+/// bodies keeps them apart.
 constexpr double kRoundingGap = 1e-12;
 
 std::size_t n(int i) { return static_cast<std::size_t>(i); }
@@ -55,7 +56,7 @@ class Corners {
     merge_near(planes);
   }
 
-  /// The corner that stands for this one and for all that only rounding keeps apart from it.
+  /// The corner that replaces this one and all within the snap distance of it.
   int merged(int corner) const { return merged_[n(corner)]; }
 
   const std::vector<Vec3>& points() const { return rounded_; }
@@ -82,7 +83,7 @@ class Corners {
   void merge_near(const SnapPlanes& planes) {
     Eigen::AlignedBox3d extent;
     for (const Vec3& point : rounded_) extent.extend(point);
-    const double gap = kRoundingGap * extent.diagonal().norm();
+    const double gap = std::max(planes.distance, kRoundingGap * extent.diagonal().norm());
     merged_.resize(rounded_.size());
     for (int i = 0; i < static_cast<int>(rounded_.size()); ++i) {
       merged_[n(i)] = i;
@@ -99,7 +100,7 @@ class Corners {
   /// A corner on the side of a box stays there.
   static void keep_on_planes(Vec3& corner, const Vec3& other, const SnapPlanes& planes) {
     for (int axis = 0; axis < 3; ++axis) {
-      const std::vector<double>& sides = planes[n(axis)];
+      const std::vector<double>& sides = planes.sides[n(axis)];
       if (std::find(sides.begin(), sides.end(), other[axis]) != sides.end()) corner[axis] = other[axis];
     }
   }

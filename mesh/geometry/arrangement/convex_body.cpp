@@ -2,9 +2,12 @@
 #include "mesh/geometry/arrangement/convex_body.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+
+#include "mesh/geometry/arrangement/snapping.h"
 
 namespace etendue {
 namespace {
@@ -71,8 +74,9 @@ std::vector<std::array<int, 3>> icosahedron_faces(const std::vector<Vec3>& corne
 
 Vec3 snapped(Vec3 point, double radius, const SnapPlanes& snap) {
   for (int axis = 0; axis < 3; ++axis)
-    for (const double plane : snap[n(axis)])
-      if (std::abs(point[axis] - plane) <= kSnap * (std::abs(plane) + radius)) point[axis] = plane;
+    for (const double side : snap.sides[n(axis)])
+      if (std::abs(point[axis] - side) <= std::max(snap.distance, kSnap * (std::abs(side) + radius)))
+        point[axis] = side;
   return point;
 }
 
@@ -122,20 +126,31 @@ std::array<Vec3, 2> frame_across(const Vec3& axis) {
 /// Ends along the axes are meshed as they are.
 bool is_oblique(const Vec3& axis) { return (axis.array() != 0).count() > 1; }
 
+/// The point with the coordinates that it needs to lie on planes; the others stay exact.
+ExactPoint snapped_exactly(const ExactPoint& point, const SnapPlanes& snap) {
+  std::array<ExactNumber, 3> x{point.x(), point.y(), point.z()};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const double side : snap.sides[axis])
+      if (CGAL::abs(x[axis] - side) <= snap.distance) x[axis] = side;
+  return {x[0], x[1], x[2]};
+}
+
 /// The ends are exactly flat and the sides exactly parallelograms: the rounded points of a circle are
 /// projected onto the plane of one end, and the other end is the same ring moved along the axis.
-ConvexBody polyhedron(const CylinderPrimitive& cylinder, const SnapPlanes&) {
+ConvexBody polyhedron(const CylinderPrimitive& cylinder, const SnapPlanes& snap) {
   const std::array<Vec3, 2> across = frame_across(cylinder.to - cylinder.from);
   const ExactPoint from = exact(cylinder.from);
   const Exact::Vector_3 axis = exact(cylinder.to) - from;
   const int sides = cylinder.facets;
+  const bool oblique = is_oblique(cylinder.to - cylinder.from);
   ConvexBody body;
   std::vector<int> first, last;
   for (int i = 0; i < sides; ++i) {
     const double angle = 2 * std::numbers::pi * i / sides;
     const Vec3 circle = cylinder.radius * (std::cos(angle) * across[0] + std::sin(angle) * across[1]);
     const Exact::Vector_3 offset = exact(circle) - CGAL::ORIGIN;
-    body.points.push_back(from + offset - (offset * axis) / (axis * axis) * axis);
+    const ExactPoint point = from + offset - (offset * axis) / (axis * axis) * axis;
+    body.points.push_back(oblique ? point : snapped_exactly(point, snap));
     first.insert(first.begin(), i);
     last.push_back(sides + i);
   }
@@ -146,19 +161,19 @@ ConvexBody polyhedron(const CylinderPrimitive& cylinder, const SnapPlanes&) {
   }
   body.faces.push_back(first);
   body.faces.push_back(last);
-  if (is_oblique(cylinder.to - cylinder.from)) body.middles = {from, from + axis};
+  if (oblique) body.middles = {from, from + axis};
   return body;
 }
 
 }  // namespace
 
 SnapPlanes snap_planes(const Geometry& geometry) {
-  SnapPlanes planes;
+  SnapPlanes planes{{}, snap_distance(geometry)};
   for (const Primitive& primitive : geometry.primitives) {
     const auto* box = std::get_if<BoxPrimitive>(&primitive);
     if (!box) continue;
     for (int axis = 0; axis < 3; ++axis)
-      planes[n(axis)].insert(planes[n(axis)].end(), {box->min[axis], box->max[axis]});
+      planes.sides[n(axis)].insert(planes.sides[n(axis)].end(), {box->min[axis], box->max[axis]});
   }
   return planes;
 }

@@ -18,12 +18,16 @@ struct ConvexBody {
   Vec3 low, high;                       ///< a box around it
 };
 
-/// Planes that vertices of spheres snap to when rounding alone keeps them apart: coordinates by axis.
-using SnapPlanes = std::array<std::vector<double>, 3>;
+/// Sides of boxes, which vertices of round bodies snap to.
+struct SnapPlanes {
+  std::array<std::vector<double>, 3> sides;  ///< [axis]
+  double distance = 0;                       ///< [length] within which they snap
+};
 SnapPlanes snap_planes(const Geometry& geometry);
 
 /// A primitive as a polyhedron. A sphere becomes the icosahedron with each edge split into equal parts and
-/// its vertices moved onto the sphere; a cylinder a regular prism with its edges on the cylinder.
+/// its vertices moved onto the sphere; a cylinder a regular prism with its edges on the cylinder. Vertices of
+/// spheres, and of cylinders along an axis, snap to planes.
 ConvexBody convex_body(const Primitive& primitive, const SnapPlanes& snap);
 
 /// Parts per edge of the icosahedron for which the number of triangles, 20 n^2, is nearest to `facets`.

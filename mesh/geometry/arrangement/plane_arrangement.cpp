@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "mesh/geometry/arrangement/plane_sections.h"
+
 namespace etendue {
 namespace {
 
@@ -33,7 +35,8 @@ class PlaneArrangement {
       : plane_(plane), scene_(scene), walls_(walls), used_patches_(used) {
     for (int body = 0; body < static_cast<int>(scene.bodies.size()); ++body)
       contacts_.push_back(contact(body));
-    for (const SheetTriangle& sheet : scene.sheets) sheet_contacts_.push_back(contact(sheet.corners));
+    for (const SheetTriangle& sheet : scene.sheets)
+      sheet_contacts_.push_back(contact_of(plane.plane, sheet.corners));
     const std::array<ExactNumber, 3> normal{plane.plane.a(), plane.plane.b(), plane.plane.c()};
     const std::size_t a = n(plane.axis);
     if (normal[(a + 1) % 3] != 0 || normal[(a + 2) % 3] != 0) return;
@@ -74,22 +77,8 @@ class PlaneArrangement {
     return own == plane_.faces.end() ? nullptr : &*own;
   }
 
-  enum class Contact { kNone, kTouch, kFace, kCut };
-
-  /// What a body has to do with the plane. A touch is a single edge in it; single points are added at the
-  /// end.
   Contact contact(int body) const {
-    if (face_of(body)) return Contact::kFace;
-    return contact(scene_.bodies[n(body)].points);
-  }
-
-  template <class Points>
-  Contact contact(const Points& points) const {
-    std::array<int, 3> count{};
-    for (const ExactPoint& point : points) ++count[n(1 + plane_.plane.oriented_side(point))];
-    if (count[0] > 0 && count[2] > 0) return Contact::kCut;
-    if (count[0] == 0 && count[2] == 0) return Contact::kFace;
-    return count[1] > 1 ? Contact::kTouch : Contact::kNone;
+    return face_of(body) ? Contact::kFace : contact_of(plane_.plane, scene_.bodies[n(body)].points);
   }
 
   /// Whether a body fills the side of the plane at a point of it.
@@ -253,28 +242,10 @@ class PlaneArrangement {
       if (sheet_contacts_[i] == Contact::kFace)
         for (std::size_t k = 0; k < 3; ++k) add(corners[k], corners[(k + 1) % 3]);
       if (sheet_contacts_[i] == Contact::kCut || sheet_contacts_[i] == Contact::kTouch) {
-        const std::vector<ExactPoint> ends = section(corners);
+        const std::vector<ExactPoint> ends = section_of(plane_.plane, corners);
         if (ends.size() == 2) add(ends[0], ends[1]);
       }
     }
-  }
-
-  /// Where the plane meets the rim of a convex polygon.
-  template <class Ring>
-  std::vector<ExactPoint> section(const Ring& ring) const {
-    std::vector<ExactPoint> ends;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const ExactPoint &p = ring[i], &q = ring[(i + 1) % ring.size()];
-      const CGAL::Oriented_side p_side = plane_.plane.oriented_side(p),
-                                q_side = plane_.plane.oriented_side(q);
-      if (p_side == CGAL::ON_ORIENTED_BOUNDARY) {
-        ends.push_back(p);
-      } else if (p_side != q_side && q_side != CGAL::ON_ORIENTED_BOUNDARY) {
-        const auto crossing = CGAL::intersection(plane_.plane, Exact::Segment_3(p, q));
-        ends.push_back(boost::get<ExactPoint>(*crossing));
-      }
-    }
-    return ends;
   }
 
   /// Where the plane cuts each face of a body there is a segment between two points.
@@ -283,7 +254,7 @@ class PlaneArrangement {
     for (const std::vector<int>& face : body.faces) {
       std::vector<ExactPoint> ring;
       for (const int point : face) ring.push_back(body.points[n(point)]);
-      const std::vector<ExactPoint> ends = section(ring);
+      const std::vector<ExactPoint> ends = section_of(plane_.plane, ring);
       if (ends.size() == 2) add(ends[0], ends[1]);
     }
   }

@@ -67,6 +67,7 @@ struct Geometry {
   std::vector<Primitive> primitives;
   std::vector<Patch> patches;
   std::vector<Sheet> sheets = {};
+  double snap = 1e-9;  ///< part of the longest side within which coordinates are made equal
 };
 
 }  // namespace etendue

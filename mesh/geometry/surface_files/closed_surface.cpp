@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -12,14 +11,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
-#include "base/errors.h"
+#include "base/array_bytes.h"
 #include "mesh/geometry/primitives/primitive_checks.h"
+#include "mesh/geometry/surface_files/bounded_child.h"
 #include "mesh/geometry/surface_files/polygon_soup.h"
+#include "mesh/geometry/surface_files/simple_polygons.h"
 
 namespace etendue {
 namespace {
@@ -30,6 +29,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Face = Mesh::Face_index;
 using Halfedge = Mesh::Halfedge_index;
 using Walls = Mesh::Property_map<Face, int>;
+using Place = std::array<double, 3>;
 
 std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
@@ -141,66 +141,11 @@ void refuse_self_intersections(const Mesh& mesh) {
   refuse(text + "; part or unite what overlaps");
 }
 
-}  // namespace
-
-namespace {
-
-/// CGAL says on standard error what is wrong with a file, beside the answer that it cannot be read.
-class QuietStandardError {
- public:
-  QuietStandardError() : before_(std::cerr.rdbuf(unseen_.rdbuf())) {}
-  ~QuietStandardError() { std::cerr.rdbuf(before_); }
-  QuietStandardError(const QuietStandardError&) = delete;
-  QuietStandardError& operator=(const QuietStandardError&) = delete;
-
- private:
-  std::ostringstream unseen_;
-  std::streambuf* before_;
-};
-
-bool read_quietly(const std::filesystem::path& path, std::vector<Kernel::Point_3>& points,
-                  std::vector<std::vector<std::size_t>>& polygons) {
-  const QuietStandardError quiet;
-  return CGAL::IO::read_polygon_soup(path.string(), points, polygons);
-}
-
-}  // namespace
-
-PolygonSoup read_by_cgal(const std::filesystem::path& path) {
-  std::vector<Kernel::Point_3> points;
-  std::vector<std::vector<std::size_t>> polygons;
-  const bool read = read_quietly(path, points, polygons);
-  const auto is_known = [&](std::size_t corner) { return corner < points.size(); };
-  const bool whole =
-      std::all_of(polygons.begin(), polygons.end(), [&](const std::vector<std::size_t>& polygon) {
-        return std::all_of(polygon.begin(), polygon.end(), is_known);
-      });
-  if (!read || !whole)
-    throw InputError(
-        Fault{path.string(), 0,
-              fmt::format("is not a whole {} file (CGAL cannot read it)", path.extension().string())});
-  PolygonSoup soup;
-  for (const Kernel::Point_3& p : points) {
-    soup.points.emplace_back(p.x(), p.y(), p.z());
-    if (!soup.points.back().allFinite())
-      throw InputError(
-          Fault{path.string(), 0, fmt::format("point {} is not finite", soup.points.size() - 1)});
-  }
-  for (const std::vector<std::size_t>& polygon : polygons) {
-    soup.polygons.emplace_back();
-    for (const std::size_t corner : polygon) soup.polygons.back().push_back(static_cast<int>(corner));
-  }
-  soup.walls.assign(soup.polygons.size(), 0);
-  soup.wall_names = {"boundary"};
-  return soup;
-}
-
-namespace {
-
 enum class Border { refused, allowed };
 
-ClosedSurface triangulated(const PolygonSoup& soup, Border border) {
-  const PolygonSoup clean = joined(soup);
+/// Runs in the child process: CGAL need not end on polygons that it was not made for.
+void triangulate_to_file(const PolygonSoup& soup, Border border, std::FILE* file) {
+  const PolygonSoup clean = with_simple_polygons(joined(soup));
   if (clean.polygons.empty()) refuse("has no polygons");
   refuse_crowded_edges(clean);
   Mesh mesh = oriented_mesh(clean);
@@ -211,19 +156,35 @@ ClosedSurface triangulated(const PolygonSoup& soup, Border border) {
   refuse_flat_triangles(mesh);
   refuse_self_intersections(mesh);
 
-  ClosedSurface surface;
+  std::vector<Place> points;
   for (const Mesh::Vertex_index v : mesh.vertices()) {
     const Kernel::Point_3& p = mesh.point(v);
-    surface.points.emplace_back(p.x(), p.y(), p.z());
+    points.push_back({p.x(), p.y(), p.z()});
   }
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> wall_of;
   for (const Face face : mesh.faces()) {
     std::array<int, 3> corners{};
     std::size_t i = 0;
     for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(face)))
       corners[i++] = static_cast<int>(v);
-    surface.triangles.push_back(corners);
-    surface.walls.push_back(walls[face]);
+    triangles.push_back(corners);
+    wall_of.push_back(walls[face]);
   }
+  write_array(file, points);
+  write_array(file, triangles);
+  write_array(file, wall_of);
+}
+
+ClosedSurface triangulated(const PolygonSoup& soup, Border border) {
+  const std::string result =
+      bytes_of_child("CGAL", limits_for_polygons(soup.polygons.size()),
+                     [&](std::FILE* file) { triangulate_to_file(soup, border, file); });
+  std::string_view bytes = result;
+  ClosedSurface surface;
+  for (const Place& p : take_array<Place>(bytes)) surface.points.emplace_back(p[0], p[1], p[2]);
+  surface.triangles = take_array<std::array<int, 3>>(bytes);
+  surface.walls = take_array<int>(bytes);
   return surface;
 }
 

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "base/child_process.h"
+#include "mesh/tetrahedra/generation/cell_count.h"
 #include "mesh/tetrahedra/generation/tetgen_call.h"
 #include "mesh/tetrahedra/mesh_faults.h"
 
@@ -28,10 +29,11 @@ Origin with_key(Origin origin, const std::string& key) {
   return origin;
 }
 
-/// p: a piecewise linear complex; z: from zero; A, a: attributes and bounds of regions; q: quality. Where
+/// p: a piecewise linear complex; z: from zero; A, a: attributes and bounds of regions; q: quality; S: the
+/// largest number of points that TetGen adds. Where
 /// all regions are bounded, the largest bound is also given for the whole: TetGen then cuts the edges of
 /// the surface first, and its closing optimisation exceeds the bounds by a few percent instead of by half.
-std::string switches(const SurfaceComplex& surface, const TetrahedraOptions& options) {
+std::string switches(const SurfaceComplex& surface, const TetrahedraOptions& options, int most_added) {
   const auto& bounds = options.max_volume;
   const auto is_bound = [](double volume) { return volume > 0; };
   std::string text = "pzA";
@@ -39,7 +41,7 @@ std::string switches(const SurfaceComplex& surface, const TetrahedraOptions& opt
   if (!bounds.empty() && bounds.size() == surface.region_names.size() &&
       std::all_of(bounds.begin(), bounds.end(), is_bound))
     text += "a" + to_text(*std::max_element(bounds.begin(), bounds.end()));
-  return text + "q" + to_text(options.quality);
+  return text + "q" + to_text(options.quality) + "S" + std::to_string(most_added);
 }
 
 void check_options(const SurfaceComplex& surface, const TetrahedraOptions& options) {
@@ -185,9 +187,14 @@ RawMesh raw_mesh_of(const TetGenMesh& from, const SurfaceComplex& surface) {
 
 RawMesh tetrahedralize(const SurfaceComplex& surface, const TetrahedraOptions& options, const Log& log) {
   check_options(surface, options);
-  const TetGenOutcome outcome = call_tetgen(surface, options.max_volume, switches(surface, options), log);
+  const double asked = asked_cells(surface, options);
+  check_cell_count(asked, options);
+  const int most_added = most_added_points(surface, options, asked);
+  const TetGenOutcome outcome =
+      call_tetgen(surface, options.max_volume, switches(surface, options, most_added), log);
   if (outcome.end != TetGenEnd::done)
     throw InputError(fault_at(options.origin, "", problem_of(outcome, surface, log)));
+  check_details(outcome.mesh, surface, options, most_added);
   RawMesh mesh = raw_mesh_of(outcome.mesh, surface);
   if (mesh.cells.empty())
     throw InputError(fault_at(options.origin, "",

@@ -16,10 +16,15 @@ struct TetrahedraOptions {
   std::vector<double> max_volume;
   double quality = 1.4;  ///< largest ratio of circumradius to shortest edge
   Origin origin;         ///< of the mesh in the case, for messages
+  /// About the largest number of cells; 0: a million more than the bounds ask for, and more for a surface
+  /// of very many points.
+  int max_cells = 0;
 };
 
 /// Fills a surface with tetrahedra by TetGen (Si 2015). Throws InputError where TetGen cannot mesh the
-/// surface, saying what to do. What TetGen prints goes to the log.
+/// surface, saying what to do; where the bounds ask for more cells than the memory of the machine holds; and,
+/// with the place, where details of the surface ask for more cells than the options allow. What TetGen prints
+/// goes to the log.
 RawMesh tetrahedralize(const SurfaceComplex& surface, const TetrahedraOptions& options, const Log& log = {});
 
 }  // namespace etendue

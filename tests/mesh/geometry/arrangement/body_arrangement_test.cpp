@@ -168,8 +168,8 @@ TEST(BodyArrangement, RefusesRoundBodiesWithoutVolume) {
 
 TEST(BodyArrangement, RefusesBodiesThatNearlyTouch) {
   EXPECT_THAT(
-      fault_of({{box("air", {0, 0, 0}, {2, 2, 2}), cylinder("a", {1, 1, -1e-10}, {1, 1, 1}, 0.5, 8)}, {}}),
-      testing::MatchesRegex("case.toml:7: mesh.cylinder: primitives cross within 1e-10 of each other near .* "
+      fault_of({{box("air", {0, 0, 0}, {2, 2, 2}), cylinder("a", {1, 1, -1e-8}, {1, 1, 1}, 0.5, 8)}, {}}),
+      testing::MatchesRegex("case.toml:7: mesh.cylinder: primitives cross within 1e-08 of each other near .* "
                             "\\(too close to be "
                             "meshed\\); let them overlap, part them or make their coordinates equal"));
 }

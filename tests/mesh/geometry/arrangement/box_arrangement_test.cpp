@@ -269,8 +269,18 @@ TEST(BoxArrangement, RefusesAPatchThatCoversNoBoundary) {
 }
 
 TEST(BoxArrangement, RefusesPlanesThatNearlyCoincide) {
+  const Geometry geometry{{box("a", {0, 0, 0}, {0.5, 1, 1}), box("b", {0.5 + 4e-9, 0, 0}, {1, 1, 1})}, {}};
+  EXPECT_EQ(fault_of(geometry),
+            "case.toml:7: mesh.box: x = 0.5 and x = 0.500000004 are nearly but not quite the same plane (the "
+            "gap cannot be meshed); make them equal");
+  Geometry snapping = geometry;
+  snapping.snap = 1e-8;
+  EXPECT_EQ(fault_of(snapping), "no fault");
+  Geometry rounding{{box("a", {0, 0, 0}, {0.3, 1, 1}), box("b", {0.1 + 0.2, 0, 0}, {1, 1, 1})}, {}};
+  EXPECT_EQ(fault_of(rounding), "no fault");
+  rounding.snap = 0;
   EXPECT_EQ(
-      fault_of({{box("a", {0, 0, 0}, {0.3, 1, 1}), box("b", {0.1 + 0.2, 0, 0}, {1, 1, 1})}, {}}),
+      fault_of(rounding),
       "case.toml:7: mesh.box: x = 0.3 and x = 0.30000000000000004 are nearly but not quite the same plane "
       "(the gap cannot be meshed); make them equal");
 }

@@ -257,6 +257,44 @@ TEST_F(SurfaceFile, RefusesBrokenOffAndPly) {
   EXPECT_THAT(fault_of(write("text.ply", "not a ply\n")), HasSubstr("is not a whole .ply file"));
 }
 
+TEST_F(SurfaceFile, RefusesFilesThatCgalBreaksDownOn) {
+  // The reader takes the property before it has an element to give it to.
+  EXPECT_THAT(fault_of(write("header.ply", "ply\nt ascii 6\nproperty float x")),
+              HasSubstr("header.ply: CGAL breaks down on it; is the file damaged?"));
+  const std::string vertices = "property float x\nproperty float y\nproperty float z\n";
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  EXPECT_THAT(fault_of(write("many.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n" +
+                                             vertices + faces)),
+              HasSubstr("many.ply: "));
+}
+
+/// A square tube: its two ends are polygons with a hole, as CAD programs write them: one outline that goes in
+/// along a bridge, around the hole and back.
+const std::string kTube =
+    "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 1 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\n"
+    "v 0 0 1\nv 3 0 1\nv 3 3 1\nv 0 3 1\nv 1 1 1\nv 2 1 1\nv 2 2 1\nv 1 2 1\n"
+    "g ends\nf 1 4 3 2 1 5 6 7 8 5\nf 9 10 11 12 9 13 16 15 14 13\n"
+    "g outside\nf 1 2 10 9\nf 2 3 11 10\nf 3 4 12 11\nf 4 1 9 12\n"
+    "g inside\nf 5 13 14 6\nf 6 14 15 7\nf 7 15 16 8\nf 8 16 13 5\n";
+
+TEST_F(SurfaceFile, PolygonsWithHolesAreCutIntoTriangles) {
+  const SurfaceComplex surface = read_surface(write("tube.obj", kTube), options());
+  const Areas areas = wall_areas(surface);
+  ASSERT_EQ(areas.size(), 3u);
+  EXPECT_NEAR(areas.at("ends"), 16, 1e-12);
+  EXPECT_NEAR(areas.at("outside"), 12, 1e-12);
+  EXPECT_NEAR(areas.at("inside"), 4, 1e-12);
+  EXPECT_EQ(surface.points.size(), 16u);
+  ASSERT_EQ(surface.seeds.size(), 1u);
+}
+
+TEST_F(SurfaceFile, RefusesPolygonsThatComeBackAndCrossThemselves) {
+  EXPECT_THAT(
+      fault_of(write("loop.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\nv 0 5 0\nf 1 4 2 3 4 5\n")),
+      HasSubstr("the polygon of 6 corners that begins [0, 0, 0] [2, 2, 0] crosses itself; cut it into "
+                "simple polygons"));
+}
+
 TEST_F(SurfaceFile, RefusesUnknownEndingsAndMissingFiles) {
   EXPECT_THAT(
       fault_of("room.step"),

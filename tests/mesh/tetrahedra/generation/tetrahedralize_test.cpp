@@ -108,6 +108,44 @@ TEST(Tetrahedralize, GivesTheSameMeshAgain) {
   EXPECT_EQ(first.points, second.points);
 }
 
+TEST(Tetrahedralize, RefusesMoreCellsThanTheMemoryHolds) {
+  TetrahedraOptions options;
+  options.origin = {"room.toml", 7, "mesh"};
+  options.max_volume = {1e-16};
+  const std::string message = message_of(cube_surface(), options);
+  EXPECT_EQ(
+      message.find("room.toml:7: mesh: max_volume or edge_length asks for about 2.5e+16 cells, for which "
+                   "TetGen needs about 9.31e+09 GiB of memory, and this machine has "),
+      0u)
+      << message;
+}
+
+TEST(Tetrahedralize, EstimatesCellsByTheVolumesOfRegions) {
+  TetrahedraOptions options;
+  options.max_volume = {0, 1e-6};  // the inner cube alone: an eighth of the whole
+  options.max_cells = 300'000;
+  const std::string message = message_of(two_region_surface(), options);
+  EXPECT_NE(message.find("asks for about 3.1e+05 cells, and max_cells allows 300000"), std::string::npos)
+      << message;
+}
+
+TEST(Tetrahedralize, RefusesDetailsThatNeedMoreCellsThanAllowedWithTheirPlace) {
+  SurfaceComplex surface = two_region_surface();
+  const double thick = 1e-6;  // a needle in place of the inner cube
+  for (std::size_t p = 8; p < 16; ++p)
+    for (const int axis : {0, 1}) surface.points[p][axis] = surface.points[p][axis] < 0.5 ? 0.5 : 0.5 + thick;
+  for (RegionSeed& seed : surface.seeds)
+    if (seed.region == 1) seed.point = Vec3(0.5 + thick / 2, 0.5 + thick / 2, 0.5);
+  TetrahedraOptions options;
+  options.origin = {"room.toml", 7, "mesh"};
+  options.max_cells = 20'000;
+  const std::string message = message_of(surface, options);
+  EXPECT_EQ(message.find("room.toml:7: mesh: the geometry has details so fine that it needs more than about "
+                         "2e+04 cells (edges near (0.5"),
+            0u)
+      << message;
+}
+
 TEST(Tetrahedralize, SendsChatterToTheLogAndNotToStandardOutput) {
   std::vector<std::string> lines;
   testing::internal::CaptureStdout();
