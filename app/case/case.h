@@ -76,7 +76,7 @@ struct MeshCase {
   double quality = 1.4;
   double scale = 1;
   UpAxis up = UpAxis::z;                ///< of a file or surface
-  int split = 0;                        ///< how often every cell is cut into eight
+  int refine = 0;                       ///< how often every cell is cut into eight
   std::map<std::string, Vec3> regions;  ///< of a surface: a point inside each
   Origin origin;
 };
@@ -250,6 +250,7 @@ struct Case {
   std::vector<CameraCase> cameras;
   std::vector<SensorCase> sensors;
   OutputCase output;
+  std::vector<std::string> deprecations;  ///< a line for each key that has its former name in the file
   std::string resolved_toml;  ///< with overrides applied and defaults filled in; reads back the same
 };
 

@@ -76,6 +76,7 @@ std::string summary_of(const Case& input) {
 ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   const Case input = read_case(request.file, request.overrides);
+  for (const std::string& line : input.deprecations) err << line << '\n';
   if (request.phase) {
     out << phase_values(input);
     return ExitCode::done;

@@ -70,8 +70,9 @@ std::string accepted_column(const KeyDeclaration& key) {
 }
 
 std::string row(const KeyDeclaration& key) {
+  const std::string former = key.former_name.empty() ? "" : " " + former_name_text(key);
   return fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, type_column(key.type), key.unit,
-                     default_column(key), accepted_column(key), key.help);
+                     default_column(key), accepted_column(key), std::string(key.help) + former);
 }
 
 std::string section(const TableDeclaration& table) {

@@ -56,25 +56,28 @@ std::vector<KeyDeclaration> picture_keys() {
         .choices = {"1", "4", "9", "16", "25", "36", "49", "64"},
         .help = "Rays in a pixel, on a square grid."}},
       {"camera",
-       "shafts",
+       "shaft_points",
        integer,
        {.default_value = "0",
         .range = {.lowest = 0, .highest = 64},
+        .former_name = "shafts",
         .help = "Points in each cell on a ray that are lit by rays to the lights: crisp shafts, at the cost "
                 "of as many rays. 0: light that scatters once is taken linear in a cell."}},
       {"camera",
-       "gather",
+       "gather_rays",
        integer,
        {.default_value = "0",
         .choices = {"0", "64", "144", "256", "576", "1024"},
+        .former_name = "gather",
         .help =
             "Rays that look from each vertex of a wall for the light that directions brought there: free of "
             "their rays, at the cost of as many rays. 0: as the solution has it."}},
       {"camera",
-       "glossy",
+       "glossy_rays",
        integer,
        {.default_value = "16",
         .range = {.lowest = 0, .highest = 1024},
+        .former_name = "glossy",
         .help =
             "Rays from a point of a glossy wall, drawn from its reflectance. 0: it is seen as a diffuse one "
             "that reflects as much on the mean. Without effect on a photon map."}},

@@ -79,10 +79,11 @@ std::vector<KeyDeclaration> scene_keys() {
         .range = {.lowest = 1.1},
         .help = "Largest ratio of a cell's circumradius to its shortest edge."}},
       {"mesh",
-       "split",
+       "refine",
        integer,
        {.default_value = "0",
         .range = {.lowest = 0, .highest = 6},
+        .former_name = "split",
         .help = "How often every cell is cut into eight, whatever it comes from; curved walls keep their "
                 "facets."}},
       {"mesh",

@@ -127,4 +127,9 @@ std::string accepted_text(const KeyDeclaration& key) {
   return type + (compound ? ", each " : " ") + range;
 }
 
+std::string former_name_text(const KeyDeclaration& key) {
+  if (key.former_name.empty()) return "";
+  return fmt::format("Formerly `{}`, which is accepted until {}.", key.former_name, former_names_until);
+}
+
 }  // namespace etendue

@@ -44,6 +44,9 @@ struct Range {
   std::string text() const;
 };
 
+/// The version that no longer knows former names of keys.
+inline constexpr std::string_view former_names_until = "0.2";
+
 enum class Need { optional, required };
 
 /// Whether this version can honour what is documented.
@@ -57,6 +60,7 @@ struct KeyDetails {
   Range range = {};
   std::vector<std::string> choices = {};  ///< of text or integers; empty: any
   std::vector<std::string> later = {};    ///< documented choices that this version does not have
+  std::string_view former_name = "";      ///< deprecated, but accepted; empty: none
   Need need = Need::optional;
   Support support = Support::here;
   std::string_view help = "";
@@ -100,6 +104,9 @@ std::string table_header(std::string_view path);
 
 /// "a number above 0", "\"auto\" or \"none\"", …
 std::string accepted_text(const KeyDeclaration& key);
+
+/// "Formerly `gather`, which is accepted until 0.2."; empty without a former name.
+std::string former_name_text(const KeyDeclaration& key);
 
 /// The reference page of all keys, in Markdown.
 std::string key_reference();

@@ -87,9 +87,9 @@ CameraCase read_camera(Section& section) {
   read_lens(section, result.camera);
   read_pixels(section, result.camera);
   result.camera.samples = section.integer("samples");
-  result.camera.shafts = section.integer("shafts");
-  result.camera.gather = section.integer("gather");
-  result.camera.glossy = section.integer("glossy");
+  result.camera.shafts = section.integer("shaft_points");
+  result.camera.gather = section.integer("gather_rays");
+  result.camera.glossy = section.integer("glossy_rays");
   result.camera.shadow_rays = section.integer("shadow_rays");
   result.camera.errors = section.boolean("errors");
   if (section.has("false_color")) result.false_color = read_false_color(section.section("false_color"));

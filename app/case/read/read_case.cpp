@@ -3,6 +3,7 @@
 #include "app/case/build/daylight.h"
 #include "app/case/build/mesh_names.h"
 #include "app/case/case.h"
+#include "app/case/keys/former_keys.h"
 #include "app/case/keys/key_check.h"
 #include "app/case/keys/override.h"
 #include "app/case/keys/section.h"
@@ -86,7 +87,11 @@ void check_mesh_files(const MeshCase& mesh, Faults& faults) {
 
 Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides& overrides) {
   Faults faults;
+  std::vector<std::string> deprecations;
+  // Names of the file first: an override by either name replaces its value.
+  rename_former_keys(root, deprecations, faults);
   for (const std::string& assignment : overrides) apply_override(root, assignment, faults);
+  rename_former_keys(root, deprecations, faults);
   check_keys(root, faults);
   Section top(root, "", faults);
   Case result = read_tables(top, file);
@@ -103,6 +108,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
   report_unused(root, faults);
   check_mesh_files(result.mesh, faults);
   if (!faults.empty()) throw InputError(std::move(faults));
+  result.deprecations = std::move(deprecations);
   result.resolved_toml = render_toml(root);
   return result;
 }

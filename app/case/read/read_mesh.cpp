@@ -112,7 +112,7 @@ MeshCase read_mesh_section(Section section, const std::filesystem::path& case_fo
   mesh.origin = section.origin();
   check_one_geometry(section);
   reject_unused(section);
-  mesh.split = section.integer("split");
+  mesh.refine = section.integer("refine");
   mesh.file = read_file(section, "file", case_folder);
   mesh.surface = read_file(section, "surface", case_folder);
   mesh.geometry = read_geometry(section);
