@@ -59,7 +59,6 @@ std::string description(const KeyDeclaration& key) {
     facts += fmt::format("; default: {}", key.default_note);
   else if (!key.default_value.empty())
     facts += fmt::format("; default: {}", key.default_value);
-  if (key.support == Support::later) facts += "; not in this version";
   return fmt::format("  {}\n", key.name) + wrapped(facts, 6) + wrapped(key.help, 6) +
          wrapped(former_name_text(key), 6);
 }

@@ -138,14 +138,14 @@ Json table_schema(const TableDeclaration& table);
 Json contents_of(std::string_view path) {
   Json schema = closed_table(Json::object());
   for (const KeyDeclaration& key : key_declarations()) {
-    if (key.table != path || key.support == Support::later) continue;
+    if (key.table != path) continue;
     schema["properties"][std::string(key.name)] = described(key);
     if (!key.former_name.empty()) schema["properties"][std::string(key.former_name)] = deprecated(key);
     if (key.need == Need::required) schema["required"].push_back(key.name);
   }
   for (const TableDeclaration& table : table_declarations()) {
     const std::string_view name = name_within(path, table.path);
-    if (name.empty() || table.support == Support::later) continue;
+    if (name.empty()) continue;
     if (name == "NAME")
       schema["additionalProperties"] = table_schema(table);
     else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "app/case/keys/former_keys.h"
+#include "app/case/keys/key_check.h"
 
 #include <gtest/gtest.h>
 
