@@ -24,6 +24,13 @@ KeyTable wall_keys() {
         {.unit = "power/(length^2 sr)", .default_value = "0.0", .range = not_negative},
         "Radiance that the wall sends into the domain; a formula may use the direction of travel wx, wy, wz "
         "too.");
+  t.key("temperature", place_value, {.unit = "K", .range = not_negative},
+        "Instead of `radiance`: the wall emits emissivity times the radiance of a blackbody, divided among "
+        "the bands by `bands.edges` (docs/user/heat.md).");
+  t.key("emissivity", band_numbers,
+        {.default_note = "what is neither reflected nor transmitted", .range = fraction},
+        "Hemispherical emissivity, which equals the absorptivity (Kirchhoff's law). Without `diffuse` the "
+        "rest is reflected diffusely.");
   t.key("uncollided", switch_, {.default_value = "\"auto\""},
         "Whether the uncollided part of the radiance and of the beam is integrated along rays as that of a "
         "light; auto: of a beam, and of the radiance where the wall is below 5 % of the boundary.");

@@ -39,6 +39,9 @@ KeyTable medium_keys() {
   t.key(
       "power", band_numbers, {.unit = "power", .range = not_negative},
       "Of the whole region, instead of `emission`: divided by 4 pi (flatland: 2 pi) and the meshed volume.");
+  t.key("temperature", place_value, {.unit = "K", .range = not_negative},
+        "Instead of `emission`: the medium emits absorption times the radiance of a blackbody, divided among "
+        "the bands by `bands.edges` (docs/user/heat.md).");
   t.key("scattering_method", band_texts,
         {.default_value = "\"auto\"", .choices = {"auto", "moments", "dense", "galerkin"}},
         "Through moments of the radiance, or a matrix between the directions: dense (never negative, exact "

@@ -32,6 +32,8 @@ constexpr std::array type_texts = {
     TypeTexts{KeyType::band_values,
               "a number, a formula in x, y, z or { file, array }, or a list with one for each band",
               "number, formula or field per band"},
+    TypeTexts{KeyType::place_value, "a number, a formula in x, y, z or { file, array }",
+              "number, formula or field"},
     TypeTexts{KeyType::size_bound, "a number, or a table of one for each region",
               "number or table NAME = number"},
     TypeTexts{KeyType::named_integers, "a table of integers", "table NAME = integer"},

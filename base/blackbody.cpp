@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/observe/color/planck_spectrum.h"
+#include "base/blackbody.h"
 
 #include <cmath>
 #include <numbers>
@@ -12,6 +12,9 @@ constexpr double second_radiation_constant = 1.438776877e7;  // [nm K], h c/k (C
 /// Below it the power series needs fewer terms than that of exponentials.
 constexpr double small_argument = 0.5;
 
+/// Beyond it exp(-x) is 0.
+constexpr double largest_argument = 700;
+
 constexpr double pi4 = std::numbers::pi * std::numbers::pi * std::numbers::pi * std::numbers::pi;
 
 }  // namespace
@@ -19,8 +22,10 @@ constexpr double pi4 = std::numbers::pi * std::numbers::pi * std::numbers::pi * 
 // F = 15/pi^4 int_x^inf t^3/(e^t - 1) dt, x = c2/(lambda T). For large x 1/(e^t - 1) is the sum of e^(-n t)
 // (Chang and Rhee, Int. Comm. Heat Mass Transfer 11 (1984) 451); for small x t/(e^t - 1) is its series of
 // Bernoulli's numbers.
-double planck_fraction(double wavelength, double kelvin) {
-  const double x = second_radiation_constant / (wavelength * kelvin);
+double blackbody_fraction(double wavelength_temperature) {
+  if (!(wavelength_temperature > 0)) return std::isnan(wavelength_temperature) ? wavelength_temperature : 0;
+  const double x = second_radiation_constant / wavelength_temperature;
+  if (x > largest_argument) return 0;
   if (x < small_argument) {
     const double x2 = x * x;
     const double rest =
@@ -36,6 +41,14 @@ double planck_fraction(double wavelength, double kelvin) {
     sum += term;
     if (!(term > 1e-17 * sum)) return 15 / pi4 * sum;
   }
+}
+
+// dF/d(lambda T) = 15/pi^4 x^3/(e^x - 1) x^2/c2.
+double blackbody_fraction_slope(double wavelength_temperature) {
+  if (!(wavelength_temperature > 0)) return std::isnan(wavelength_temperature) ? wavelength_temperature : 0;
+  const double x = second_radiation_constant / wavelength_temperature;
+  if (x > largest_argument) return 0;
+  return 15 / pi4 * std::pow(x, 5) / (std::expm1(x) * second_radiation_constant);
 }
 
 }  // namespace etendue
