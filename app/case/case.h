@@ -77,7 +77,7 @@ struct MeshCase {
   int max_cells = 0;  ///< 0: by the size of the cells and the details of the geometry
   double scale = 1;
   UpAxis up = UpAxis::z;                ///< of a file or surface
-  int split = 0;                        ///< how often every cell is cut into eight
+  int refine = 0;                       ///< how often every cell is cut into eight
   std::map<std::string, Vec3> regions;  ///< of a surface: a point inside each
   Origin origin;
 };
@@ -105,10 +105,30 @@ struct DirectionChoice {
   Origin origin;
 };
 
+enum class LightKind { point, spot, sun, beam, disc, rectangle, wall, sky };
+
+// What is known of a light, [band]: its power, or its irradiance or radiance per area.
+struct LightPower {
+  std::vector<double> values;  ///< [power] of a point, a spot or a beam
+};
+struct LightIrradiance {
+  std::vector<double> values;  ///< [power/length^2] of a sun across its light, of a sky on a level plane
+};
+struct LightRadiance {
+  std::vector<double> values;  ///< [power/(length^2 sr)] of what has an area; of a sky that of its zenith
+};
+using LightStrength = std::variant<LightPower, LightIrradiance, LightRadiance>;
+
+/// [band] Whatever the quantity is.
+inline const std::vector<double>& values_of(const LightStrength& strength) {
+  return std::visit([](const auto& quantity) -> const std::vector<double>& { return quantity.values; },
+                    strength);
+}
+
 /// A [[light]] or the beam of a wall. What its kind does not use keeps its default.
 struct LightCase {
   std::string name;
-  std::string kind;
+  LightKind kind = LightKind::point;
   Vec3 position = Vec3::Zero();
   Vec3 direction = -Vec3::UnitZ();  ///< unit
   Vec3 along = Vec3::UnitX();       ///< unit
@@ -120,11 +140,9 @@ struct LightCase {
   std::vector<double> intensity;    ///< [plane][angle]
   std::vector<double> plane;        ///< [degree]; empty: the same all about the axis
   PhotometricType type = PhotometricType::c;  ///< of angle and plane
-  std::vector<double> strength;               ///< [band] power, irradiance or radiance
+  LightStrength strength;
   bool keeps_intensity =
-      false;  ///< of a lamp with the light of its file: what it sends at its own wall is lost
-  bool level_irradiance =
-      false;         ///< of a sky: strength is what a level plane gets, not the radiance of the zenith
+      false;         ///< of a lamp with the light of its file: what it sends at its own wall is lost
   std::string note;  ///< how the sun stands or a lamp is tilted, for people; may be empty
   Uncollided uncollided = Uncollided::automatic;
   std::vector<std::string> walls;
@@ -253,6 +271,7 @@ struct Case {
   std::vector<CameraCase> cameras;
   std::vector<SensorCase> sensors;
   OutputCase output;
+  std::vector<std::string> deprecations;  ///< a line for each key that has its former name in the file
   std::string resolved_toml;  ///< with overrides applied and defaults filled in; reads back the same
 };
 

@@ -11,7 +11,7 @@ using std::numbers::pi;
 // counterclockwise from there about the vertical, A clockwise, with vertical angles that are counted from the
 // horizontal; in type B planes stand about the horizontal, with vertical angles from zero towards it.
 PointLight point_light(const LightCase& light) {
-  PointLight point{light.position, light.strength, light.direction, {}, light.intensity};
+  PointLight point{light.position, values_of(light.strength), light.direction, {}, light.intensity};
   for (const double degrees : light.angle) point.angle.push_back(degrees * pi / 180);
   for (const double degrees : light.plane) point.plane.push_back(degrees * pi / 180);
   const Vec3 up = -light.direction, ahead = (light.along - light.along.dot(up) * up).normalized();

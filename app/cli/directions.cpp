@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 #include "app/case/build/build.h"
 #include "app/progress/text_table.h"
@@ -49,6 +51,18 @@ any walls   the same, root mean square over 2,000 walls in any direction
 kernel      worst error of the normalisation of Henyey-Greenstein scattering with g = 0.8, before correction
 )";
 
+/// The meaning of the order n of each set.
+const std::map<std::string, const char*> order_meanings = {
+    {"product", "n Gauss-Legendre levels of the cosine about z (n even), each with 2 n azimuths: 2 n^2"},
+    {"triangular",
+     "n Gauss-Legendre levels of the cosine about z (n even), with 4, 8, 12, ... azimuths: n (n + 2)"},
+    {"double-gauss", "n >= 2 Gauss-Legendre levels on each side of z = 0, each with 4 n azimuths: 8 n^2"},
+    {"ldfe-sq", "n^2 quadrilaterals on each third of an octant, with 4 directions each: 96 n^2"},
+    {"level-symmetric", "n levels about each axis, S_n (n even, 2 to 16): n (n + 2)"},
+    {"thurgood", "n^2 triangles in each octant, T_n: 8 n^2"},
+    {"lebedev", "the degree of the rule (3, 5, 7, ... 131): about (n + 1)^2 / 3"},
+    {"flatland", "n directions in the plane z = 0 (a multiple of 4)"}};
+
 std::string overview() {
   TextTable table = table_of_sets();
   for (const std::string& name : direction_set_names())
@@ -56,7 +70,10 @@ std::string overview() {
       const DirectionSet set = make_directions(name, order);
       add_set(table, set, report_directions(set));
     }
-  return table.text() + legend;
+  std::string text = table.text() + legend + "\norder n and number of directions\n";
+  for (const std::string& name : direction_set_names())
+    text += fmt::format("  {:17}{}\n", name, order_meanings.at(name));
+  return text;
 }
 
 /// The sums of w, w Omega and w Omega Omega.
@@ -84,7 +101,10 @@ std::string in_full(const DirectionSet& set) {
   TextTable table = table_of_sets();
   add_set(table, set, report);
   const auto& axis = report.axis_half_range_error;
-  std::string text = table.text() + legend + sums(set);
+  std::string text = table.text() + legend +
+                     fmt::format("order n     {} directions\n",
+                                 order_meanings.at(set.name().substr(set.name().rfind(' ') + 1))) +
+                     sums(set);
   text += fmt::format("axis walls, x y z     {:.2e} {:.2e} {:.2e}\n", axis[0], axis[1], axis[2]);
   text += "\nordinate,x,y,z,weight\n";
   for (int m = 0; m < set.count(); ++m) {

@@ -78,6 +78,7 @@ ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream
   const Interruption interruption;
   const Case input = read_case(request.file, request.overrides);
   check_output_memory(input);
+  for (const std::string& line : input.deprecations) err << line << '\n';
   if (request.phase) {
     out << phase_values(input);
     return ExitCode::done;

@@ -55,7 +55,7 @@ Case with_coarsest_cells(Case input) {
   if (input.mesh.file) return input;
   input.mesh.max_volume.reset();
   input.mesh.edge_length.reset();
-  input.mesh.split = 0;
+  input.mesh.refine = 0;
   return input;
 }
 

@@ -43,7 +43,7 @@ std::string expected_memory_text(const RunMemory& memory, const Case& input, con
   double by_cell = solving / known;
   if (known < many_cells) {
     Case finer = with_coarsest_cells(input);
-    finer.mesh.split = 1;
+    finer.mesh.refine = 1;
     const TetrahedralMesh mesh = build_mesh(finer, log);
     const Problem problem = build_problem(input, mesh);
     by_cell =
@@ -60,7 +60,7 @@ double expected_cells(const MeshCase& wanted, const TetrahedralMesh& coarse) {
     const double bound = bounds[static_cast<std::size_t>(coarse.region(cell))];
     if (bound > 0) cells += bound_in_means * coarse.volume(cell) / bound;
   }
-  return std::ldexp(cells, 3 * wanted.split);
+  return std::ldexp(cells, 3 * wanted.refine);
 }
 
 }  // namespace etendue

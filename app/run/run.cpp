@@ -80,6 +80,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
   seconds.read = watch.lap();
   out << "etendue " << program_version() << ": "
       << (input.title.empty() ? request.file.string() : input.title) << std::endl;
+  for (const std::string& line : input.deprecations) out << line << std::endl;
 
   const ProgressStyle style = request.progress;
   const std::function<bool()> interrupted = [&] { return interruption.noted(); };

@@ -125,7 +125,7 @@ std::string refined_mesh(const Case& input, int times) {
 }
 
 std::string split_mesh(const Case& input, int times) {
-  return fmt::format("mesh.split={}", input.mesh.split + times);
+  return fmt::format("mesh.refine={}", input.mesh.refine + times);
 }
 
 Refinements refinements(const StudyRequest& study, int level) {

@@ -52,7 +52,7 @@ def runs_of(scene, options):
     photons = ['solve.method="photons"', f"solve.photons={options.photons:g}", f"solve.probe_photons={options.photons / 10:g}",
                f"solve.seed={scene.seed + 1}"]
     if scene.coefficients_by_place:
-        photons.append(f"mesh.split={PHOTON_SPLIT}")
+        photons.append(f"mesh.refine={PHOTON_SPLIT}")
     found = {"ordinates": [], "directions": [f'directions.set="{name}"', f"directions.order={order}"], "mesh": [coarse],
              "photons": photons}
     if scene.body_volumes:

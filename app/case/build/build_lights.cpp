@@ -46,7 +46,7 @@ SurfaceLight disc_light(const LightCase& light) {
   const auto rim = [&](int i) {
     return Vec3(light.position + radius * (std::cos(i * step) * u + std::sin(i * step) * v));
   };
-  SurfaceLight surface{{}, light.strength};
+  SurfaceLight surface{{}, values_of(light.strength)};
   for (int i = 0; i < sides_of_a_disc; ++i)
     for (const Vec3& corner : {light.position, rim(i), rim(i + 1)}) surface.triangles.push_back(corner);
   return surface;
@@ -57,7 +57,7 @@ SurfaceLight rectangle_light(const LightCase& light) {
   const Vec3 u = across.cross(light.direction) * light.size[0] / 2, v = across * light.size[1] / 2;
   const Vec3& p = light.position;
   const Vec3 a = p - u - v, b = p + u - v, c = p + u + v, d = p - u + v;
-  return {{a, b, c, a, c, d}, light.strength};
+  return {{a, b, c, a, c, d}, values_of(light.strength)};
 }
 
 void require_inside(const LightCase& light, std::span<const Vec3> points, const CellLocator& locator,
@@ -194,8 +194,8 @@ BeamLight beam_inside(const LightCase& light, const BeamLight& beam, const std::
 
 /// The light of a sun or a beam before the walls by which it comes in.
 std::vector<BeamLight> beams_outside(const LightCase& light, const std::vector<int>& numbers) {
-  BeamLight beam{light.direction, light.strength, numbers};
-  if (light.kind == "beam") shape_beam(light, beam);
+  BeamLight beam{light.direction, values_of(light.strength), numbers};
+  if (light.kind == LightKind::beam) shape_beam(light, beam);
   if (light.numerical_aperture > 0 && beam.profile) return fibre_parts(beam, light.numerical_aperture);
   return {beam};
 }
@@ -268,9 +268,9 @@ void shine(const LightCase& light, const std::vector<int>& numbers, std::vector<
                                wall.name, light.name)));
       continue;
     }
-    wall.radiance = light.strength;
+    wall.radiance = values_of(light.strength);
     // A uniform sky of radiance L sends pi L to a level plane.
-    if (light.level_irradiance)
+    if (std::holds_alternative<LightIrradiance>(light.strength))
       for (double& radiance : wall.radiance) radiance /= pi;
     wall.uncollided = light.uncollided == Uncollided::no ? Uncollided::no : Uncollided::yes;
   }
@@ -286,21 +286,22 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
   const CellLocator locator(mesh);
   const std::vector<Wall> as_written = walls;
   for (const LightCase& light : input.lights) {
-    const bool by_walls =
-        light.kind == "sun" || light.kind == "beam" || light.kind == "sky" || light.kind == "wall";
+    const bool by_walls = light.kind == LightKind::sun || light.kind == LightKind::beam ||
+                          light.kind == LightKind::sky || light.kind == LightKind::wall;
     const std::vector<int> numbers = by_walls ? walls_of(light, as_written, mesh) : std::vector<int>{};
-    if (light.kind == "point" || light.kind == "spot") {
+    if (light.kind == LightKind::point || light.kind == LightKind::spot) {
       require_inside(light, std::span(&light.position, 1), locator, faults);
       lights.push_back({light.name, lamp(light, locator, mesh, faults), light.origin, light.uncollided});
-    } else if (light.kind == "sun" || light.kind == "beam") {
+    } else if (light.kind == LightKind::sun || light.kind == LightKind::beam) {
       const std::size_t before = faults.size();
       require_open(light, numbers, as_written, faults);
       std::vector<Light> beams =
           beams_of_sun(light, entry_walls(light, numbers, input, mesh, faults), as_written, mesh, faults);
       if (faults.size() == before) require_incoming(light, numbers, mesh, faults);
-      if (faults.size() == before && light.kind == "beam") require_hit(light, beams, locator, mesh, faults);
+      if (faults.size() == before && light.kind == LightKind::beam)
+        require_hit(light, beams, locator, mesh, faults);
       std::ranges::move(beams, std::back_inserter(lights));
-    } else if (light.kind == "sky") {
+    } else if (light.kind == LightKind::sky) {
       for (const EntryWalls& entry : entry_walls(light, numbers, input, mesh, faults)) {
         if (entry.glazing == nullptr && light.angle.empty()) {
           shine(light, entry.walls, walls, faults);
@@ -309,11 +310,11 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
         require_open(light, entry.walls, as_written, faults);
         std::ranges::move(parts_of_sky(light, entry, mesh), std::back_inserter(skies));
       }
-    } else if (light.kind == "wall") {
+    } else if (light.kind == LightKind::wall) {
       require_no_glazing(light, input, faults);
       shine(light, numbers, walls, faults);
     } else {
-      SurfaceLight surface = light.kind == "disc" ? disc_light(light) : rectangle_light(light);
+      SurfaceLight surface = light.kind == LightKind::disc ? disc_light(light) : rectangle_light(light);
       require_inside(light, surface.triangles, locator, faults);
       lights.push_back({light.name, std::move(surface), light.origin, light.uncollided});
     }

@@ -40,15 +40,15 @@ SurfaceComplex surface_of(const MeshCase& mesh, const Log& log) {
 }
 
 /// The sound mesh with its cells cut into eight as often as wanted.
-TetrahedralMesh split(RawMesh raw, const MeshCase& wanted) {
-  if (wanted.split == 0) return TetrahedralMesh(raw);
+TetrahedralMesh refined(RawMesh raw, const MeshCase& wanted) {
+  if (wanted.refine == 0) return TetrahedralMesh(raw);
   const TetrahedralMesh check(raw);
-  const double cells = std::ldexp(check.cell_count(), 3 * wanted.split);
+  const double cells = std::ldexp(check.cell_count(), 3 * wanted.refine);
   if (cells > largest_mesh)
     throw InputError(
-        fault_at(wanted.origin, "split",
+        fault_at({wanted.origin.file, wanted.origin.line, "mesh.refine"}, std::to_string(wanted.refine),
                  fmt::format("would make {:.3g} cells; cut {} cells less often", cells, check.cell_count())));
-  for (int times = 0; times < wanted.split; ++times) raw = red_refinement(raw);
+  for (int times = 0; times < wanted.refine; ++times) raw = red_refinement(raw);
   return TetrahedralMesh(raw);
 }
 
@@ -95,12 +95,12 @@ RawMesh mesh_of_labels(const Case& input, const Log& log) {
 }  // namespace
 
 TetrahedralMesh build_mesh(const Case& input, const Log& log) {
-  if (input.mesh.labels) return split(mesh_of_labels(input, log), input.mesh);
-  if (!input.mesh.file) return split(filled(input, surface_of(input.mesh, log), log), input.mesh);
+  if (input.mesh.labels) return refined(mesh_of_labels(input, log), input.mesh);
+  if (!input.mesh.file) return refined(filled(input, surface_of(input.mesh, log), log), input.mesh);
   RawMesh raw = read_named(*input.mesh.file, [&] {
     return read_mesh(input.mesh.file->path, input.mesh.scale, input.mesh.file->origin, input.mesh.up);
   });
-  const TetrahedralMesh mesh = split(std::move(raw), input.mesh);
+  const TetrahedralMesh mesh = refined(std::move(raw), input.mesh);
   check_names(input, names_of(mesh));
   return mesh;
 }

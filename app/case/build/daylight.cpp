@@ -11,7 +11,7 @@
 namespace etendue {
 namespace {
 
-bool is_sky(const LightCase& light) { return light.kind == "sky"; }
+bool is_sky(const LightCase& light) { return light.kind == LightKind::sky; }
 
 bool shines(const std::optional<BandValues>& values) {
   return values && std::ranges::any_of(values->values, [](const Value& value) {
@@ -54,7 +54,7 @@ void check_daylight_factors(const Case& input, Faults& faults) {
 }
 
 std::vector<double> unobstructed_irradiance(const LightCase& light) {
-  std::vector<double> sum = light.strength;
+  std::vector<double> sum = values_of(light.strength);
   const auto scale = [&](double factor) {
     for (double& value : sum) value *= factor;
   };
@@ -62,7 +62,7 @@ std::vector<double> unobstructed_irradiance(const LightCase& light) {
     scale(std::max(0.0, -light.direction.z()));
   } else if (light.angle.empty()) {
     // Without a table the sky has the same radiance L all over: pi L, unless that is what is given.
-    scale(light.level_irradiance ? 1 : std::numbers::pi);
+    scale(std::holds_alternative<LightIrradiance>(light.strength) ? 1 : std::numbers::pi);
   } else {
     std::ranges::fill(sum, 0);
     for (const BeamLight& part : sky_parts(light, {})) {

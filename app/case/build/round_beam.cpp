@@ -42,7 +42,7 @@ double distance_inside(const LightCase& light, const CellLocator& locator, const
 
 /// Outside, along its axis.
 BeamLight whole_beam(const LightCase& light) {
-  BeamLight beam{light.direction, light.strength, {}};
+  BeamLight beam{light.direction, values_of(light.strength), {}};
   shape_beam(light, beam);
   return beam;
 }

@@ -44,13 +44,13 @@ std::vector<BeamLight> sky_parts(const LightCase& light, const std::vector<int>&
             brightness += lamp_shape(table, std::acos(upper + a * (lower - upper)), azimuth(b)) / 9;
       const Vec3 from = cosine * table.axis + sine * (std::cos(azimuth(0.5)) * table.zero_plane +
                                                       std::sin(azimuth(0.5)) * table.quarter_plane);
-      BeamLight beam{-from, light.strength, walls, 2 * pi * (upper - lower) / count};
+      BeamLight beam{-from, values_of(light.strength), walls, 2 * pi * (upper - lower) / count};
       for (double& irradiance : beam.irradiance) irradiance *= beam.solid_angle * brightness;
       level += beam.solid_angle * brightness * cosine;
       sky.push_back(std::move(beam));
     }
   }
-  if (light.level_irradiance)
+  if (std::holds_alternative<LightIrradiance>(light.strength))
     for (BeamLight& part : sky)
       for (double& irradiance : part.irradiance) irradiance /= level;
   return sky;

@@ -59,8 +59,8 @@ std::string description(const KeyDeclaration& key) {
     facts += fmt::format("; default: {}", key.default_note);
   else if (!key.default_value.empty())
     facts += fmt::format("; default: {}", key.default_value);
-  if (key.support == Support::later) facts += "; not in this version";
-  return fmt::format("  {}\n", key.name) + wrapped(facts, 6) + wrapped(key.help, 6);
+  return fmt::format("  {}\n", key.name) + wrapped(facts, 6) + wrapped(key.help, 6) +
+         wrapped(former_name_text(key), 6);
 }
 
 std::string description(const TableDeclaration& table) {
@@ -95,7 +95,8 @@ std::string key_help(std::string_view path) {
     if (matches(table.path, parts)) found.push_back(description(table));
   const std::vector<std::string> parents(parts.begin(), parts.end() - 1);
   for (const KeyDeclaration& key : key_declarations())
-    if (key.name == parts.back() && (parents.empty() || matches(key.table, parents)))
+    if ((key.name == parts.back() || (!key.former_name.empty() && key.former_name == parts.back())) &&
+        (parents.empty() || matches(key.table, parents)))
       found.push_back(table_header(key.table) + "\n" + description(key));
   if (found.empty())
     throw InputError(fmt::format("keys: {}: no such table or key{}; etendue keys lists all", path,

@@ -9,52 +9,6 @@
 namespace etendue {
 namespace {
 
-std::string type_column(KeyType type) {
-  switch (type) {
-    case KeyType::any:
-      return "";
-    case KeyType::text:
-      return "text";
-    case KeyType::number:
-      return "number";
-    case KeyType::integer:
-      return "integer";
-    case KeyType::boolean:
-      return "true, false";
-    case KeyType::switch_:
-      return "\"auto\", true, false";
-    case KeyType::point:
-      return "[x, y, z]";
-    case KeyType::points:
-      return "list of [x, y, z]";
-    case KeyType::texts:
-      return "list of text";
-    case KeyType::numbers:
-      return "list of numbers";
-    case KeyType::band_texts:
-      return "text per band";
-    case KeyType::band_numbers:
-      return "number per band";
-    case KeyType::band_values:
-      return "number, formula or field per band";
-    case KeyType::place_value:
-      return "number, formula or field";
-    case KeyType::size_bound:
-      return "number or table NAME = number";
-    case KeyType::named_integers:
-      return "table NAME = integer";
-    case KeyType::named_points:
-      return "table NAME = [x, y, z]";
-    case KeyType::choice_or_number:
-      return "text or number";
-    case KeyType::rotation:
-      return "\"random\" or table of axis, angle";
-    case KeyType::named_sides:
-      return "table side = text";
-  }
-  return "";
-}
-
 std::string default_column(const KeyDeclaration& key) {
   if (key.need == Need::required) return "required";
   if (!key.default_note.empty()) return std::string(key.default_note);
@@ -62,7 +16,6 @@ std::string default_column(const KeyDeclaration& key) {
 }
 
 std::string accepted_column(const KeyDeclaration& key) {
-  if (key.support == Support::later) return "not in this version";
   std::vector<std::string> choices = key.choices;
   if (key.type == KeyType::choice_or_number) choices.push_back("a number " + key.range.text());
   std::string text = choices.empty() ? key.range.text() : enumerate(choices);
@@ -72,14 +25,14 @@ std::string accepted_column(const KeyDeclaration& key) {
 }
 
 std::string row(const KeyDeclaration& key) {
+  const std::string former = key.former_name.empty() ? "" : " " + former_name_text(key);
   return fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, type_column(key.type), key.unit,
-                     default_column(key), accepted_column(key), key.help);
+                     default_column(key), accepted_column(key), std::string(key.help) + former);
 }
 
 std::string section(const TableDeclaration& table) {
   const std::string title = table.path.empty() ? "Top of the file" : "`" + table_header(table.path) + "`";
-  std::string text = fmt::format("\n## {}\n{}{}\n", title, table.help,
-                                 table.support == Support::later ? " Not in this version." : "");
+  std::string text = fmt::format("\n## {}\n{}\n", title, table.help);
   std::string rows;
   for (const KeyDeclaration& key : key_declarations())
     if (key.table == table.path) rows += row(key);

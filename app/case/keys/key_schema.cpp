@@ -119,6 +119,15 @@ Json described(const KeyDeclaration& key) {
   return schema;
 }
 
+/// The former name of a key.
+Json deprecated(const KeyDeclaration& key) {
+  Json schema = value_of(key);
+  schema["description"] = "Deprecated name of " + std::string(key.name) + ", accepted until " +
+                          std::string(former_names_until) + ".";
+  schema["deprecated"] = true;
+  return schema;
+}
+
 /// The name of a table directly within another one; empty of any other table.
 std::string_view name_within(std::string_view parent, std::string_view path) {
   if (path.empty() || path == field_table) return {};
@@ -135,13 +144,14 @@ Json table_schema(const TableDeclaration& table);
 Json contents_of(std::string_view path) {
   Json schema = closed_table(Json::object());
   for (const KeyDeclaration& key : key_declarations()) {
-    if (key.table != path || key.support == Support::later) continue;
+    if (key.table != path) continue;
     schema["properties"][std::string(key.name)] = described(key);
+    if (!key.former_name.empty()) schema["properties"][std::string(key.former_name)] = deprecated(key);
     if (key.need == Need::required) schema["required"].push_back(key.name);
   }
   for (const TableDeclaration& table : table_declarations()) {
     const std::string_view name = name_within(path, table.path);
-    if (name.empty() || table.support == Support::later) continue;
+    if (name.empty()) continue;
     if (name == "NAME")
       schema["additionalProperties"] = table_schema(table);
     else

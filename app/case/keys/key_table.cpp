@@ -106,6 +106,13 @@ std::vector<KeyDeclaration> make_keys() {
 
 }  // namespace
 
+std::vector<KeyDeclaration> declarations_of(std::initializer_list<KeyTable> tables) {
+  std::vector<KeyDeclaration> declarations;
+  for (const KeyTable& table : tables)
+    declarations.insert(declarations.end(), table.declarations().begin(), table.declarations().end());
+  return declarations;
+}
+
 std::span<const KeyDeclaration> key_declarations() {
   static const std::vector<KeyDeclaration> keys = make_keys();
   return keys;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/exact_family.h"
-#include "app/case/keys/key_table.h"
+#include "app/case/keys/case_tables.h"
 #include "solver/angular/sets/direction_set.h"
 
 namespace etendue {
@@ -8,320 +8,243 @@ namespace etendue {
 using enum KeyType;
 using namespace key_range;
 
+namespace {
+
+KeyTable refinement_keys() {
+  KeyTable t("directions.refine");
+  t.key("direction", point, {.need = required}, "Axis of the cone, of any length.");
+  t.key(
+      "angle", number,
+      {.unit = "degrees", .range = {.lowest = 0, .highest = 90, .lowest_excluded = false}, .need = required},
+      "Between axis and surface; quadrilaterals that the cone meets are split.");
+  t.key("levels", integer, {.range = {.lowest = 1, .highest = 8}, .need = required},
+        "How often they are split in four.");
+  return t;
+}
+
+KeyTable first_collided_keys() {
+  KeyTable t("directions.first_collided");
+  t.key("set", text, {.default_value = "\"ldfe-sq\"", .choices = direction_set_names()},
+        "As of [directions]; turned with it.");
+  t.key("order", integer, {.range = {.lowest = 1, .highest = 1e4}, .need = required},
+        "What it means depends on the set.");
+  return t;
+}
+
+KeyTable probe_keys() {
+  KeyTable t("probe");
+  t.key("name", text, {.need = required}, "Names the rows in `probes.csv`.");
+  t.key("points", points, {.unit = "length"}, "Where; or `line`.");
+  t.key("normal", point, {},
+        "Also the irradiance of light that falls on the side it points to; of any length.");
+  return t;
+}
+
+KeyTable line_keys() {
+  KeyTable t("probe.line");
+  t.key("from", point, {.unit = "length", .need = required}, "First point.");
+  t.key("to", point, {.unit = "length", .need = required}, "Last point.");
+  t.key("count", integer, {.range = {.lowest = 2, .highest = 1e7}, .need = required}, "How many points.");
+  return t;
+}
+
+}  // namespace
+
+const BoundTable<Case>& direction_table() {
+  static const BoundTable<Case> table = [] {
+    BoundTable<Case> t("directions");
+    t.key("set", &Case::direction_set, {.choices = direction_set_names()},
+          "`etendue directions` lists the sets and their sizes.");
+    t.key("order", &Case::direction_order, {.range = {.lowest = 1, .highest = 1e4}},
+          "What it means depends on the set.");
+    t.key("rotation", rotation, {.unit = "degrees"},
+          "Turns the set about an axis, or at random; a mirror must still take ordinates to ordinates.");
+    t.key("seed", integer, {.default_value = "1", .range = {.lowest = 0, .highest = largest_count}},
+          "Chooses the random rotations.");
+    t.key("rotations", &Case::rotations, {.range = {.lowest = 1, .highest = 1000}},
+          "Solves on so many copies of the set, each turned at random but the first, and takes their mean: "
+          "less of ray effects, and `fluence_direction_error` in fields.vtu, its standard error.");
+    return t;
+  }();
+  return table;
+}
+
+const BoundTable<SolveOptions>& space_table() {
+  static const BoundTable<SolveOptions> table = [] {
+    BoundTable<SolveOptions> t("space");
+    t.key("order", integer, {.default_value = "1", .choices = {"0", "1"}, .later = {"2", "3"}},
+          "Polynomial degree of the discontinuous Galerkin space.");
+    t.choice("lumping", &SolveOptions::lumping,
+             {{"none", Lumping::none}, {"mass", Lumping::mass}, {"auto", Lumping::automatic}}, {},
+             "Of the mass; auto: where extinction times cell size exceeds 2.");
+    t.choice(
+        "positivity", &SolveOptions::positivity,
+        {{"none", Positivity::none}, {"rescale", Positivity::rescale}, {"quadratic", Positivity::quadratic}},
+        {},
+        "Takes negative radiance out of every cell after the linear solution: to zero with the rest "
+        "rescaled, or by the nearest values that balance.");
+    return t;
+  }();
+  return table;
+}
+
+const BoundTable<Case>& solve_table() {
+  static const BoundTable<Case> table = [] {
+    BoundTable<Case> t("solve");
+    t.choice("method", member_of(&Case::solve, &SolveOptions::method),
+             {{"auto", Method::automatic},
+              {"gmres", Method::gmres},
+              {"source-iteration", Method::source_iteration},
+              {"photons", Method::automatic},
+              {"radiosity", Method::automatic}},
+             {},
+             "auto: the best that this version has, which is gmres. photons: Monte Carlo; radiosity: form "
+             "factors between walls with nothing between them; directions, space and most other keys of the "
+             "iteration then do not count.");
+    t.choice("precision", member_of(&Case::solve, &SolveOptions::precision),
+             {{"double", Precision::full}, {"mixed", Precision::mixed}}, {},
+             "Of the sweeps. mixed: single within the cycles of gmres, whose residual and solution stay "
+             "double; it saves time, and takes half as much memory again for what a sweep works on.");
+    t.choice("acceleration", member_of(&Case::solve, &SolveOptions::acceleration),
+             {{"auto", Acceleration::automatic},
+              {"diffusion", Acceleration::diffusion},
+              {"none", Acceleration::none}},
+             {}, "Of the iteration. auto: diffusion with gmres where it pays; the reason is printed.");
+    t.choice("diffusion_coefficient", member_of(&Case::solve, &SolveOptions::diffusion_length),
+             {{"auto", DiffusionLength::automatic},
+              {"local", DiffusionLength::local},
+              {"non-local", DiffusionLength::nonlocal}},
+             {},
+             "Of the acceleration: 1/(3 extinction), or the mean flight length, which costs a sweep. auto: "
+             "non-local where a void is present or extinctions differ by more than 100 times.");
+    t.key("tolerance", member_of(&Case::solve, &SolveOptions::tolerance), {.range = open_fraction},
+          "Estimated relative error of the iteration, per band.");
+    t.key("balance_tolerance", &Case::balance_tolerance, {.range = positive},
+          "Part of the emitted power that may be missing from, or too much in, the balance of a band, with "
+          "any method; of photons beside three standard errors. A run beyond it is marked \"balanced\": "
+          "false in `summary.json` and ends with exit code 1.");
+    t.key("max_sweeps", member_of(&Case::solve, &SolveOptions::max_sweeps),
+          {.range = {.lowest = 1, .highest = largest_count}}, "Every transport sweep counts.");
+    t.key("threads", member_of(&Case::solve, &SolveOptions::threads),
+          {.range = {.lowest = 0, .highest = 4096}}, "0: all cores.");
+    t.key("initial", text, {},
+          "A `solution.vtu` of the same mesh and case to start from; what is solved and written may differ.");
+    return t;
+  }();
+  return table;
+}
+
+const BoundTable<PhotonCase>& photon_table() {
+  static const BoundTable<PhotonCase> table = [] {
+    BoundTable<PhotonCase> t("solve");
+    t.key("photons", &PhotonCase::photons, {.range = {.lowest = 1, .highest = largest_histories}},
+          "Histories in each band that this run adds; with `until` at most. Only of photons, as the next "
+          "three.");
+    t.key("until", &PhotonCase::until, {.default_note = "none: all histories", .range = open_fraction},
+          "Relative standard error of the fluence at which to stop: volume-weighted root mean square over "
+          "the cells.");
+    t.key("probe_photons", &PhotonCase::probe_photons,
+          {.range = {.lowest = 64, .highest = largest_histories}},
+          "Histories in each band that are walked back from each probe point.");
+    t.key("seed", &PhotonCase::seed, {.range = {.lowest = 0, .highest = largest_count}},
+          "Chooses the random numbers.");
+    return t;
+  }();
+  return table;
+}
+
+const BoundTable<PhotonCase>& photon_map_table() {
+  static const BoundTable<PhotonCase> table = [] {
+    BoundTable<PhotonCase> t("photon_map");
+    t.key("hits", &PhotonCase::map_hits, {.range = {.lowest = 1, .highest = largest_count}},
+          "Kept in each band on walls, and as many where light is scattered, at most; `solve.photons` "
+          "histories are walked for them at most. A hit takes 108 bytes at most.");
+    t.key("neighbours", &PhotonCase::map_neighbours, {.range = {.lowest = 2, .highest = 100000}},
+          "Nearest hits that are a place's light: its error is 1/sqrt(neighbours), and it is blurred over "
+          "what they take.");
+    return t;
+  }();
+  return table;
+}
+
+const BoundTable<RadiosityCase>& radiosity_table() {
+  static const BoundTable<RadiosityCase> table = [] {
+    BoundTable<RadiosityCase> t("radiosity");
+    t.key("patch_size", &RadiosityCase::patch_size,
+          {.unit = "length", .default_note = "the faces of the mesh", .range = positive},
+          "Faces with longer sides are cut into patches, smaller ones joined where they lie in one plane and "
+          "square.");
+    t.key("refine_change", &RadiosityCase::refine_change, {.default_note = "none is cut", .range = positive},
+          "Patches are cut in four, again and again, where their irradiance differs by more than this part "
+          "of its mean over all walls from that of a neighbour in their plane.");
+    t.key("smallest_patch", &RadiosityCase::smallest_patch,
+          {.unit = "length", .default_note = "an eighth of patch_size", .range = positive},
+          "Of this size and below they are not cut further.");
+    t.choice("solution", &RadiosityCase::solution,
+             {{"gathering", RadiosityMethod::gathering},
+              {"shooting", RadiosityMethod::shooting},
+              {"direct", RadiosityMethod::direct},
+              {"hierarchical", RadiosityMethod::hierarchical}},
+             {},
+             "Pass by pass from all patches to all; from the brightest patch first; by elimination; or pass "
+             "by pass along links between groups of patches, for tens of thousands of them.");
+    t.key("rays", &RadiosityCase::rays, {.range = {.lowest = 1, .highest = 1e6}},
+          "Between two patches that an obstacle may separate; eight times as many where some are "
+          "blocked.");
+    t.key("link_tolerance", &RadiosityCase::link_tolerance, {.range = open_fraction},
+          "Of the hierarchical solution: what a link may bring too much or too little to a place, of the "
+          "mean irradiance of all walls. The irradiance is off by some ten times that.");
+    t.key("path_rays", &RadiosityCase::path_rays, {.range = {.lowest = 1, .highest = 1e6}},
+          "From each patch and each of four points of a cell, followed over mirrors and glossy walls where "
+          "there are any; sixteen times as many from a probe. More take longer, the field in the cells most "
+          "of all.");
+    t.key("passes", &RadiosityCase::passes, {.range = {.lowest = 0, .highest = 1000}},
+          "So many first passes are written as `walls_passK.vtp`, with a series to play.");
+    return t;
+  }();
+  return table;
+}
+
+const BoundTable<ExactFamily>& exact_family_table() {
+  static const BoundTable<ExactFamily> table = [] {
+    BoundTable<ExactFamily> t("exact");
+    t.key("radiance", text, {.unit = "power/(length^2 sr)"},
+          "A formula in x, y, z and the direction of travel wx, wy, wz; the same in all bands.");
+    t.key("family", text, {.choices = exact_family_names()},
+          "In place of a formula one whose errors are known beforehand (docs/user/studies.md).");
+    t.key("degree", &ExactFamily::degree, {.range = {.lowest = 0, .highest = 10}},
+          "Of the polynomial, in space.");
+    t.key("center", &ExactFamily::center, {.unit = "length"}, "Where a family has its origin.");
+    t.key("length", &ExactFamily::length, {.unit = "length", .range = positive},
+          "What a family measures lengths in: about the size of the domain.");
+    return t;
+  }();
+  return table;
+}
+
+const BoundTable<OutputCase>& output_table() {
+  static const BoundTable<OutputCase> table = [] {
+    BoundTable<OutputCase> t("output");
+    t.key("directory", text, {.default_note = "the case's name, in the working directory"},
+          "Made with its parents; an earlier result there is replaced.");
+    t.key("fields", texts, {.default_value = "[\"fluence\", \"net_flux\"]"},
+          "\"fluence\", \"net_flux\", \"media\", \"radiance:K\" for the ordinate K (from 0).");
+    t.key("checkpoint_every", &OutputCase::checkpoint_every,
+          {.range = {.lowest = 0, .highest = largest_count}},
+          "Sweeps after which `solution.vtu` is written during the run; 0: only at its end.");
+    t.choice("encoding", &OutputCase::encoding,
+             {{"inline", VtkEncoding::inline_base64}, {"appended", VtkEncoding::appended_raw}}, {},
+             "Of the numbers in VTK files. inline: base64 text, which every ParaView reads; appended: raw "
+             "bytes behind the XML, a quarter shorter, which Debian 12's own ParaView refuses.");
+    return t;
+  }();
+  return table;
+}
+
 std::vector<KeyDeclaration> run_keys() {
-  constexpr auto required = Need::required;
-  return {
-      {"directions",
-       "set",
-       text,
-       {.default_value = "\"ldfe-sq\"",
-        .choices = direction_set_names(),
-        .help = "`etendue directions` lists the sets and their sizes."}},
-      {"directions",
-       "order",
-       integer,
-       {.default_value = "1",
-        .range = {.lowest = 1, .highest = 1e4},
-        .help = "What it means depends on the set."}},
-      {"directions",
-       "rotation",
-       rotation,
-       {.unit = "degrees",
-        .help =
-            "Turns the set about an axis, or at random; a mirror must still take ordinates to ordinates."}},
-      {"directions",
-       "seed",
-       integer,
-       {.default_value = "1",
-        .range = {.lowest = 0, .highest = largest_count},
-        .help = "Chooses the random rotations."}},
-      {"directions",
-       "rotations",
-       integer,
-       {.default_value = "1",
-        .range = {.lowest = 1, .highest = 1000},
-        .help =
-            "Solves on so many copies of the set, each turned at random but the first, and takes their mean: "
-            "less of ray effects, and `fluence_direction_error` in fields.vtu, its standard error."}},
-
-      {"directions.refine",
-       "direction",
-       point,
-       {.need = required, .help = "Axis of the cone, of any length."}},
-      {"directions.refine",
-       "angle",
-       number,
-       {.unit = "degrees",
-        .range = {.lowest = 0, .highest = 90, .lowest_excluded = false},
-        .need = required,
-        .help = "Between axis and surface; quadrilaterals that the cone meets are split."}},
-      {"directions.refine",
-       "levels",
-       integer,
-       {.range = {.lowest = 1, .highest = 8}, .need = required, .help = "How often they are split in four."}},
-
-      {"directions.first_collided",
-       "set",
-       text,
-       {.default_value = "\"ldfe-sq\"",
-        .choices = direction_set_names(),
-        .help = "As of [directions]; turned with it."}},
-      {"directions.first_collided",
-       "order",
-       integer,
-       {.range = {.lowest = 1, .highest = 1e4},
-        .need = required,
-        .help = "What it means depends on the set."}},
-
-      {"space",
-       "order",
-       integer,
-       {.default_value = "1",
-        .choices = {"0", "1"},
-        .later = {"2", "3"},
-        .help = "Polynomial degree of the discontinuous Galerkin space."}},
-      {"space",
-       "lumping",
-       text,
-       {.default_value = "\"auto\"",
-        .choices = {"none", "mass", "auto"},
-        .help = "Of the mass; auto: where extinction times cell size exceeds 2."}},
-      {"space",
-       "positivity",
-       text,
-       {.default_value = "\"none\"",
-        .choices = {"none", "rescale", "quadratic"},
-        .help = "Takes negative radiance out of every cell after the linear solution: to zero with the rest "
-                "rescaled, or by the nearest values that balance."}},
-
-      {"solve",
-       "method",
-       text,
-       {.default_value = "\"auto\"",
-        .choices = {"auto", "gmres", "source-iteration", "photons", "radiosity"},
-        .help =
-            "auto: the best that this version has, which is gmres. photons: Monte Carlo; radiosity: form "
-            "factors between walls with nothing between them; directions, space and most other keys of the "
-            "iteration then do not count."}},
-      {"solve",
-       "photons",
-       number,
-       {.default_value = "1e6",
-        .range = {.lowest = 1, .highest = largest_histories},
-        .help =
-            "Histories in each band that this run adds; with `until` at most. Only of photons, as the next "
-            "three."}},
-      {"solve",
-       "until",
-       number,
-       {.range = open_fraction,
-        .help =
-            "Relative standard error of the fluence at which to stop: volume-weighted root mean square over "
-            "the cells."}},
-      {"solve",
-       "probe_photons",
-       number,
-       {.default_value = "2e4",
-        .range = {.lowest = 64, .highest = largest_histories},
-        .help = "Histories in each band that are walked back from each probe point."}},
-      {"solve",
-       "seed",
-       integer,
-       {.default_value = "1",
-        .range = {.lowest = 0, .highest = largest_count},
-        .help = "Chooses the random numbers."}},
-      {"solve",
-       "precision",
-       text,
-       {.default_value = "\"double\"",
-        .choices = {"double", "mixed"},
-        .help = "Of the sweeps. mixed: single within the cycles of gmres, whose residual and solution stay "
-                "double; it saves time, and takes half as much memory again for what a sweep works on."}},
-      {"solve",
-       "acceleration",
-       text,
-       {.default_value = "\"auto\"",
-        .choices = {"auto", "diffusion", "none"},
-        .help = "Of the iteration. auto: diffusion with gmres where it pays; the reason is printed."}},
-      {"solve",
-       "diffusion_coefficient",
-       text,
-       {.default_value = "\"auto\"",
-        .choices = {"auto", "local", "non-local"},
-        .help =
-            "Of the acceleration: 1/(3 extinction), or the mean flight length, which costs a sweep. auto: "
-            "non-local where a void is present or extinctions differ by more than 100 times."}},
-      {"solve",
-       "tolerance",
-       number,
-       {.default_value = "1e-6",
-        .range = open_fraction,
-        .help = "Estimated relative error of the iteration, per band."}},
-      {"solve",
-       "balance_tolerance",
-       number,
-       {.default_value = "0.01",
-        .range = positive,
-        .help =
-            "Part of the emitted power that may be missing from, or too much in, the balance of a band, with "
-            "any method; of photons beside three standard errors. A run beyond it is marked \"balanced\": "
-            "false in `summary.json` and ends with exit code 1."}},
-      {"solve",
-       "max_sweeps",
-       integer,
-       {.default_value = "500",
-        .range = {.lowest = 1, .highest = largest_count},
-        .help = "Every transport sweep counts."}},
-      {"solve",
-       "threads",
-       integer,
-       {.default_value = "0", .range = {.lowest = 0, .highest = 4096}, .help = "0: all cores."}},
-      {"solve",
-       "initial",
-       text,
-       {.help = "A `solution.vtu` of the same mesh and case to start from; what is solved and written may "
-                "differ."}},
-
-      {"photon_map",
-       "hits",
-       number,
-       {.default_value = "1e6",
-        .range = {.lowest = 1, .highest = largest_count},
-        .help = "Kept in each band on walls, and as many where light is scattered, at most; `solve.photons` "
-                "histories are walked for them at most. A hit takes 108 bytes at most."}},
-      {"photon_map",
-       "neighbours",
-       integer,
-       {.default_value = "100",
-        .range = {.lowest = 2, .highest = 100000},
-        .help =
-            "Nearest hits that are a place's light: its error is 1/sqrt(neighbours), and it is blurred over "
-            "what they take."}},
-
-      {"radiosity",
-       "patch_size",
-       number,
-       {.unit = "length",
-        .default_note = "the faces of the mesh",
-        .range = positive,
-        .help =
-            "Faces with longer sides are cut into patches, smaller ones joined where they lie in one plane "
-            "and square."}},
-      {"radiosity",
-       "refine_change",
-       number,
-       {.default_note = "none is cut",
-        .range = positive,
-        .help = "Patches are cut in four, again and again, where their irradiance differs by more than this "
-                "part of its mean over all walls from that of a neighbour in their plane."}},
-      {"radiosity",
-       "smallest_patch",
-       number,
-       {.unit = "length",
-        .default_note = "an eighth of patch_size",
-        .range = positive,
-        .help = "Of this size and below they are not cut further."}},
-      {"radiosity",
-       "solution",
-       text,
-       {.default_value = "\"gathering\"",
-        .choices = {"gathering", "shooting", "direct", "hierarchical"},
-        .help =
-            "Pass by pass from all patches to all; from the brightest patch first; by elimination; or pass "
-            "by pass along links between groups of patches, for tens of thousands of them."}},
-      {"radiosity",
-       "rays",
-       integer,
-       {.default_value = "16",
-        .range = {.lowest = 1, .highest = 1e6},
-        .help = "Between two patches where something may stand between them; eight times as many where "
-                "some are blocked."}},
-      {"radiosity",
-       "link_tolerance",
-       number,
-       {.default_value = "3e-4",
-        .range = open_fraction,
-        .help =
-            "Of the hierarchical solution: what a link may bring too much or too little to a place, of the "
-            "mean irradiance of all walls. The irradiance is off by some ten times that."}},
-      {"radiosity",
-       "path_rays",
-       integer,
-       {.default_value = "1024",
-        .range = {.lowest = 1, .highest = 1e6},
-        .help = "From each patch and each of four points of a cell, followed over mirrors and glossy walls "
-                "where there are any; sixteen times as many from a probe. More take longer, the field in the "
-                "cells most of all."}},
-      {"radiosity",
-       "passes",
-       integer,
-       {.default_value = "0",
-        .range = {.lowest = 0, .highest = 1000},
-        .help = "So many first passes are written as `walls_passK.vtp`, with a series to play."}},
-
-      {"exact",
-       "radiance",
-       text,
-       {.unit = "power/(length^2 sr)",
-        .help = "A formula in x, y, z and the direction of travel wx, wy, wz; the same in all bands."}},
-      {"exact",
-       "family",
-       text,
-       {.choices = exact_family_names(),
-        .help = "In place of a formula one whose errors are known beforehand (docs/user/studies.md)."}},
-      {"exact",
-       "degree",
-       integer,
-       {.default_value = "1", .range = {.lowest = 0, .highest = 10}, .help = "Of the polynomial, in space."}},
-      {"exact",
-       "center",
-       point,
-       {.unit = "length", .default_value = "[0.5, 0.5, 0.5]", .help = "Where a family has its origin."}},
-      {"exact",
-       "length",
-       number,
-       {.unit = "length",
-        .default_value = "1.0",
-        .range = positive,
-        .help = "What a family measures lengths in: about the size of the domain."}},
-
-      {"probe", "name", text, {.need = required, .help = "Names the rows in `probes.csv`."}},
-      {"probe", "points", points, {.unit = "length", .help = "Where; or `line`."}},
-      {"probe",
-       "normal",
-       point,
-       {.help = "Also the irradiance of light that falls on the side it points to; of any length."}},
-      {"probe.line", "from", point, {.unit = "length", .need = required, .help = "First point."}},
-      {"probe.line", "to", point, {.unit = "length", .need = required, .help = "Last point."}},
-      {"probe.line",
-       "count",
-       integer,
-       {.range = {.lowest = 2, .highest = 1e7}, .need = required, .help = "How many points."}},
-
-      {"output",
-       "directory",
-       text,
-       {.default_note = "the case's name, in the working directory",
-        .help = "Made with its parents; an earlier result there is replaced."}},
-      {"output",
-       "fields",
-       texts,
-       {.default_value = "[\"fluence\", \"net_flux\"]",
-        .help = "\"fluence\", \"net_flux\", \"media\", \"radiance:K\" for the ordinate K (from 0)."}},
-      {"output",
-       "checkpoint_every",
-       integer,
-       {.default_value = "0",
-        .range = {.lowest = 0, .highest = largest_count},
-        .help = "Sweeps after which `solution.vtu` is written while the run goes on; 0: only at its end."}},
-      {"output",
-       "encoding",
-       text,
-       {.default_value = "\"inline\"",
-        .choices = {"inline", "appended"},
-        .help = "Of the numbers in VTK files. inline: base64 text, which every ParaView reads; appended: raw "
-                "bytes behind the XML, a quarter shorter, which Debian 12's own ParaView refuses."}},
-  };
+  return declarations_of({direction_table(), refinement_keys(), first_collided_keys(), space_table(),
+                          solve_table(), photon_table(), photon_map_table(), radiosity_table(),
+                          exact_family_table(), probe_keys(), line_keys(), output_table()});
 }
 
 }  // namespace etendue

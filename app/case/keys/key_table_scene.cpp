@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "app/case/keys/key_table.h"
+#include "app/case/keys/case_tables.h"
 #include "mesh/geometry/primitives/geometry.h"
 #include "solver/observe/color/photometric_units.h"
 
@@ -8,209 +8,170 @@ namespace etendue {
 using enum KeyType;
 using namespace key_range;
 
+namespace {
+
+KeyTable top_keys() {
+  KeyTable t("");
+  t.key("title", text, {.default_value = "\"\""}, "What the case is called.");
+  return t;
+}
+
+KeyTable box_keys() {
+  KeyTable t("mesh.box");
+  t.key("region", text, {}, "Name of the region that fills it; not for a hole.");
+  t.key("min", point, {.unit = "length", .need = required}, "Lowest corner.");
+  t.key("max", point, {.unit = "length", .need = required}, "Highest corner.");
+  t.key("walls", named_sides, {}, "Wall names of the sides xmin … zmax that end up on the outside.");
+  t.key("hole", boolean, {.default_value = "false"},
+        "Removes the volume; its surface becomes walls NAME.xmin … NAME.zmax.");
+  t.key("name", text, {}, "Of a hole: what its walls' names begin with.");
+  return t;
+}
+
+KeyTable patch_keys() {
+  KeyTable t("mesh.patch");
+  t.key("wall", text, {.need = required}, "Name of the wall.");
+  t.key("min", point, {.unit = "length", .need = required},
+        "Lowest corner; agrees with `max` in one coordinate.");
+  t.key("max", point, {.unit = "length", .need = required}, "Highest corner.");
+  return t;
+}
+
+KeyTable sheet_keys() {
+  KeyTable t("mesh.sheet");
+  t.key("corners", points, {.unit = "length"},
+        "Corners of a plane polygon in order; its front is where they are seen counterclockwise.");
+  t.key("min", point, {.unit = "length"},
+        "Instead of corners: lowest corner of a rectangle; agrees with `max` in one coordinate, and its "
+        "front looks along that.");
+  t.key("max", point, {.unit = "length"}, "Highest corner.");
+  t.key("front", text, {.need = required}, "Wall name of the front.");
+  t.key("back", text, {}, "Wall name of the back; without it that of the front.");
+  return t;
+}
+
+KeyTable band_keys() {
+  KeyTable t("bands");
+  t.key("names", texts, {.default_value = "[\"grey\"]"}, "One name for each band.");
+  t.key("edges", numbers, {.unit = "nm", .range = positive},
+        "Wavelengths between the bands, rising or falling; one more than names.");
+  return t;
+}
+
+}  // namespace
+
+const BoundTable<Units>& unit_table() {
+  static const BoundTable<Units> table = [] {
+    BoundTable<Units> t("units");
+    t.key("length", &Units::length, {}, "m, cm, mm, km or any label.");
+    t.key("power", &Units::power, {}, "W, mW, \"1/s\" or any label.");
+    t.key("illuminance", &Units::illuminance,
+          {.choices = photometric_unit_names(PhotometricDimension::illuminance)},
+          "Of the illuminances that sensors write.");
+    t.key("luminous_exitance", &Units::luminous_exitance,
+          {.choices = photometric_unit_names(PhotometricDimension::luminous_exitance)},
+          "Of the luminous exitances that sensors write.");
+    t.key("luminance", &Units::luminance,
+          {.choices = photometric_unit_names(PhotometricDimension::luminance)},
+          "Of the luminances that sensors write.");
+    t.key("luminous_flux", &Units::luminous_flux,
+          {.choices = photometric_unit_names(PhotometricDimension::luminous_flux)},
+          "What the luminous fluxes that sensors write are called.");
+    t.key("luminous_intensity", &Units::luminous_intensity,
+          {.choices = photometric_unit_names(PhotometricDimension::luminous_intensity)},
+          "What their luminous intensities are called.");
+    t.key("luminous_energy", &Units::luminous_energy,
+          {.choices = photometric_unit_names(PhotometricDimension::luminous_energy)},
+          "What the luminous energy of the light in a region is called: lumen seconds or talbots.");
+    return t;
+  }();
+  return table;
+}
+
+const BoundTable<MeshCase>& mesh_table() {
+  static const BoundTable<MeshCase> table = [] {
+    BoundTable<MeshCase> t("mesh");
+    t.key("file", text, {}, "A tetrahedral mesh: Gmsh .msh, .vtu, TetGen .node/.ele/.face.");
+    t.key("surface", text, {},
+          "A closed surface to fill: TetGen .poly/.smesh, STL, OBJ, PLY, OFF; open ones inside it become "
+          "sheets.");
+    t.key("max_volume", size_bound, {.unit = "length^3", .range = positive},
+          "Largest cell, for all regions or by region; \"*\" means the rest.");
+    t.key("edge_length", size_bound, {.unit = "length", .range = positive},
+          "The same said as a length a: max_volume = a^3/(6 sqrt 2). One of the two.");
+    t.key("quality", &MeshCase::quality, {.range = {.lowest = 1.1}},
+          "Largest ratio of a cell's circumradius to its shortest edge.");
+    t.key("snap", number, {.default_value = "1e-9", .range = {.lowest = 0, .highest = 1e-3}},
+          "Coordinates and radii of bodies, patches and sheets that differ by less than this part of the "
+          "geometry's longest side are made equal; the log tells.");
+    t.key("max_cells", integer, {.range = {.lowest = 1, .highest = 1e9}},
+          "Refuse a geometry that needs more cells; without it a million beyond those that the bounds ask "
+          "for.");
+    t.key("refine", &MeshCase::refine, {.range = {.lowest = 0, .highest = 6}, .former_name = "split"},
+          "How often every cell is cut into eight, whatever it comes from; curved walls keep their facets.");
+    t.key("scale", &MeshCase::scale, {.range = positive}, "Multiplies the coordinates read from a file.");
+    t.key("regions", named_points, {.unit = "length"},
+          "Of a surface: a point inside each region, after scaling; without it \"domain\".");
+    t.choice("up", &MeshCase::up, {{"y", UpAxis::y}, {"z", UpAxis::z}}, {},
+             "The axis that points up in the file; with y it is turned so that z points up.");
+    return t;
+  }();
+  return table;
+}
+
+const BoundTable<LabelsCase>& label_table() {
+  static const BoundTable<LabelsCase> table = [] {
+    BoundTable<LabelsCase> t("mesh.labels");
+    t.key("file", text, {.need = required}, "An image of labels: VTK .vti, NIfTI .nii or .nii.gz.");
+    t.key("array", &LabelsCase::array, {.default_note = "the only one"},
+          "Name of the array; values of points are those of voxels around them.");
+    t.key("regions", named_integers,
+          {.range = {.lowest = -largest_count, .highest = largest_count}, .need = required},
+          "The label of each region; voxels with another one are left out.");
+    return t;
+  }();
+  return table;
+}
+
+const BoundTable<SpherePrimitive>& sphere_table() {
+  static const BoundTable<SpherePrimitive> table = [] {
+    BoundTable<SpherePrimitive> t("mesh.sphere");
+    t.key("region", text, {}, "Name of the region that fills it; not for a hole.");
+    t.key("center", &SpherePrimitive::center, {.unit = "length", .need = required}, "Centre.");
+    t.key("radius", &SpherePrimitive::radius, {.unit = "length", .range = positive, .need = required},
+          "Radius.");
+    t.key("facets", &SpherePrimitive::facets,
+          {.range = {.lowest = SpherePrimitive::fewest_facets, .highest = 1e6}},
+          "About how many triangles it is made of.");
+    t.key("hole", boolean, {.default_value = "false"},
+          "Removes the volume; its surface becomes the wall NAME.");
+    t.key("name", text, {}, "Of a hole: its wall's name.");
+    return t;
+  }();
+  return table;
+}
+
+const BoundTable<CylinderPrimitive>& cylinder_table() {
+  static const BoundTable<CylinderPrimitive> table = [] {
+    BoundTable<CylinderPrimitive> t("mesh.cylinder");
+    t.key("region", text, {}, "Name of the region that fills it; not for a hole.");
+    t.key("from", &CylinderPrimitive::from, {.unit = "length", .need = required}, "Middle of one end.");
+    t.key("to", &CylinderPrimitive::to, {.unit = "length", .need = required}, "Middle of the other end.");
+    t.key("radius", &CylinderPrimitive::radius, {.unit = "length", .range = positive, .need = required},
+          "Radius.");
+    t.key("facets", &CylinderPrimitive::facets,
+          {.range = {.lowest = CylinderPrimitive::fewest_facets, .highest = 1e5}}, "How many sides it has.");
+    t.key("hole", boolean, {.default_value = "false"},
+          "Removes the volume; its surface becomes the wall NAME.");
+    t.key("name", text, {}, "Of a hole: its wall's name.");
+    return t;
+  }();
+  return table;
+}
+
 std::vector<KeyDeclaration> scene_keys() {
-  constexpr auto required = Need::required;
-  const Range sphere_facets{.lowest = SpherePrimitive::fewest_facets, .highest = 1e6};
-  const Range cylinder_facets{.lowest = CylinderPrimitive::fewest_facets, .highest = 1e5};
-  return {
-      {"", "title", text, {.default_value = "\"\"", .help = "What the case is called."}},
-
-      {"units", "length", text, {.default_value = "\"m\"", .help = "m, cm, mm, km or any label."}},
-      {"units", "power", text, {.default_value = "\"W\"", .help = "W, mW, \"1/s\" or any label."}},
-      {"units",
-       "illuminance",
-       text,
-       {.default_value = "\"lx\"",
-        .choices = photometric_unit_names(PhotometricDimension::illuminance),
-        .help = "Of the illuminances that sensors write."}},
-      {"units",
-       "luminous_exitance",
-       text,
-       {.default_value = "\"lm/m^2\"",
-        .choices = photometric_unit_names(PhotometricDimension::luminous_exitance),
-        .help = "Of the luminous exitances that sensors write."}},
-      {"units",
-       "luminance",
-       text,
-       {.default_value = "\"cd/m^2\"",
-        .choices = photometric_unit_names(PhotometricDimension::luminance),
-        .help = "Of the luminances that sensors write."}},
-      {"units",
-       "luminous_flux",
-       text,
-       {.default_value = "\"lm\"",
-        .choices = photometric_unit_names(PhotometricDimension::luminous_flux),
-        .help = "What the luminous fluxes that sensors write are called."}},
-      {"units",
-       "luminous_intensity",
-       text,
-       {.default_value = "\"cd\"",
-        .choices = photometric_unit_names(PhotometricDimension::luminous_intensity),
-        .help = "What their luminous intensities are called."}},
-      {"units",
-       "luminous_energy",
-       text,
-       {.default_value = "\"lm s\"",
-        .choices = photometric_unit_names(PhotometricDimension::luminous_energy),
-        .help = "What the luminous energy of the light in a region is called: lumen seconds or talbots."}},
-
-      {"mesh", "file", text, {.help = "A tetrahedral mesh: Gmsh .msh, .vtu, TetGen .node/.ele/.face."}},
-      {"mesh",
-       "surface",
-       text,
-       {.help = "A closed surface to fill: TetGen .poly/.smesh, STL, OBJ, PLY, OFF; open ones inside it "
-                "become sheets."}},
-      {"mesh",
-       "max_volume",
-       size_bound,
-       {.unit = "length^3",
-        .range = positive,
-        .help = "Largest cell, for all regions or by region; \"*\" stands for the rest."}},
-      {"mesh",
-       "edge_length",
-       size_bound,
-       {.unit = "length",
-        .range = positive,
-        .help = "The same said as a length a: max_volume = a^3/(6 sqrt 2). One of the two."}},
-      {"mesh",
-       "quality",
-       number,
-       {.default_value = "1.4",
-        .range = {.lowest = 1.1},
-        .help = "Largest ratio of a cell's circumradius to its shortest edge."}},
-      {"mesh",
-       "snap",
-       number,
-       {.default_value = "1e-9",
-        .range = {.lowest = 0, .highest = 1e-3},
-        .help =
-            "Coordinates and radii of bodies, patches and sheets that differ by less than this part of the "
-            "geometry's longest side are made equal; the log tells."}},
-      {"mesh",
-       "max_cells",
-       integer,
-       {.range = {.lowest = 1, .highest = 1e9},
-        .help = "Refuse a geometry that needs more cells; without it a million beyond those that the bounds "
-                "ask for."}},
-      {"mesh",
-       "split",
-       integer,
-       {.default_value = "0",
-        .range = {.lowest = 0, .highest = 6},
-        .help = "How often every cell is cut into eight, whatever it comes from; curved walls keep their "
-                "facets."}},
-      {"mesh",
-       "scale",
-       number,
-       {.default_value = "1.0", .range = positive, .help = "Multiplies the coordinates read from a file."}},
-      {"mesh",
-       "regions",
-       named_points,
-       {.unit = "length",
-        .help = "Of a surface: a point inside each region, after scaling; without it \"domain\"."}},
-
-      {"mesh",
-       "up",
-       text,
-       {.default_value = "\"z\"",
-        .choices = {"y", "z"},
-        .help = "The axis that points up in the file; with y it is turned so that z points up."}},
-      {"mesh.labels",
-       "file",
-       text,
-       {.need = required, .help = "An image of labels: VTK .vti, NIfTI .nii or .nii.gz."}},
-      {"mesh.labels",
-       "array",
-       text,
-       {.default_note = "the only one",
-        .help = "Name of the array; values of points are those of voxels around them."}},
-      {"mesh.labels",
-       "regions",
-       named_integers,
-       {.range = {.lowest = -largest_count, .highest = largest_count},
-        .need = required,
-        .help = "The label of each region; voxels with another one are left out."}},
-
-      {"mesh.box", "region", text, {.help = "Name of the region that fills it; not for a hole."}},
-      {"mesh.box", "min", point, {.unit = "length", .need = required, .help = "Lowest corner."}},
-      {"mesh.box", "max", point, {.unit = "length", .need = required, .help = "Highest corner."}},
-      {"mesh.box",
-       "walls",
-       named_sides,
-       {.help = "Wall names of the sides xmin … zmax that end up on the outside."}},
-      {"mesh.box",
-       "hole",
-       boolean,
-       {.default_value = "false",
-        .help = "Removes the volume; its surface becomes walls NAME.xmin … NAME.zmax."}},
-      {"mesh.box", "name", text, {.help = "Of a hole: what its walls' names begin with."}},
-
-      {"mesh.sphere", "region", text, {.help = "Name of the region that fills it; not for a hole."}},
-      {"mesh.sphere", "center", point, {.unit = "length", .need = required, .help = "Centre."}},
-      {"mesh.sphere",
-       "radius",
-       number,
-       {.unit = "length", .range = positive, .need = required, .help = "Radius."}},
-      {"mesh.sphere",
-       "facets",
-       integer,
-       {.default_value = "320", .range = sphere_facets, .help = "About how many triangles it is made of."}},
-      {"mesh.sphere",
-       "hole",
-       boolean,
-       {.default_value = "false", .help = "Removes the volume; its surface becomes the wall NAME."}},
-      {"mesh.sphere", "name", text, {.help = "Of a hole: its wall's name."}},
-
-      {"mesh.cylinder", "region", text, {.help = "Name of the region that fills it; not for a hole."}},
-      {"mesh.cylinder", "from", point, {.unit = "length", .need = required, .help = "Middle of one end."}},
-      {"mesh.cylinder",
-       "to",
-       point,
-       {.unit = "length", .need = required, .help = "Middle of the other end."}},
-      {"mesh.cylinder",
-       "radius",
-       number,
-       {.unit = "length", .range = positive, .need = required, .help = "Radius."}},
-      {"mesh.cylinder",
-       "facets",
-       integer,
-       {.default_value = "32", .range = cylinder_facets, .help = "How many sides it has."}},
-      {"mesh.cylinder",
-       "hole",
-       boolean,
-       {.default_value = "false", .help = "Removes the volume; its surface becomes the wall NAME."}},
-      {"mesh.cylinder", "name", text, {.help = "Of a hole: its wall's name."}},
-
-      {"mesh.patch", "wall", text, {.need = required, .help = "Name of the wall."}},
-      {"mesh.patch",
-       "min",
-       point,
-       {.unit = "length", .need = required, .help = "Lowest corner; agrees with `max` in one coordinate."}},
-      {"mesh.patch", "max", point, {.unit = "length", .need = required, .help = "Highest corner."}},
-
-      {"mesh.sheet",
-       "corners",
-       points,
-       {.unit = "length",
-        .help = "Corners of a plane polygon in order; its front is where they are seen counterclockwise."}},
-      {"mesh.sheet",
-       "min",
-       point,
-       {.unit = "length",
-        .help = "Instead of corners: lowest corner of a rectangle; agrees with `max` in one coordinate, and "
-                "its front looks along that."}},
-      {"mesh.sheet", "max", point, {.unit = "length", .help = "Highest corner."}},
-      {"mesh.sheet", "front", text, {.need = required, .help = "Wall name of the front."}},
-      {"mesh.sheet", "back", text, {.help = "Wall name of the back; without it that of the front."}},
-
-      {"bands", "names", texts, {.default_value = "[\"grey\"]", .help = "One name for each band."}},
-      {"bands",
-       "edges",
-       numbers,
-       {.unit = "nm",
-        .range = positive,
-        .help = "Wavelengths between the bands, rising or falling; one more than names."}},
-  };
+  return declarations_of({top_keys(), unit_table(), mesh_table(), label_table(), box_keys(), sphere_table(),
+                          cylinder_table(), patch_keys(), sheet_keys(), band_keys()});
 }
 
 }  // namespace etendue

@@ -3,56 +3,49 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "base/edit_distance.h"
 
 namespace etendue {
 namespace {
 
-std::string type_text(KeyType type) {
-  switch (type) {
-    case KeyType::any:
-      return "a value";
-    case KeyType::text:
-      return "text";
-    case KeyType::number:
-      return "a number";
-    case KeyType::integer:
-      return "an integer";
-    case KeyType::boolean:
-      return "true or false";
-    case KeyType::switch_:
-      return "\"auto\", true or false";
-    case KeyType::point:
-      return "a list of three numbers";
-    case KeyType::points:
-      return "a list of points [x, y, z]";
-    case KeyType::texts:
-      return "a list of text";
-    case KeyType::numbers:
-      return "a list of numbers";
-    case KeyType::band_texts:
-      return "text, or a list with one for each band";
-    case KeyType::band_numbers:
-      return "a number, or a list with one for each band";
-    case KeyType::band_values:
-      return "a number, a formula in x, y, z or { file, array }, or a list with one for each band";
-    case KeyType::place_value:
-      return "a number, a formula in x, y, z or { file, array }";
-    case KeyType::size_bound:
-      return "a number, or a table of one for each region";
-    case KeyType::named_integers:
-      return "a table of integers";
-    case KeyType::named_points:
-      return "a table of points [x, y, z]";
-    case KeyType::choice_or_number:
-      return "text or a number";
-    case KeyType::rotation:
-      return "\"random\" or { axis = [x, y, z], angle = degrees }";
-    case KeyType::named_sides:
-      return "a table of names for xmin, xmax, ymin, ymax, zmin, zmax";
-  }
-  return "";
-}
+struct TypeTexts {
+  KeyType type;
+  std::string_view accepted, column;
+};
+
+constexpr std::array type_texts = {
+    TypeTexts{KeyType::any, "a value", ""},
+    TypeTexts{KeyType::text, "text", "text"},
+    TypeTexts{KeyType::number, "a number", "number"},
+    TypeTexts{KeyType::integer, "an integer", "integer"},
+    TypeTexts{KeyType::boolean, "true or false", "true, false"},
+    TypeTexts{KeyType::switch_, "\"auto\", true or false", "\"auto\", true, false"},
+    TypeTexts{KeyType::point, "a list of three numbers", "[x, y, z]"},
+    TypeTexts{KeyType::points, "a list of points [x, y, z]", "list of [x, y, z]"},
+    TypeTexts{KeyType::texts, "a list of text", "list of text"},
+    TypeTexts{KeyType::numbers, "a list of numbers", "list of numbers"},
+    TypeTexts{KeyType::band_texts, "text, or a list with one for each band", "text per band"},
+    TypeTexts{KeyType::band_numbers, "a number, or a list with one for each band", "number per band"},
+    TypeTexts{KeyType::band_values,
+              "a number, a formula in x, y, z or { file, array }, or a list with one for each band",
+              "number, formula or field per band"},
+    TypeTexts{KeyType::place_value, "a number, a formula in x, y, z or { file, array }",
+              "number, formula or field"},
+    TypeTexts{KeyType::size_bound, "a number, or a table of one for each region",
+              "number or table NAME = number"},
+    TypeTexts{KeyType::named_integers, "a table of integers", "table NAME = integer"},
+    TypeTexts{KeyType::named_points, "a table of points [x, y, z]", "table NAME = [x, y, z]"},
+    TypeTexts{KeyType::choice_or_number, "text or a number", "text or number"},
+    TypeTexts{KeyType::rotation, "\"random\" or { axis = [x, y, z], angle = degrees }",
+              "\"random\" or table of axis, angle"},
+    TypeTexts{KeyType::named_sides, "a table of names for xmin, xmax, ymin, ymax, zmin, zmax",
+              "table side = text"},
+};
+
+const TypeTexts& texts_of(KeyType type) { return *std::ranges::find(type_texts, type, &TypeTexts::type); }
 
 std::vector<std::string> quoted_choices(const KeyDeclaration& key) {
   if (key.type == KeyType::integer) return key.choices;
@@ -69,6 +62,8 @@ std::pair<std::string_view, std::string_view> split_path(std::string_view path) 
 }
 
 }  // namespace
+
+std::string_view type_column(KeyType type) { return texts_of(type).column; }
 
 bool Range::holds(double number) const {
   return (lowest_excluded ? number > lowest : number >= lowest) &&
@@ -123,10 +118,15 @@ std::string accepted_text(const KeyDeclaration& key) {
     if (key.type == KeyType::choice_or_number) choices.push_back("a number " + key.range.text());
     return enumerate(choices);
   }
-  const std::string type = type_text(key.type), range = key.range.text();
+  const std::string type(texts_of(key.type).accepted), range = key.range.text();
   if (range.empty()) return type;
   const bool compound = type.find(',') != std::string::npos || key.type == KeyType::numbers;
   return type + (compound ? ", each " : " ") + range;
+}
+
+std::string former_name_text(const KeyDeclaration& key) {
+  if (key.former_name.empty()) return "";
+  return fmt::format("Formerly `{}`, which is accepted until {}.", key.former_name, former_names_until);
 }
 
 }  // namespace etendue

@@ -45,32 +45,33 @@ struct Range {
   std::string text() const;
 };
 
-enum class Need { optional, required };
+/// The version that no longer knows former names of keys.
+inline constexpr std::string_view former_names_until = "0.2";
 
-/// Whether this version can honour what is documented.
-enum class Support { here, later };
+enum class Need { optional, required };
 
 /// What is said of a key besides its type.
 struct KeyDetails {
   std::string_view unit = "";
-  std::string_view default_value = "";  ///< as TOML; empty: none
-  std::string_view default_note = "";   ///< where the default is not a fixed value
+  std::string default_value = "";      ///< as TOML; empty: none
+  std::string_view default_note = "";  ///< where the default is not a fixed value
   Range range = {};
   std::vector<std::string> choices = {};  ///< of text or integers; empty: any
   std::vector<std::string> later = {};    ///< documented choices that this version does not have
+  std::string_view former_name = "";      ///< deprecated, but accepted; empty: none
   Need need = Need::optional;
-  Support support = Support::here;
-  std::string_view help = "";
 };
 
 /// A key of the case file. `table` is its place: names that the user chooses are written NAME.
 struct KeyDeclaration : KeyDetails {
-  KeyDeclaration(std::string_view in_table, std::string_view key, KeyType key_type, KeyDetails details)
-      : KeyDetails(std::move(details)), table(in_table), name(key), type(key_type) {}
+  KeyDeclaration(std::string_view in_table, std::string_view key, KeyType key_type, KeyDetails details,
+                 std::string_view meaning)
+      : KeyDetails(std::move(details)), table(in_table), name(key), type(key_type), help(meaning) {}
 
   std::string_view table;
   std::string_view name;
   KeyType type;
+  std::string_view help;
 };
 
 /// How a table is written: `[name]`, `[[name]]`, or an inline table or a list of them.
@@ -79,7 +80,6 @@ enum class TableForm { table, list, table_or_list };
 struct TableDeclaration {
   std::string_view path;
   TableForm form = TableForm::table;
-  Support support = Support::here;
   std::string_view help = "";
 };
 
@@ -99,8 +99,14 @@ std::vector<std::string> names_in(std::string_view table);
 /// `[table]` or `[[table]]`.
 std::string table_header(std::string_view path);
 
+/// "number", "[x, y, z]", …, as the reference page has it.
+std::string_view type_column(KeyType type);
+
 /// "a number above 0", "\"auto\" or \"none\"", …
 std::string accepted_text(const KeyDeclaration& key);
+
+/// "Formerly `gather`, which is accepted until 0.2."; empty without a former name.
+std::string former_name_text(const KeyDeclaration& key);
 
 /// The reference page of all keys, in Markdown.
 std::string key_reference();

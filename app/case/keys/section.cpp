@@ -54,6 +54,12 @@ void Section::fail_without(std::string_view name) const {
   throw std::logic_error("no value and no default: " + origin(name).key);
 }
 
+const TomlNode* Section::find_or_default(std::string_view name) {
+  if (const TomlNode* node = find(name)) return node;
+  const KeyDeclaration* key = find_key(path_, name);
+  return key == nullptr || key->default_value.empty() ? nullptr : &value(name);
+}
+
 std::optional<std::string> Section::text_if(std::string_view name) {
   const TomlNode* node = find(name);
   return node ? std::optional(node->text()) : std::nullopt;

@@ -25,6 +25,9 @@ class Section {
   /// The value if it is there and sound, else null. No default.
   TomlNode* find(std::string_view name);
 
+  /// The sound value or the declared default, which is added where nothing is there; null without both.
+  const TomlNode* find_or_default(std::string_view name);
+
   std::optional<std::string> text_if(std::string_view name);
   std::optional<double> number_if(std::string_view name);
   std::optional<Vec3> point_if(std::string_view name);

@@ -82,8 +82,6 @@ class ValueCheck {
   bool wrong_type(TomlNode& node) {
     std::string hint;
     if (key_.type == KeyType::integer && node.is_number()) hint = " without a decimal point";
-    if (node.is_text() && std::ranges::count(key_.later, "a formula") > 0)
-      return fail(node, "a formula is not in this version; use " + accepted_text(key_));
     if (node.is_text() && !key_.unit.empty())
       hint = fmt::format(" in {} (units are set in [units])", key_.unit);
     return fail(node, fmt::format("must not be {}; use {}{}", kind_of(node), accepted_text(key_), hint));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/read/read_camera.h"
 
+#include "app/case/keys/case_tables.h"
 #include "app/case/read/file_name.h"
 #include "app/case/read/read_false_color.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace etendue {
 namespace {
@@ -14,16 +14,9 @@ namespace {
 // Of a view and `up` that are all but parallel rounding would decide what points up.
 constexpr double smallest_sine = 1e-6;
 
-const std::map<std::string, Tone> tones = {
-    {"linear", Tone::linear}, {"reinhard", Tone::reinhard}, {"aces", Tone::aces}};
-
-void read_view(Section& section, Camera& camera) {
-  const auto position = section.point_if("position"), look_at = section.point_if("look_at");
-  camera.up = to_vec3(section.value("up"));
-  if (!position || !look_at) return;
-  camera.position = *position;
-  camera.look_at = *look_at;
-  const Vec3 ahead = *look_at - *position;
+void check_view(Section& section, const Camera& camera) {
+  if (!section.find("position") || !section.find("look_at")) return;
+  const Vec3 ahead = camera.look_at - camera.position;
   if (ahead.norm() == 0) return section.fault("look_at", "is where the camera stands; use another point");
   if (camera.up.norm() == 0) return section.fault("up", "has no direction; use a vector that is not zero");
   if (ahead.cross(camera.up).norm() < smallest_sine * ahead.norm() * camera.up.norm())
@@ -63,38 +56,22 @@ void read_lens(Section& section, Camera& camera) {
                   "projection = \"fisheye\"");
 }
 
-White read_white(Section& section) {
-  const TomlNode& node = section.value("white");
-  if (node.is_number()) return {White::Kind::black_body, node.number()};
-  return {node.text() == "D65" ? White::Kind::d65 : White::Kind::equal};
-}
-
-void read_pixels(Section& section, Camera& camera) {
+void check_pixels(Section& section) {
   const TomlArray& pixels = section.value("pixels").array();
   const bool whole = std::ranges::all_of(
       pixels, [](const auto& item) { return std::holds_alternative<std::int64_t>(item->value); });
-  if (pixels.size() != 2 || !whole)
-    return section.fault("pixels", "must be two whole numbers; use [across, down]");
-  camera.pixels = {static_cast<int>(pixels[0]->number()), static_cast<int>(pixels[1]->number())};
+  if (pixels.size() != 2 || !whole) section.fault("pixels", "must be two whole numbers; use [across, down]");
 }
 
 CameraCase read_camera(Section& section) {
   CameraCase result;
   result.origin = section.origin();
   result.name = file_name(section, "name");
-  read_view(section, result.camera);
+  camera_table().read(section, result);
+  check_view(section, result.camera);
   read_lens(section, result.camera);
-  read_pixels(section, result.camera);
-  result.camera.samples = section.integer("samples");
-  result.camera.shafts = section.integer("shafts");
-  result.camera.gather = section.integer("gather");
-  result.camera.glossy = section.integer("glossy");
-  result.camera.shadow_rays = section.integer("shadow_rays");
-  result.camera.errors = section.boolean("errors");
+  check_pixels(section);
   if (section.has("false_color")) result.false_color = read_false_color(section.section("false_color"));
-  result.exposure = section.number_if("exposure");
-  result.white = read_white(section);
-  if (const auto tone = tones.find(section.text("tone")); tone != tones.end()) result.tone = tone->second;
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "app/case/build/daylight.h"
 #include "app/case/build/mesh_names.h"
 #include "app/case/case.h"
+#include "app/case/keys/case_tables.h"
 #include "app/case/keys/key_check.h"
 #include "app/case/keys/override.h"
 #include "app/case/keys/section.h"
@@ -23,17 +24,6 @@
 namespace etendue {
 namespace {
 
-Units read_units(Section units) {
-  return {.length = units.text("length"),
-          .power = units.text("power"),
-          .illuminance = units.text("illuminance"),
-          .luminous_exitance = units.text("luminous_exitance"),
-          .luminance = units.text("luminance"),
-          .luminous_flux = units.text("luminous_flux"),
-          .luminous_intensity = units.text("luminous_intensity"),
-          .luminous_energy = units.text("luminous_energy")};
-}
-
 /// 0 where the directions were refused already.
 int ordinate_count(const Case& input) {
   try {
@@ -47,7 +37,8 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   Case result;
   result.file = file;
   result.title = top.text("title");
-  result.units = read_units(top.section("units"));
+  Section units = top.section("units");
+  unit_table().read(units, result.units);
   result.mesh = read_mesh_section(top.section("mesh"), file.parent_path());
   result.bands = read_bands(top.section("bands"));
   read_directions(top.section("directions"), result);
@@ -88,7 +79,11 @@ void check_mesh_files(const MeshCase& mesh, Faults& faults) {
 
 Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides& overrides) {
   Faults faults;
+  std::vector<std::string> deprecations;
+  // Names of the file first: an override by either name replaces its value.
+  rename_former_keys(root, deprecations, faults);
   for (const std::string& assignment : overrides) apply_override(root, assignment, faults);
+  rename_former_keys(root, deprecations, faults);
   check_keys(root, faults);
   Section top(root, "", faults);
   Case result = read_tables(top, file);
@@ -105,6 +100,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
   report_unused(root, faults);
   check_mesh_files(result.mesh, faults);
   if (!faults.empty()) throw InputError(std::move(faults));
+  result.deprecations = std::move(deprecations);
   result.resolved_toml = render_toml(root);
   return result;
 }

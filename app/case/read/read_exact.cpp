@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/case/exact_family.h"
+#include "app/case/keys/case_tables.h"
 #include "base/errors.h"
 #include "base/expression/differentiable.h"
 
@@ -67,11 +68,10 @@ void read_family(Section& exact, Case& result) {
   ExactFamily family;
   family.name = *name;
   if (family.name == "polynomial")
-    family.degree = exact.integer("degree");
+    exact_family_table().read(exact, "degree", family);
   else
     exact.unused("degree", "only the polynomial takes it");
-  family.center = to_vec3(exact.value("center"));
-  family.length = exact.number("length");
+  for (const char* key : {"center", "length"}) exact_family_table().read(exact, key, family);
   result.exact = ExactCase{exact_formula(family), family, exact.origin("family")};
 }
 

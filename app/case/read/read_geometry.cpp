@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/case/keys/case_tables.h"
 #include "app/case/read/read_mesh.h"
 #include "mesh/geometry/primitives/sheet_shape.h"
 
@@ -65,21 +66,16 @@ BoxPrimitive read_box(Section& section) {
 SpherePrimitive read_sphere(Section& section) {
   SpherePrimitive sphere;
   read_base(section, sphere);
-  sphere.center = section.point_if("center").value_or(sphere.center);
-  sphere.radius = section.number_if("radius").value_or(sphere.radius);
-  sphere.facets = section.integer("facets");
+  sphere_table().read(section, sphere);
   return sphere;
 }
 
 CylinderPrimitive read_cylinder(Section& section) {
   CylinderPrimitive cylinder;
   read_base(section, cylinder);
-  cylinder.from = section.point_if("from").value_or(cylinder.from);
-  cylinder.to = section.point_if("to").value_or(cylinder.to);
+  cylinder_table().read(section, cylinder);
   if (section.find("from") && section.find("to") && cylinder.from == cylinder.to)
     section.fault("to", "the same point as from (a cylinder has a length); use two points");
-  cylinder.radius = section.number_if("radius").value_or(cylinder.radius);
-  cylinder.facets = section.integer("facets");
   return cylinder;
 }
 

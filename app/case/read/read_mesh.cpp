@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/case/keys/case_tables.h"
 #include "app/case/keys/resolve_path.h"
 
 namespace etendue {
@@ -82,7 +83,7 @@ std::optional<LabelsCase> read_labels(Section section, const std::filesystem::pa
   const TomlNode* file = section.find("file");
   const TomlNode* regions = section.find("regions");
   LabelsCase labels;
-  labels.array = section.text_if("array").value_or("");
+  label_table().read(section, labels);
   if (file == nullptr || regions == nullptr) return std::nullopt;
   labels.file = {resolve_path(*file, case_folder), file->origin};
   for (const auto& [region, label] : regions->table().entries)
@@ -113,7 +114,7 @@ MeshCase read_mesh_section(Section section, const std::filesystem::path& case_fo
   mesh.origin = section.origin();
   check_one_geometry(section);
   reject_unused(section);
-  mesh.split = section.integer("split");
+  mesh_table().read(section, "refine", mesh);
   mesh.file = read_file(section, "file", case_folder);
   mesh.surface = read_file(section, "surface", case_folder);
   mesh.geometry = read_geometry(section);
@@ -121,12 +122,11 @@ MeshCase read_mesh_section(Section section, const std::filesystem::path& case_fo
   read_regions(section, mesh);
   if (section.has("labels")) mesh.labels = read_labels(section.section("labels"), case_folder);
   if (reads_a_file(section)) {
-    mesh.scale = section.number("scale");
-    mesh.up = section.text("up") == "y" ? UpAxis::y : UpAxis::z;
+    for (const char* name : {"scale", "up"}) mesh_table().read(section, name, mesh);
   }
   if (section.has("file")) return mesh;
   read_sizes(section, mesh);
-  mesh.quality = section.number("quality");
+  mesh_table().read(section, "quality", mesh);
   if (section.has("max_cells")) mesh.max_cells = section.integer("max_cells");
   return mesh;
 }

@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "app/case/build/build.h"
+#include "app/case/keys/case_tables.h"
 #include "app/case/keys/resolve_path.h"
 #include "base/edit_distance.h"
 #include "solver/angular/sets/direction_set.h"
@@ -107,9 +108,7 @@ OutputCase read_output(Section section, const std::filesystem::path& case_file) 
   else
     output.directory = case_name(case_file);
   section.resolve("directory", output.directory.string());
-  output.checkpoint_every = section.integer("checkpoint_every");
-  output.encoding =
-      section.text("encoding") == "appended" ? VtkEncoding::appended_raw : VtkEncoding::inline_base64;
+  output_table().read(section, output);
   output.fields.clear();
   const bool given = section.has("fields");
   section.value("fields");

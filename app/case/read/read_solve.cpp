@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "app/case/build/build.h"
+#include "app/case/keys/case_tables.h"
 #include "app/case/keys/resolve_path.h"
 #include "solver/angular/sets/direction_set.h"
 
@@ -71,11 +72,9 @@ void check_refinement(Section& directions, const Case& result) {
 }  // namespace
 
 void read_directions(Section directions, Case& result) {
-  result.direction_set = directions.text("set");
-  result.direction_order = directions.integer("order");
+  direction_table().read(directions, result);
   result.directions_origin = directions.origin("order");
   result.angular_space = angular_space(result.direction_set);
-  result.rotations = directions.integer("rotations");
   result.direction_rotation = read_rotation(directions, result.angular_space);
   if (result.rotations > 1) result.direction_seed = static_cast<std::uint64_t>(directions.integer("seed"));
   result.direction_refinement = read_refinement(directions);
@@ -89,86 +88,37 @@ void read_directions(Section directions, Case& result) {
 
 void read_space(Section space, SolveOptions& options) {
   options.order = space.integer("order") == 0 ? SpaceOrder::constant : SpaceOrder::linear;
-  const std::string lumping = space.text("lumping");
-  options.lumping = lumping == "none"   ? Lumping::none
-                    : lumping == "mass" ? Lumping::mass
-                                        : Lumping::automatic;
-  const std::string positivity = space.text("positivity");
-  options.positivity = positivity == "rescale"     ? Positivity::rescale
-                       : positivity == "quadratic" ? Positivity::quadratic
-                                                   : Positivity::none;
+  space_table().read(space, options);
   if (options.order == SpaceOrder::constant && options.positivity != Positivity::none)
     space.fault("positivity", "constant elements are never negative; use \"none\", or order = 1");
 }
 
-namespace {
-
-/// Read with every method: one case serves several, and `compare` asks for them side by side.
-std::optional<PhotonCase> read_photons(Section& solve) {
-  PhotonCase photons;
-  photons.photons = solve.number("photons");
-  photons.until = solve.number_if("until").value_or(0);
-  photons.probe_photons = solve.number("probe_photons");
-  photons.seed = solve.integer("seed");
-  if (solve.text("method") != "photons") return std::nullopt;
-  return photons;
-}
-
-RadiosityMethod radiosity_method(const std::string& name) {
-  if (name == "shooting") return RadiosityMethod::shooting;
-  if (name == "hierarchical") return RadiosityMethod::hierarchical;
-  return name == "direct" ? RadiosityMethod::direct : RadiosityMethod::gathering;
-}
-
-}  // namespace
-
 void read_radiosity(Section radiosity, bool chosen, Case& result) {
   RadiosityCase read;
-  read.patch_size = radiosity.number_if("patch_size").value_or(0);
-  read.refine_change = radiosity.number_if("refine_change").value_or(0);
-  read.smallest_patch = radiosity.number_if("smallest_patch").value_or(read.patch_size / 8);
+  radiosity_table().read(radiosity, read);
+  if (!radiosity.find("smallest_patch")) read.smallest_patch = read.patch_size / 8;
   if (read.refine_change > 0 && read.smallest_patch <= 0)
     radiosity.fault("refine_change",
                     "needs a size at which cutting ends; give smallest_patch, or patch_size, of which it is "
                     "an eighth then");
-  read.solution = radiosity_method(radiosity.text("solution"));
-  read.rays = radiosity.integer("rays");
-  read.link_tolerance = radiosity.number("link_tolerance");
-  read.path_rays = radiosity.integer("path_rays");
-  read.passes = radiosity.integer("passes");
   if (chosen) result.radiosity = read;
 }
 
 void read_photon_map(Section map, Case& result) {
-  const double hits = map.number("hits");
-  const int neighbours = map.integer("neighbours");
-  if (!result.photons) return;
-  result.photons->map_hits = hits;
-  result.photons->map_neighbours = neighbours;
+  // Read with every method: one case serves several, and `compare` asks for them side by side.
+  PhotonCase photons = result.photons.value_or(PhotonCase{});
+  photon_map_table().read(map, photons);
+  if (result.photons) result.photons = photons;
 }
 
 void read_solve(Section solve, const std::filesystem::path& case_folder, Case& result) {
-  SolveOptions& options = result.solve;
-  const std::string method = solve.text("method");
-  options.method = method == "gmres"              ? Method::gmres
-                   : method == "source-iteration" ? Method::source_iteration
-                                                  : Method::automatic;
-  result.photons = read_photons(solve);
-  options.precision = solve.text("precision") == "mixed" ? Precision::mixed : Precision::full;
-  if (options.precision == Precision::mixed && options.method == Method::source_iteration)
+  solve_table().read(solve, "method", result);
+  PhotonCase photons;
+  photon_table().read(solve, photons);
+  if (solve.text("method") == "photons") result.photons = photons;
+  solve_table().read(solve, result);
+  if (result.solve.precision == Precision::mixed && result.solve.method == Method::source_iteration)
     solve.fault("precision", "source iteration has no cycles that double precision corrects; use gmres");
-  const std::string acceleration = solve.text("acceleration");
-  options.acceleration = acceleration == "diffusion" ? Acceleration::diffusion
-                         : acceleration == "none"    ? Acceleration::none
-                                                     : Acceleration::automatic;
-  const std::string coefficient = solve.text("diffusion_coefficient");
-  options.diffusion_length = coefficient == "local"       ? DiffusionLength::local
-                             : coefficient == "non-local" ? DiffusionLength::nonlocal
-                                                          : DiffusionLength::automatic;
-  options.tolerance = solve.number("tolerance");
-  result.balance_tolerance = solve.number("balance_tolerance");
-  options.max_sweeps = solve.integer("max_sweeps");
-  options.threads = solve.integer("threads");
   if (const TomlNode* initial = solve.find("initial"))
     result.initial = InputFile{resolve_path(*initial, case_folder), initial->origin};
 }

@@ -13,8 +13,8 @@ namespace {
 bool comes_from_outside(const LightCase& light, const Case& input) {
   const bool glazed =
       std::ranges::any_of(input.walls, [](const auto& wall) { return !wall.second.glazing.empty(); });
-  return light.kind == "sun" || light.kind == "beam" ||
-         (light.kind == "sky" && (!light.angle.empty() || glazed));
+  return light.kind == LightKind::sun || light.kind == LightKind::beam ||
+         (light.kind == LightKind::sky && (!light.angle.empty() || glazed));
 }
 
 /// Name of a light that rays do not know; empty without any.

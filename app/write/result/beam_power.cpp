@@ -54,7 +54,7 @@ double entering_power(const std::vector<Light>& beams, const TetrahedralMesh& me
 
 std::vector<BeamPower> beam_powers(const Problem& problem, const Case& input) {
   std::vector<BeamPower> found;
-  const auto is_beam = [](const LightCase& light) { return light.kind == "beam"; };
+  const auto is_beam = [](const LightCase& light) { return light.kind == LightKind::beam; };
   if (std::ranges::none_of(input.lights, is_beam)) return found;
   const MirrorPlanes planes(problem);
   for (const LightCase& light : input.lights) {
@@ -62,7 +62,8 @@ std::vector<BeamPower> beam_powers(const Problem& problem, const Case& input) {
     const std::vector<Light> beams = beams_of(light, problem);
     BeamPower& beam = found.emplace_back();
     beam.name = light.name;
-    beam.power = std::accumulate(light.strength.begin(), light.strength.end(), 0.0);
+    const std::vector<double>& power = values_of(light.strength);
+    beam.power = std::accumulate(power.begin(), power.end(), 0.0);
     beam.entering = entering_power(beams, problem.mesh());
     const double on_walls = part_on_walls(light, beams, problem.mesh());
     const double before = std::max(part_before_symmetry(light, planes), on_walls);

@@ -33,7 +33,7 @@ std::vector<Daylight> daylight(const Case& input) {
   const std::optional<SiScale> scale = si_scale(input.units.length, input.units.power);
   std::vector<Daylight> found;
   for (const LightCase& light : input.lights) {
-    if (light.of_wall || (light.kind != "sun" && light.kind != "sky")) continue;
+    if (light.of_wall || (light.kind != LightKind::sun && light.kind != LightKind::sky)) continue;
     const std::vector<double> level = unobstructed_irradiance(light);
     Daylight& day = found.emplace_back();
     day.name = light.name;
@@ -56,7 +56,8 @@ std::vector<WallBeam> wall_beams(const Problem& problem, const Case& input) {
       if (mesh.wall_names()[static_cast<std::size_t>(mesh.wall(face))] == light.walls.front())
         area += std::max(0.0, -mesh.area_normal(face).dot(light.direction));
     }
-    const double irradiance = std::accumulate(light.strength.begin(), light.strength.end(), 0.0);
+    const std::vector<double>& bands = values_of(light.strength);
+    const double irradiance = std::accumulate(bands.begin(), bands.end(), 0.0);
     found.push_back({light.name, irradiance, irradiance * area});
   }
   return found;

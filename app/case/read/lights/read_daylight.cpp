@@ -87,7 +87,7 @@ std::optional<double> read_daylight(Section& section, LightCase& light) {
   const std::optional<SunPlace> sun = read_sun_position(section);
   if (sun)
     light.note = fmt::format("sun at altitude {:.2f}, azimuth {:.2f} degrees", sun->altitude, sun->azimuth);
-  if (light.kind == "sun") {
+  if (light.kind == LightKind::sun) {
     if (!section.has("direction") && !section.has("sun_position"))
       section.fault("a light of kind sun needs direction or sun_position; add one of them");
     if (section.has("sun_position")) section.unused("direction", "`sun_position` is given");

@@ -18,7 +18,8 @@ namespace {
 
 /// The keys of a kind of light besides name, kind and uncollided; those that it needs first.
 struct KindKeys {
-  std::string_view kind;
+  std::string_view name;
+  LightKind kind;
   std::vector<std::string> needed;
   std::vector<std::string> optional;
 };
@@ -26,21 +27,32 @@ struct KindKeys {
 const std::array<KindKeys, 8>& kind_keys() {
   static const std::array<KindKeys, 8> kinds = {{
       {"point",
+       LightKind::point,
        {"position"},
        {"power", "luminous_flux", "color_temperature", "distribution", "direction", "along"}},
       {"spot",
+       LightKind::spot,
        {"position", "direction", "angle"},
        {"power", "luminous_flux", "color_temperature", "falloff"}},
-      {"sun", {}, {"direction", "sun_position", "irradiance", "illuminance", "color_temperature", "walls"}},
+      {"sun",
+       LightKind::sun,
+       {},
+       {"direction", "sun_position", "irradiance", "illuminance", "color_temperature", "walls"}},
       {"beam",
+       LightKind::beam,
        {"position", "direction", "radius"},
        {"power", "luminous_flux", "color_temperature", "profile", "numerical_aperture", "walls"}},
-      {"disc", {"position", "direction", "radius"}, {"radiance", "luminance", "color_temperature"}},
+      {"disc",
+       LightKind::disc,
+       {"position", "direction", "radius"},
+       {"radiance", "luminance", "color_temperature"}},
       {"rectangle",
+       LightKind::rectangle,
        {"position", "direction", "along", "size"},
        {"radiance", "luminance", "color_temperature"}},
-      {"wall", {"walls"}, {"radiance", "luminance", "color_temperature"}},
+      {"wall", LightKind::wall, {"walls"}, {"radiance", "luminance", "color_temperature"}},
       {"sky",
+       LightKind::sky,
        {},
        {"radiance", "luminance", "irradiance", "illuminance", "color_temperature", "walls", "distribution",
         "direction", "along", "cie_type", "direct_normal_irradiance", "diffuse_horizontal_irradiance",
@@ -51,13 +63,13 @@ const std::array<KindKeys, 8>& kind_keys() {
 
 void check_kind_keys(Section& section, const KindKeys& kind) {
   for (const std::string& key : kind.needed)
-    if (!section.has(key)) section.fault(fmt::format("a light of kind {} needs {}; add it", kind.kind, key));
+    if (!section.has(key)) section.fault(fmt::format("a light of kind {} needs {}; add it", kind.name, key));
   for (const KindKeys& other : kind_keys())
     for (const auto* keys : {&other.needed, &other.optional})
       for (const std::string& key : *keys)
         if (std::ranges::count(kind.needed, key) == 0 && std::ranges::count(kind.optional, key) == 0 &&
             section.find(key) != nullptr)
-          section.unused(key, fmt::format("it is no key of the kind {}", kind.kind));
+          section.unused(key, fmt::format("it is no key of the kind {}", kind.name));
 }
 
 std::optional<Vec3> unit_if(Section& section, std::string_view name) {
@@ -123,9 +135,8 @@ LightCase read_light(Section& section, const LightContext& context) {
   LightCase light;
   light.origin = section.origin();
   light.name = section.text_if("name").value_or("");
-  light.kind = section.text_if("kind").value_or("");
   light.uncollided = read_uncollided(section);
-  const auto kind = std::ranges::find(kind_keys(), light.kind, &KindKeys::kind);
+  const auto kind = std::ranges::find(kind_keys(), section.text_if("kind").value_or(""), &KindKeys::name);
   if (kind == kind_keys().end()) {
     // Nothing is said about the keys of a kind that is not known.
     for (const KindKeys& any : kind_keys())
@@ -133,25 +144,28 @@ LightCase read_light(Section& section, const LightContext& context) {
         for (const std::string& key : *keys) section.find(key);
     return light;
   }
+  light.kind = kind->kind;
   check_kind_keys(section, *kind);
   light.position = section.point_if("position").value_or(Vec3::Zero());
   light.direction = unit_if(section, "direction").value_or(-Vec3::UnitZ());
   light.along = unit_if(section, "along").value_or(Vec3::UnitX());
   for (const char* key : {"along", "direction"})
-    if ((light.kind == "sky" || (light.kind == "point" && key == std::string_view("along"))) &&
+    if ((light.kind == LightKind::sky ||
+         (light.kind == LightKind::point && key == std::string_view("along"))) &&
         section.has(key) && !section.has("distribution"))
       section.unused(key, "only a distribution is turned there");
   if (!section.has("along") && std::abs(light.direction.x()) > 0.9) light.along = Vec3::UnitY();
   if (section.has("along") && light.along.cross(light.direction).norm() < 1e-6)
     section.fault("along", "has the direction in which the light shines; use one across it");
   light.radius = section.number_if("radius").value_or(0);
-  if (light.kind == "beam") light.gaussian = section.text("profile") == "gaussian";
+  if (light.kind == LightKind::beam) light.gaussian = section.text("profile") == "gaussian";
   light.numerical_aperture = section.number_if("numerical_aperture").value_or(0);
   read_size(section, light);
   const std::optional<double> candelas = read_shape(section, light, context.folder);
   std::optional<double> illuminance;
-  if (light.kind == "sun" || light.kind == "sky") illuminance = read_daylight(section, light);
-  if (light.kind == "point" || light.kind == "spot" || light.kind == "beam")
+  if (light.kind == LightKind::sun || light.kind == LightKind::sky)
+    illuminance = read_daylight(section, light);
+  if (light.kind == LightKind::point || light.kind == LightKind::spot || light.kind == LightKind::beam)
     read_lamp_power(section, context, candelas, light);
   else
     read_strength(section, context, illuminance, light);
@@ -185,11 +199,11 @@ std::optional<LightCase> read_beam(Section& wall, const std::string& name, const
   LightCase beam;
   beam.origin = section.origin();
   beam.name = name + ".beam";
-  beam.kind = "sun";
+  beam.kind = LightKind::sun;
   beam.of_wall = true;
   beam.walls = {name};
   beam.direction = unit_if(section, "direction").value_or(-Vec3::UnitZ());
-  beam.strength = band_numbers_if(section, "irradiance", bands);
+  beam.strength = LightIrradiance{band_numbers_if(section, "irradiance", bands)};
   return beam;
 }
 

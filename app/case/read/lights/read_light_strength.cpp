@@ -32,13 +32,15 @@ std::vector<double> divided(Section& section, const LightContext& context, doubl
 struct StrengthKeys {
   const char* radiometric;
   const char* photometric;
-  bool level_irradiance;  ///< of a sky
+  LightStrength quantity;  ///< without values
 };
 
-std::vector<StrengthKeys> strength_keys(const std::string& kind) {
-  if (kind == "sun") return {{"irradiance", "illuminance", false}};
-  if (kind == "sky") return {{"radiance", "luminance", false}, {"irradiance", "illuminance", true}};
-  return {{"radiance", "luminance", false}};
+std::vector<StrengthKeys> strength_keys(LightKind kind) {
+  const StrengthKeys irradiance{"irradiance", "illuminance", LightIrradiance{}},
+      radiance{"radiance", "luminance", LightRadiance{}};
+  if (kind == LightKind::sun) return {irradiance};
+  if (kind == LightKind::sky) return {radiance, irradiance};
+  return {radiance};
 }
 
 /// Why lumens per square metre cannot be converted; empty where they can.
@@ -74,14 +76,14 @@ bool take_diffuse(Section& section, const LightContext& context, std::optional<d
   const std::optional<double> diffuse = section.number_if(key);
   if (!diffuse || !are_sound(context.bands)) return true;  // was refused
   const std::optional<SiScale> scale = si_scale(context.units.length, context.units.power);
-  light.level_irradiance = true;
+  light.strength = LightIrradiance{};
   if (scale && context.bands.count() == 1 && context.bands.edges.empty()) {
-    light.strength = {*diffuse * scale->length * scale->length / scale->power};
+    light.strength = LightIrradiance{{*diffuse * scale->length * scale->length / scale->power}};
     section.unused("color_temperature", "there is one band");
     return true;
   }
   if (!no_lux_reason(context).empty()) return false;
-  if (illuminance) light.strength = divided_per_area(section, context, *illuminance);
+  if (illuminance) light.strength = LightIrradiance{divided_per_area(section, context, *illuminance)};
   return true;
 }
 
@@ -99,13 +101,13 @@ void read_lamp_power(Section& section, const LightContext& context, std::optiona
   if (section.has("power")) {
     for (const char* key : {"luminous_flux", "color_temperature"})
       section.unused(key, "`power` is given for each band");
-    light.strength = band_numbers_if(section, "power", context.bands);
+    light.strength = LightPower{band_numbers_if(section, "power", context.bands)};
     return;
   }
   const bool given = section.has("luminous_flux");
   if (!given && !candelas)
-    return section.fault(
-        fmt::format("a light of kind {} needs power or luminous_flux; add one of them", light.kind));
+    return section.fault(fmt::format("a light of kind {} needs power or luminous_flux; add one of them",
+                                     section.text("kind")));
   const std::optional<double> lumens = section.number_if("luminous_flux");
   if ((given && !lumens) || !are_sound(context.bands)) return;
   const std::string reason = no_lumens_reason(context.bands, context.units.power);
@@ -113,8 +115,8 @@ void read_lamp_power(Section& section, const LightContext& context, std::optiona
     return given ? section.fault("luminous_flux", reason)
                  : section.fault("distribution", "is a lamp file with candelas, and " + reason);
   light.keeps_intensity = !given;
-  light.strength =
-      divided(section, context, given ? *lumens : *candelas * integral_of_lamp_shape(point_light(light)));
+  light.strength = LightPower{
+      divided(section, context, given ? *lumens : *candelas * integral_of_lamp_shape(point_light(light)))};
 }
 
 void read_strength(Section& section, const LightContext& context, std::optional<double> illuminance,
@@ -129,14 +131,19 @@ void read_strength(Section& section, const LightContext& context, std::optional<
         continue;
       }
       found = key;
-      light.level_irradiance = keys.level_irradiance;
       const bool radiometric = key == keys.radiometric;
-      light.strength =
-          radiometric ? band_numbers_if(section, key, context.bands) : read_per_area(section, context, key);
+      light.strength = keys.quantity;
+      std::visit(
+          [&](auto& quantity) {
+            quantity.values = radiometric ? band_numbers_if(section, key, context.bands)
+                                          : read_per_area(section, context, key);
+          },
+          light.strength);
       if (radiometric) section.unused("color_temperature", fmt::format("`{}` is given for each band", key));
     }
-  if (!found.empty() || (light.kind == "sky" && take_diffuse(section, context, illuminance, light))) return;
-  section.fault(fmt::format("a light of kind {} needs {}; add one of them", light.kind, wanted));
+  if (!found.empty() || (light.kind == LightKind::sky && take_diffuse(section, context, illuminance, light)))
+    return;
+  section.fault(fmt::format("a light of kind {} needs {}; add one of them", section.text("kind"), wanted));
 }
 
 }  // namespace etendue

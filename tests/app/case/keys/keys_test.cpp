@@ -86,6 +86,15 @@ TEST(KeySchema, HasEveryKeyWithItsMeaning) {
             nlohmann::json({"min", "max"}));
 }
 
+TEST(Keys, NameTheirFormerNames) {
+  const auto camera = nlohmann::json::parse(key_schema())["properties"]["camera"]["items"]["properties"];
+  EXPECT_EQ(camera["gather"]["deprecated"], true);
+  EXPECT_EQ(camera["gather"]["enum"], camera["gather_rays"]["enum"]);
+  EXPECT_FALSE(camera["gather_rays"].contains("deprecated"));
+  EXPECT_NE(key_help("mesh.split").find("Formerly `split`, which is accepted until 0.2."), std::string::npos);
+  EXPECT_EQ(key_help("mesh.split"), key_help("mesh.refine"));
+}
+
 TEST(KeyHelp, DescribesATableAndAKey) {
   const std::string box = key_help("mesh.box");
   EXPECT_EQ(box.rfind("[[mesh.box]]\n", 0), 0U);

@@ -84,7 +84,7 @@ std::string other_keys(const KeyDeclaration& key, std::size_t chosen, std::size_
   std::string text;
   const auto keys = key_declarations();
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (keys[i].table != key.table || keys[i].name == key.name || keys[i].support == Support::later) continue;
+    if (keys[i].table != key.table || keys[i].name == key.name) continue;
     std::string value = sound_value(keys[i]);
     if (i == chosen)
       value =
@@ -98,7 +98,7 @@ std::string faulty_key(const KeyDeclaration& key) { return std::string(key.name)
 
 TEST(WrongValues, AloneInTheirTableAreInputErrors) {
   for (const KeyDeclaration& key : key_declarations()) {
-    if (key.type == KeyType::any || key.support == Support::later) continue;
+    if (key.type == KeyType::any) continue;
     const std::string text = headers(key.table) + faulty_key(key), faults = faults_of(text);
     EXPECT_NE(faults.find(std::string(key.name) + " = " + wrong), std::string::npos) << text << faults;
   }
@@ -107,7 +107,7 @@ TEST(WrongValues, AloneInTheirTableAreInputErrors) {
 TEST(WrongValues, BesideSoundValuesAreInputErrors) {
   const auto keys = key_declarations();
   for (const KeyDeclaration& key : keys) {
-    if (key.type == KeyType::any || key.support == Support::later) continue;
+    if (key.type == KeyType::any) continue;
     for (std::size_t i = 0; i < keys.size(); ++i) {
       // Readers go by the choices of a table, such as the kind of a light.
       const bool decides = keys[i].table == key.table && keys[i].name != key.name &&

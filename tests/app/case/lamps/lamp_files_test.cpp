@@ -62,7 +62,7 @@ TEST(LdtFile, HasAShapeOnlyWithoutAFlux) {
       "position = [0.5, 0.5, 0.9]\ndistribution = \"" +
       folder.write("lamp.ldt", ldt(1, {0}, 1, "1", "0")).string() + "\"\n";
   const Case input = case_of(cube + light + "luminous_flux = 500\n");
-  EXPECT_NEAR(Photometry(input.bands).luminous(input.lights.at(0).strength), 500, 1e-9);
+  EXPECT_NEAR(Photometry(input.bands).luminous(values_of(input.lights.at(0).strength)), 500, 1e-9);
   EXPECT_NE(faults_of(cube + light).find("needs power or luminous_flux"), std::string::npos);
   EXPECT_TRUE(refusal("a.ldt", ldt(1, {0}, 1, "1", "-1"))
                   .starts_with("a.ldt:29: the flux -1 of the lamps is negative"))
@@ -154,7 +154,7 @@ TEST(Tilt, DimsTheLampThatIsTilted) {
       file.string() + "\"\n";
   const auto lumens = [&](const std::string& direction) {
     const Case input = case_of(cube + lamp + "direction = " + direction + "\n");
-    return Photometry(input.bands).luminous(input.lights.at(0).strength);
+    return Photometry(input.bands).luminous(values_of(input.lights.at(0).strength));
   };
   EXPECT_NEAR(lumens("[0, 0, -1]"), 4 * M_PI * 100, 1e-9);
   EXPECT_NEAR(lumens("[1.7320508075688772, 0, -1]"), 4 * M_PI * 80, 1e-9);

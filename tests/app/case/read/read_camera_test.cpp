@@ -49,9 +49,9 @@ up = [0, 1, 1]
 orthographic = 3
 pixels = [20, 10]
 samples = 9
-shafts = 2
+shaft_points = 2
 shadow_rays = 16
-gather = 64
+gather_rays = 64
 exposure = 0.5
 tone = "reinhard"
 )");

@@ -47,19 +47,19 @@ TEST(ReadDaylight, MakesATableOfACieSky) {
   EXPECT_GT(light.intensity.at(60 * angles + at_60), 5);
   EXPECT_NEAR(light.intensity.at(at_60), 1.7257 * 1.0413 / 1.4548, 1e-3);
   EXPECT_EQ(light.plane.at(60), 180);
-  EXPECT_NEAR(Photometry(input.bands).luminous(light.strength), 5000, 1e-9);
-  EXPECT_FALSE(light.level_irradiance);
+  EXPECT_NEAR(Photometry(input.bands).luminous(values_of(light.strength)), 5000, 1e-9);
+  EXPECT_TRUE(std::holds_alternative<LightRadiance>(light.strength));
 }
 
 TEST(ReadDaylight, TakesTwoIrradiancesForASkyOfPerez) {
   const std::string perez = "direct_normal_irradiance = 800\ndiffuse_horizontal_irradiance = 100\n";
   const Case one = case_of(cube + "[units]\nlength = \"cm\"\n" + sky + south + perez);
-  EXPECT_TRUE(one.lights.at(0).level_irradiance);
-  EXPECT_NEAR(one.lights[0].strength.at(0), 0.01, 1e-12) << "W/cm^2";
+  EXPECT_TRUE(std::holds_alternative<LightIrradiance>(one.lights.at(0).strength));
+  EXPECT_NEAR(values_of(one.lights[0].strength).at(0), 0.01, 1e-12) << "W/cm^2";
   EXPECT_TRUE(
       one.lights[0].note.starts_with("Perez, clearness 4.644, brightness 0.1458, 146.1 lm/W, sun at"));
   const Case given = case_of(cube + seen + sky + south + perez + "illuminance = 12000\n");
-  EXPECT_NEAR(Photometry(given.bands).luminous(given.lights.at(0).strength), 12000, 1e-9);
+  EXPECT_NEAR(Photometry(given.bands).luminous(values_of(given.lights.at(0).strength)), 12000, 1e-9);
   EXPECT_NE(faults_of(cube + "[bands]\nnames = [\"a\"]\nedges = [900, 1000]\n" + sky + south + perez)
                 .find("a light of kind sky needs radiance or luminance or irradiance or illuminance; add one "
                       "of them"),
@@ -74,8 +74,8 @@ TEST(ReadDaylight, GivesASkyOfPerezTheIlluminanceOfItsEfficacy) {
   const std::string one = "[bands]\nnames = [\"a\"]\nedges = [380, 780]\n";
   for (const std::string& bands : {seen, one}) {
     const Case input = case_of(cube + bands + sky + south + perez);
-    EXPECT_TRUE(input.lights.at(0).level_irradiance);
-    EXPECT_NEAR(Photometry(input.bands).luminous(input.lights[0].strength), 14607, 1);
+    EXPECT_TRUE(std::holds_alternative<LightIrradiance>(input.lights.at(0).strength));
+    EXPECT_NEAR(Photometry(input.bands).luminous(values_of(input.lights[0].strength)), 14607, 1);
   }
 }
 
@@ -121,7 +121,8 @@ TEST(ReadLight, KnowsLuminanceAndIlluminanceInUnitsOfTheCase) {
               "[[light]]\nname = \"a\"\nkind = \"disc\"\nposition = [0.5, 0.5, 0.9]\ndirection = [0, 0, "
               "-1]\nradius = 0.1\nluminance = 1000\n");
   // lm/(m^2 sr) over lm/W is W/(m^2 sr): 1e3 mW and 1e6 mm^2.
-  EXPECT_NEAR(Photometry(input.bands).luminous(input.lights.at(0).strength) * 1e-3 * 1e6, 1000, 1e-9);
+  EXPECT_NEAR(Photometry(input.bands).luminous(values_of(input.lights.at(0).strength)) * 1e-3 * 1e6, 1000,
+              1e-9);
   EXPECT_NE(faults_of(cube + "[units]\nlength = \"ft\"\n" + seen + sun +
                       "direction = [0, 0, -1]\nilluminance = 1000\n")
                 .find("needs units.length of m, cm, mm or km, not \"ft\""),

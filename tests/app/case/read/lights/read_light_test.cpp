@@ -34,13 +34,13 @@ power = 7
   EXPECT_EQ(input.lights[1].direction, Vec3(0, 0, -1));
   EXPECT_EQ(input.lights[1].angle, (std::vector<double>{0, 15, 20}));
   EXPECT_EQ(input.lights[1].intensity, (std::vector<double>{1, 1, 0}));
-  EXPECT_EQ(input.lights[1].strength, std::vector<double>{7});
+  EXPECT_EQ(values_of(input.lights[1].strength), std::vector<double>{7});
 }
 
 TEST(ReadLight, TakesTheBeamOfAWallForASun) {
   const Case input = case_of(cube + "[walls.zmax]\nbeam = { direction = [0, 0, -3], irradiance = 2 }\n");
   ASSERT_EQ(input.lights.size(), 1U);
-  EXPECT_EQ(input.lights[0].kind, "sun");
+  EXPECT_EQ(input.lights[0].kind, LightKind::sun);
   EXPECT_EQ(input.lights[0].walls, std::vector<std::string>{"zmax"});
 }
 
@@ -84,7 +84,7 @@ TEST(ReadLight, DividesLumensAmongTheBandsOfABlackBody) {
   for (const auto& body : bodies) {
     const Case input = case_of(cube + fine_bands() + bulb + "luminous_flux = 800\ncolor_temperature = " +
                                std::to_string(body.kelvin) + "\n");
-    const std::vector<double>& power = input.lights.at(0).strength;
+    const std::vector<double>& power = values_of(input.lights.at(0).strength);
     EXPECT_NEAR(800 / std::accumulate(power.begin(), power.end(), 0.0), body.lumens_per_watt,
                 2e-4 * body.lumens_per_watt);
     EXPECT_NEAR(Photometry(input.bands).luminous(power), 800, 1e-9);
@@ -94,10 +94,10 @@ TEST(ReadLight, DividesLumensAmongTheBandsOfABlackBody) {
 TEST(ReadLight, DividesLumensEvenlyWithoutAColorTemperature) {
   const std::string flux = bulb + "luminous_flux = 683\n";
   const Case primaries = case_of(cube + "[bands]\nnames = [\"red\", \"green\", \"blue\"]\n" + flux);
-  for (const double power : primaries.lights.at(0).strength) EXPECT_NEAR(power, 1, 1e-12);
+  for (const double power : values_of(primaries.lights.at(0).strength)) EXPECT_NEAR(power, 1, 1e-12);
   const Case two = case_of(
       cube + "[units]\npower = \"mW\"\n[bands]\nnames = [\"a\", \"b\"]\nedges = [500, 600, 620]\n" + flux);
-  const std::vector<double>& power = two.lights.at(0).strength;
+  const std::vector<double>& power = values_of(two.lights.at(0).strength);
   EXPECT_NEAR(power.at(0), 5 * power.at(1), 1e-9);
   EXPECT_NEAR(Photometry(two.bands).luminous(power), 683e3, 1e-6);
 }
@@ -134,11 +134,11 @@ TEST(ReadLight, TakesTheLumensOfAnIesFile) {
   const std::string seen = "[bands]\nnames = [\"a\", \"b\"]\nedges = [450, 550, 650]\n";
   const Case input = case_of(cube + seen + lamp);
   EXPECT_TRUE(input.lights.at(0).keeps_intensity);
-  EXPECT_NEAR(Photometry(input.bands).luminous(input.lights[0].strength), 4 * M_PI * 90, 1e-9);
+  EXPECT_NEAR(Photometry(input.bands).luminous(values_of(input.lights[0].strength)), 4 * M_PI * 90, 1e-9);
   const Case given = case_of(cube + seen + lamp + "luminous_flux = 500\n");
   EXPECT_FALSE(given.lights.at(0).keeps_intensity);
-  EXPECT_NEAR(Photometry(given.bands).luminous(given.lights[0].strength), 500, 1e-9);
-  EXPECT_EQ(case_of(cube + lamp + "power = 3\n").lights.at(0).strength, std::vector<double>{3});
+  EXPECT_NEAR(Photometry(given.bands).luminous(values_of(given.lights[0].strength)), 500, 1e-9);
+  EXPECT_EQ(values_of(case_of(cube + lamp + "power = 3\n").lights.at(0).strength), std::vector<double>{3});
   EXPECT_TRUE(faults_of(cube + lamp)
                   .ends_with("is a lamp file with candelas, and lumens need bands whose wavelengths are "
                              "known; give bands.edges, e.g. [380, 780] for one band, or give the power"));
