@@ -9,6 +9,7 @@
 
 #include "app/write/image/color.h"
 #include "app/write/image/image_files.h"
+#include "base/order_statistics.h"
 #include "mesh/tetrahedra/search/cell_locator.h"
 
 namespace etendue {
@@ -98,9 +99,8 @@ double white_of(const Slice& slice, const std::vector<double>& values, std::size
   for (const std::int32_t cell : slice.cells)
     if (cell >= 0) seen.push_back(values[static_cast<std::size_t>(cell) * bands + band]);
   if (seen.empty()) return 1;
-  const auto place = seen.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(seen.size() - 1));
-  std::nth_element(seen.begin(), place, seen.end());
-  return *place > 0 ? *place : 1;
+  const double white = quantile(std::move(seen), 0.99);
+  return white > 0 ? white : 1;
 }
 
 std::string pictures_of(const Comparison& comparison, const Slice& slice, const std::string& name,

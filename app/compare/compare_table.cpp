@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "app/progress/text_table.h"
+#include "base/order_statistics.h"
 
 namespace etendue {
 namespace {
@@ -16,13 +17,6 @@ namespace {
 constexpr std::size_t longest_table = 40;
 // Differences beyond this many errors are not chance.
 constexpr double allowed = 3;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double in_errors(const Comparison& c, std::size_t i) {
   const AnswerNumber &a = c.first.numbers[i], &b = c.second.numbers[i];

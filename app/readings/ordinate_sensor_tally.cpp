@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/vector_sums.h"
+
 namespace etendue {
 namespace {
 
@@ -20,10 +22,6 @@ std::optional<Cone> travel_of(const SensorCase& sensor) {
 
 bool has_point(const SensorCase& sensor) {
   return sensor.sensor.kind == SensorKind::irradiance || sensor.sensor.kind == SensorKind::fluence;
-}
-
-void add_to(std::vector<double>& sum, const std::vector<double>& values, double factor) {
-  for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += factor * values[b];
 }
 
 }  // namespace

@@ -9,15 +9,11 @@
 #include <utility>
 
 #include "app/progress/stage_progress.h"
+#include "base/wall_clock.h"
+#include "solver/problem/any_formula.h"
 
 namespace etendue {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// A kernel by a formula or a file is known at the ordinates alone.
 bool has_kernel(const Medium& medium) {
@@ -27,16 +23,10 @@ bool has_kernel(const Medium& medium) {
   return false;
 }
 
-using Formulas = std::vector<std::optional<AngularFormula>>;
-
-bool any(const Formulas& formulas) {
-  return std::ranges::any_of(formulas, [](const auto& formula) { return formula.has_value(); });
-}
-
 /// Whether something absorbs or emits by a formula of the direction.
 bool uses_formulas(const Problem& problem) {
   return std::ranges::any_of(problem.media(), [](const Medium& medium) {
-    return any(medium.absorption_by_direction) || any(medium.emission_by_direction);
+    return any_formula(medium.absorption_by_direction) || any_formula(medium.emission_by_direction);
   });
 }
 
@@ -101,7 +91,7 @@ bool write_pictures(const PictureOrder& order, const TakePicture& take, const Ad
   out << fmt::format("pictures: {}\n", BandColor(order.input.bands).rule());
   std::vector<NamedPicture> pictures;
   for (const CameraCase& camera : order.cameras) {
-    const Clock::time_point begun = Clock::now();
+    const WallClock::time_point begun = WallClock::now();
     StageProgress display(order.progress, "picture " + camera.name, out);
     Picture picture = take(camera.camera, [&](double share) {
       display.show(share, seconds_since(begun));

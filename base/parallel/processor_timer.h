@@ -5,13 +5,20 @@
 
 namespace etendue {
 
+/// Processor time that this thread has taken [s].
+inline double processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 /// Adds the processor time of this thread to a sum while it lives. Threads that wait for others are not
 /// counted.
 class ProcessorTimer {
  public:
-  explicit ProcessorTimer(double& sum) : sum_(sum), start_(now()) {}
+  explicit ProcessorTimer(double& sum) : sum_(sum), start_(processor_seconds()) {}
   ~ProcessorTimer() {
-    const double spent = now() - start_;
+    const double spent = processor_seconds() - start_;
 #pragma omp atomic
     sum_ += spent;
   }
@@ -19,12 +26,6 @@ class ProcessorTimer {
   ProcessorTimer& operator=(const ProcessorTimer&) = delete;
 
  private:
-  static double now() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  }
-
   double& sum_;
   double start_;
 };

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/exact/exact_comparison.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <tuple>
 
+#include "base/field_view.h"
 #include "base/quadrature/cell_rule.h"
+#include "mesh/tetrahedra/corners.h"
+#include "solver/solution/error_norms.h"
 
 namespace etendue {
 namespace {
@@ -19,12 +20,6 @@ struct FluenceSamples {
   std::vector<double> at_vertices;  ///< [vertex]
 };
 
-std::array<Vec3, 4> corners(const TetrahedralMesh& mesh, CellIndex cell) {
-  std::array<Vec3, 4> points;
-  for (std::size_t i = 0; i < 4; ++i) points[i] = mesh.point(VertexIndex(mesh.vertices(cell)[i]));
-  return points;
-}
-
 FluenceSamples sample(const TetrahedralMesh& mesh, const ExactRadiance& radiance, const DirectionSet& set) {
   FluenceSamples samples;
   samples.in_cells.resize(static_cast<std::size_t>(mesh.cell_count()) * rule_size);
@@ -33,7 +28,7 @@ FluenceSamples sample(const TetrahedralMesh& mesh, const ExactRadiance& radiance
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
     for (std::size_t i = 0; i < rule_size; ++i)
       samples.in_cells[static_cast<std::size_t>(c) * rule_size + i] =
-          exact_fluence(radiance, set, point_at(cell_rule()[i].barycentric, corners(mesh, CellIndex(c))));
+          exact_fluence(radiance, set, point_at(cell_rule()[i].barycentric, corners_of(mesh, CellIndex(c))));
 #pragma omp parallel for schedule(static)
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v)
     samples.at_vertices[static_cast<std::size_t>(v)] =
@@ -41,45 +36,27 @@ FluenceSamples sample(const TetrahedralMesh& mesh, const ExactRadiance& radiance
   return samples;
 }
 
-/// Norms of a difference and of what it is compared with.
-struct Norms {
-  double square = 0, exact_square = 0, largest = 0, exact_largest = 0;
-
-  void add_point(double value, double exact, double volume) {
-    square += volume * (value - exact) * (value - exact);
-    exact_square += volume * exact * exact;
-    largest = std::max(largest, std::abs(value - exact));
-    exact_largest = std::max(exact_largest, std::abs(exact));
-  }
-  FluenceError relative() const {
-    return {exact_square > 0 ? std::sqrt(square / exact_square) : std::sqrt(square),
-            exact_largest > 0 ? largest / exact_largest : largest};
-  }
-};
-
-/// Of the field, and of its means over cells.
+/// Error of the field, and of its means over the cells.
 FluenceError fluence_error(const TetrahedralMesh& mesh, const Solution& solution,
                            const FluenceSamples& samples, std::size_t band, std::size_t bands) {
-  Norms norms, means;
+  const ConstCellField fluence(solution.fluence, bands);
+  ErrorNorms norms, means;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
-    const double* nodal = &solution.fluence[cell.at() * 4 * bands + band];
     double mean = 0, exact_mean = 0;
     for (std::size_t i = 0; i < rule_size; ++i) {
       const double exact = samples.in_cells[cell.at() * rule_size + i], weight = cell_rule()[i].weight;
       double value = 0;
-      for (std::size_t j = 0; j < 4; ++j) value += cell_rule()[i].barycentric[j] * nodal[j * bands];
-      norms.add_point(value, exact, weight * mesh.volume(cell));
+      for (std::size_t j = 0; j < 4; ++j) value += cell_rule()[i].barycentric[j] * fluence(cell, j, band);
+      norms.add(value, exact, weight * mesh.volume(cell));
       mean += weight * value;
       exact_mean += weight * exact;
     }
-    means.add_point(mean, exact_mean, mesh.volume(cell));
+    means.add(mean, exact_mean, mesh.volume(cell));
     for (std::size_t j = 0; j < 4; ++j)
-      norms.add_point(nodal[j * bands], samples.at_vertices[VertexIndex(mesh.vertices(cell)[j]).at()], 0);
+      norms.add(fluence(cell, j, band), samples.at_vertices[VertexIndex(mesh.vertices(cell)[j]).at()], 0);
   }
-  FluenceError error = norms.relative();
-  error.l2_of_means = means.relative().l2;
-  return error;
+  return {norms.l2(), norms.maximum(), means.l2()};
 }
 
 std::vector<std::vector<double>> absorbed_powers(const Problem& problem, const FluenceSamples& samples) {
@@ -122,8 +99,7 @@ double incoming_power(const TetrahedralMesh& mesh, FaceIndex face, const ExactRa
   double power = 0;
   for (const FaceRulePoint& node : rule) {
     Vec3 point = Vec3::Zero();
-    for (std::size_t i = 0; i < 3; ++i)
-      point += node.barycentric[i] * mesh.point(VertexIndex(mesh.vertices(face)[i]));
+    for (std::size_t i = 0; i < 3; ++i) point += node.barycentric[i] * corner_of(mesh, face, i);
     for (std::int32_t m = 0; m < set.count(); ++m) {
       const Vec3& direction = set.direction(OrdinateIndex(m));
       const double seen = direction.dot(mesh.area_normal(face));

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "mesh/tetrahedra/corners.h"
 #include "solver/problem/plane_checks.h"
 #include "solver/problem/problem_checks.h"
 
@@ -20,12 +21,6 @@ CellsByRegion cells_by_region(const TetrahedralMesh& mesh) {
   for (int c = 0; c < mesh.cell_count(); ++c)
     cells[static_cast<std::size_t>(mesh.region(CellIndex(c)))].push_back(CellIndex(c));
   return cells;
-}
-
-std::array<Vec3, 4> corners(const TetrahedralMesh& mesh, CellIndex cell) {
-  std::array<Vec3, 4> points;
-  for (std::size_t i = 0; i < 4; ++i) points[i] = mesh.point(VertexIndex(mesh.vertices(cell)[i]));
-  return points;
 }
 
 /// Lists that are not as long as the mesh and the bands ask are a mistake of the program, not of its user.
@@ -73,7 +68,7 @@ std::vector<double> cell_means(const TetrahedralMesh& mesh, const CellsByRegion&
     for (std::size_t band = 0; band < band_count; ++band) {
       const Coefficient& coefficient = (media[region].*kind.list)[band];
       for (const CellIndex cell : cells[region]) {
-        const CellSample sample = coefficient.sample(corners(mesh, cell));
+        const CellSample sample = coefficient.sample(corners_of(mesh, cell));
         if (!(sample.smallest >= 0 && std::isfinite(sample.smallest))) {
           faults.push_back(
               bad_coefficient(origin_of(media[region], kind.key), coefficient, sample, bands.names[band]));

@@ -3,38 +3,28 @@
 
 #include <cstddef>
 
+#include "base/field_view.h"
 #include "solver/problem/mirror.h"
 
 namespace etendue {
 namespace {
 
-/// Mean over a cell or face of a P1 field: the mean of its values at the vertices. `values` is
-/// [element][nodes][band].
-template <std::size_t nodes>
-double nodal_mean(const std::vector<double>& values, std::size_t element, std::size_t band,
-                  std::size_t band_count) {
-  double sum = 0;
-  for (std::size_t i = 0; i < nodes; ++i) sum += values[(element * nodes + i) * band_count + band];
-  return sum / nodes;
-}
-
 double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
 /// Adds one boundary face to the powers of its wall. The means are integrals until all faces are in.
-void add_face(WallPower& power, const Problem& problem, const Solution& solution, int face,
+void add_face(WallPower& power, const Problem& problem, const Solution& solution, FaceIndex face,
               std::size_t band) {
-  const TetrahedralMesh& mesh = problem.mesh();
-  const std::size_t at = static_cast<std::size_t>(face), bands = problem.bands().names.size();
-  const double area = mesh.area(FaceIndex(face));
-  const Wall& behind = problem.wall(mesh.wall(FaceIndex(face)));
+  const std::size_t bands = problem.bands().names.size();
+  const double area = problem.mesh().area(face);
+  const int wall = problem.mesh().wall(face);
+  const Wall& behind = problem.wall(wall);
   const double radiance = behind.radiance[band];
   power.area += area;
-  power.incoming += nodal_mean<3>(solution.irradiance, at, band, bands) * area;
-  power.outgoing += nodal_mean<3>(solution.exitance, at, band, bands) * area;
-  const auto wall = static_cast<std::size_t>(mesh.wall(FaceIndex(face)));
-  const bool by_rays = !solution.lights.exact_walls.empty() && solution.lights.exact_walls[wall] != 0;
-  if (by_rays) return;
-  power.emitted += radiance * solution.half_range[at] * area;
+  power.incoming += ConstFaceField(solution.irradiance, bands).mean(face, band) * area;
+  power.outgoing += ConstFaceField(solution.exitance, bands).mean(face, band) * area;
+  const std::vector<char>& by_rays = solution.lights.exact_walls;
+  if (!by_rays.empty() && by_rays[static_cast<std::size_t>(wall)] != 0) return;
+  power.emitted += radiance * solution.half_range[face.at()] * area;
   power.emitted_exact += radiance * half_range(problem.space()) * entering_part(behind) * area;
 }
 
@@ -42,14 +32,13 @@ void add_face(WallPower& power, const Problem& problem, const Solution& solution
 void add_cell(RegionPower& power, const Problem& problem, const Solution& solution, CellIndex cell,
               std::size_t band) {
   const int b = static_cast<int>(band);
+  const std::size_t bands = problem.bands().names.size();
   const double volume = problem.mesh().volume(cell);
-  const double fluence =
-      nodal_mean<4>(solution.fluence, cell.at(), band, problem.bands().names.size()) * volume;
+  const double fluence = ConstCellField(solution.fluence, bands).mean(cell, band) * volume;
   power.volume += volume;
   power.fluence_mean += fluence;
-  power.absorbed += solution.absorbed.empty()
-                        ? problem.absorption(cell, b) * fluence
-                        : solution.absorbed[cell.at() * problem.bands().names.size() + band] * volume;
+  power.absorbed += solution.absorbed.empty() ? problem.absorption(cell, b) * fluence
+                                              : ConstBandTable(solution.absorbed, bands)(cell, band) * volume;
   power.emitted += full_range(problem.space()) * problem.emission(cell, b) * volume;
 }
 
@@ -61,8 +50,8 @@ std::vector<std::vector<WallPower>> wall_powers(const Problem& problem, const So
   std::vector<std::vector<WallPower>> powers(problem.walls().size(), std::vector<WallPower>(bands));
   for (int face = 0; face < mesh.boundary_face_count(); ++face)
     for (std::size_t band = 0; band < bands; ++band)
-      add_face(powers[static_cast<std::size_t>(mesh.wall(FaceIndex(face)))][band], problem, solution, face,
-               band);
+      add_face(powers[static_cast<std::size_t>(mesh.wall(FaceIndex(face)))][band], problem, solution,
+               FaceIndex(face), band);
   for (std::size_t w = 0; w < solution.lights.from_walls.size(); ++w)
     for (std::size_t band = 0; band < bands; ++band) {
       powers[w][band].emitted += solution.lights.from_walls[w][band];

@@ -5,14 +5,11 @@
 #include <cmath>
 #include <type_traits>
 
+#include "base/vector_sums.h"
 #include "solver/solution/node_means.h"
 
 namespace etendue {
 namespace {
-
-void add_to(std::vector<double>& sum, const std::vector<double>& values) {
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += values[i];
-}
 
 void scale(std::vector<double>& values, double factor) {
   for (double& value : values) value *= factor;

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "base/field_view.h"
+
 namespace etendue {
 namespace {
 
@@ -15,13 +17,14 @@ struct Field {
 /// Adds the P1 field of one cell at a point, times a factor.
 void add_cell(std::vector<ProbeValue>& values, const Field& field, const CellPoint& point, double factor) {
   const std::size_t bands = values.size();
+  const ConstCellField fluence(field.fluence, bands);
+  const ConstCellVectors net_flux(field.net_flux, bands);
   for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t node = point.cell.at() * 4 + i;
     const double weight = factor * point.barycentric[i];
     for (std::size_t band = 0; band < bands; ++band) {
-      values[band].fluence += weight * field.fluence[node * bands + band];
+      values[band].fluence += weight * fluence(point.cell, i, band);
       for (std::size_t axis = 0; axis < 3; ++axis)
-        values[band].net_flux[axis] += weight * field.net_flux[(node * 3 + axis) * bands + band];
+        values[band].net_flux[axis] += weight * net_flux(point.cell, i, axis, band);
     }
   }
 }

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "base/parallel/processor_timer.h"
 #include "solver/transport/iteration/source_iteration.h"
 #include "solver/transport/sweep/transport_sweep.h"
 #include "solver/uncollided/lights/light_setup.h"
@@ -20,12 +20,6 @@
 
 namespace etendue {
 namespace {
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double seconds_of(const std::function<void()>& work) {
   const double start = processor_seconds();

@@ -4,20 +4,13 @@
 // unit cubes by TetGen, cell after cell as the light of a lamp is computed, with the optical depth added up.
 #include <benchmark/benchmark.h>
 
-#include <ctime>
-
+#include "base/parallel/processor_timer.h"
 #include "mesh/geometry/arrangement/arrangement.h"
 #include "mesh/tetrahedra/generation/tetrahedralize.h"
 #include "mesh/tetrahedra/search/ray_mesh.h"
 
 namespace etendue {
 namespace {
-
-double processor_time() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 void rays_to_a_lamp(benchmark::State& bench, double max_volume) {
   Geometry geometry;
@@ -29,7 +22,7 @@ void rays_to_a_lamp(benchmark::State& bench, double max_volume) {
   const std::vector<double> extinction(static_cast<std::size_t>(mesh.cell_count()), 1.5);
   const Vec3 lamp(0.5, 0.5, 0.95);
   double steps = 0;
-  const double start = processor_time();
+  const double start = processor_seconds();
   for (auto _ : bench)
     for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
       const Vec3 from = mesh.centroid(CellIndex(c));
@@ -42,7 +35,7 @@ void rays_to_a_lamp(benchmark::State& bench, double max_volume) {
       benchmark::DoNotOptimize(depth);
     }
   bench.counters["cells"] = mesh.cell_count();
-  bench.counters["million_steps_per_second"] = 1e-6 * steps / (processor_time() - start);
+  bench.counters["million_steps_per_second"] = 1e-6 * steps / (processor_seconds() - start);
   bench.counters["steps_per_ray"] = steps / (static_cast<double>(bench.iterations()) * mesh.cell_count());
 }
 

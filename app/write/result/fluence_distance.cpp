@@ -17,6 +17,7 @@
 
 #include "base/quadrature/cell_rule.h"
 #include "mesh/files/vtk/vtk_threads.h"
+#include "solver/solution/error_norms.h"
 
 namespace etendue {
 namespace {
@@ -35,28 +36,6 @@ Field read_field(const std::filesystem::path& path) {
   field.fluence = field.grid->GetPointData()->GetArray("fluence");
   return field;
 }
-
-/// Sums over a cell, of one band.
-struct Sums {
-  double square = 0, square_of_other = 0, largest = 0, largest_of_other = 0;
-
-  void add(double value, double other, double volume) {
-    square += volume * (value - other) * (value - other);
-    square_of_other += volume * other * other;
-    largest = std::max(largest, std::abs(value - other));
-    largest_of_other = std::max(largest_of_other, std::abs(other));
-  }
-  void add(const Sums& part) {
-    square += part.square;
-    square_of_other += part.square_of_other;
-    largest = std::max(largest, part.largest);
-    largest_of_other = std::max(largest_of_other, part.largest_of_other);
-  }
-  FluenceError relative() const {
-    return {square_of_other > 0 ? std::sqrt(square / square_of_other) : std::sqrt(square),
-            largest_of_other > 0 ? largest / largest_of_other : largest};
-  }
-};
 
 /// A cell of a fields.vtu, whose point 4 c + i is its vertex i.
 struct Corners {
@@ -93,7 +72,7 @@ class Finder {
   std::array<double, 4> weights_{};
 };
 
-void add_cell(Finder& finder, const Field& other, vtkIdType cell, std::span<Sums> bands) {
+void add_cell(Finder& finder, const Field& other, vtkIdType cell, std::span<ErrorNorms> bands) {
   const Corners corners(*other.grid, cell);
   for (const CellRulePoint& node : cell_rule()) {
     if (!finder.find(point_at(node.barycentric, corners.points))) continue;
@@ -123,7 +102,7 @@ std::vector<FluenceError> fluence_distance(const std::filesystem::path& fields,
   Finder(field, *locator).find(Corners(*field.grid, 0).points[0]);
   const auto bands = static_cast<std::size_t>(field.fluence->GetNumberOfComponents());
   const vtkIdType cells = other.grid->GetNumberOfCells();
-  std::vector<Sums> sums(bands * static_cast<std::size_t>(cells));  // [cell][band]
+  std::vector<ErrorNorms> sums(bands * static_cast<std::size_t>(cells));  // [cell][band]
 #pragma omp parallel
   {
     Finder finder(field, *locator);
@@ -133,9 +112,9 @@ std::vector<FluenceError> fluence_distance(const std::filesystem::path& fields,
   }
   std::vector<FluenceError> errors;
   for (std::size_t band = 0; band < bands; ++band) {
-    Sums whole;
+    ErrorNorms whole;
     for (std::size_t at = band; at < sums.size(); at += bands) whole.add(sums[at]);
-    errors.push_back(whole.relative());
+    errors.push_back({whole.l2(), whole.maximum()});
   }
   return errors;
 }

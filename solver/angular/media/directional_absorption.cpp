@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/quadrature/cell_rule.h"
+#include "mesh/tetrahedra/corners.h"
 #include "solver/problem/problem_checks.h"
 
 namespace etendue {
@@ -13,12 +14,6 @@ namespace {
 
 // Rounding residual of a difference that is zero, relative to the extinction.
 constexpr double rounding = 1e-9;
-
-std::array<Vec3, 4> corners(const TetrahedralMesh& mesh, CellIndex cell) {
-  std::array<Vec3, 4> points;
-  for (std::size_t i = 0; i < 4; ++i) points[i] = mesh.point(VertexIndex(mesh.vertices(cell)[i]));
-  return points;
-}
 
 double mean(const AngularFormula& formula, const std::array<Vec3, 4>& cell, const Vec3& direction) {
   double sum = 0;
@@ -59,7 +54,7 @@ std::vector<double> directional_absorption(const Problem& problem, const Directi
 #pragma omp for schedule(static)
     for (std::int64_t c = 0; c < count; ++c) {
       const auto at = static_cast<std::size_t>(c);
-      const std::array<Vec3, 4> cell = corners(mesh, cells[at]);
+      const std::array<Vec3, 4> cell = corners_of(mesh, cells[at]);
       for (std::size_t m = 0; m < directions.directions().size(); ++m)
         table[m * cells.size() + at] = mean(formula, cell, directions.directions()[m]);
     }
@@ -73,7 +68,7 @@ std::vector<double> directional_absorption(const Problem& problem, const Directi
       if (std::abs(value) <= rounding * given) value = 0;
       if (!(value >= 0 && std::isfinite(value)))
         refuse(medium, problem.bands(), band, value, scattered,
-               point_at({0.25, 0.25, 0.25, 0.25}, corners(mesh, cells[c])), directions.directions()[m]);
+               point_at({0.25, 0.25, 0.25, 0.25}, corners_of(mesh, cells[c])), directions.directions()[m]);
     }
   return table;
 }

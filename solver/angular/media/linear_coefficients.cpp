@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/quadrature/cell_rule.h"
+#include "mesh/tetrahedra/corners.h"
 
 namespace etendue {
 namespace {
@@ -66,8 +67,7 @@ LinearCoefficients::LinearCoefficients(const Problem& problem)
 #pragma omp for schedule(static)
     for (std::size_t row = 0; row < cells.size(); ++row) {
       const Medium& medium = media[static_cast<std::size_t>(mesh.region(cells[row]))];
-      std::array<Vec3, 4> corners;
-      for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh.point(VertexIndex(mesh.vertices(cells[row])[i]));
+      const std::array<Vec3, 4> corners = corners_of(mesh, cells[row]);
       for (std::size_t b = 0; b < bands_; ++b) {
         Slopes& slopes = slopes_[row * bands_ + b];
         slopes.centroid = mesh.centroid(cells[row]);

@@ -11,6 +11,7 @@
 
 #include "base/parallel/copy_pool.h"
 #include "base/quadrature/cell_rule.h"
+#include "mesh/tetrahedra/corners.h"
 #include "solver/angular/kernels/kernel_places.h"
 #include "solver/angular/sets/direction_set.h"
 #include "solver/angular/sets/sphere_table.h"
@@ -28,12 +29,6 @@ constexpr double mean_leaf_projection = 0.5;
 constexpr int table_rows = 48;
 /// It is taken for the same in all directions where it is so to this part in the ordinates of a small set.
 constexpr double alike = 1e-9;
-
-std::array<Vec3, 4> corners_of(const TetrahedralMesh& mesh, CellIndex cell) {
-  std::array<Vec3, 4> points;
-  for (std::size_t i = 0; i < 4; ++i) points[i] = mesh.point(VertexIndex(mesh.vertices(cell)[i]));
-  return points;
-}
 
 /// Ross's G from its values at equal steps of the slope of a ray, cubic between them: rays ask often.
 class LeafProjection {

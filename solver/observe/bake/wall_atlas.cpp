@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "mesh/tetrahedra/corners.h"
+
 namespace etendue {
 namespace {
 
@@ -152,8 +154,7 @@ class Filler {
   void offer(const Chart& chart, std::size_t t) {
     const FaceIndex face(static_cast<std::int32_t>(t));
     std::array<Eigen::Vector2d, 3> p;
-    for (std::size_t i = 0; i < 3; ++i)
-      p[i] = in_texels(chart, mesh_.point(VertexIndex(mesh_.vertices(face)[i])));
+    for (std::size_t i = 0; i < 3; ++i) p[i] = in_texels(chart, corner_of(mesh_, face, i));
     const Eigen::Vector2d low = p[0].cwiseMin(p[1]).cwiseMin(p[2]), high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
     const auto from = [](double x) { return static_cast<int>(std::floor(x)) - margin; };
     const auto to = [&](double x) {
@@ -185,7 +186,7 @@ class Filler {
     Vec3 position = Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
       weights[i] /= sum;
-      position += weights[i] * mesh_.point(VertexIndex(mesh_.vertices(face)[i]));
+      position += weights[i] * corner_of(mesh_, face, i);
     }
     best = Best{depth, {face, weights, position}};
   }

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "base/field_view.h"
 #include "base/parallel/parallel_for.h"
+#include "mesh/tetrahedra/corners.h"
 #include "solver/uncollided/lights/light_irradiance.h"
 
 namespace etendue {
@@ -44,13 +46,11 @@ WallSurface wall_surface(const TetrahedralMesh& mesh) {
     const WallCorner& first = plane.front();
     for (const WallCorner& corner : plane)
       surface.triangles[corner.face.at()][corner.node] = static_cast<std::int32_t>(surface.vertices.size());
-    surface.vertices.push_back({mesh.point(VertexIndex(mesh.vertices(first.face)[first.node])),
-                                -mesh.area_normal(first.face).normalized(), first});
+    surface.vertices.push_back(
+        {corner_of(mesh, first.face, first.node), -mesh.area_normal(first.face).normalized(), first});
   }
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
-    const auto& corners = mesh.vertices(FaceIndex(f));
-    const Vec3 &a = mesh.point(VertexIndex(corners[0])), &b = mesh.point(VertexIndex(corners[1])),
-               &c = mesh.point(VertexIndex(corners[2]));
+    const auto [a, b, c] = corners_of(mesh, FaceIndex(f));
     auto& triangle = surface.triangles[static_cast<std::size_t>(f)];
     if ((b - a).cross(c - a).dot(mesh.area_normal(FaceIndex(f))) > 0) std::swap(triangle[1], triangle[2]);
   }
@@ -75,11 +75,12 @@ std::vector<double> bake_irradiance(const std::vector<BakePlace>& places, const 
   std::vector<double> values(places.size() * bands, 0);
   if (!lights.empty()) values = light_at(places, lights, threads, observer);
   if (values.empty()) return values;
+  const BandTable irradiance(values, bands);
+  const ConstFaceField added(brought.values, bands);
   for (std::size_t p = 0; p < places.size(); ++p)
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t b = 0; b < bands; ++b)
-        values[p * bands + b] +=
-            places[p].weights[i] * brought.values[(places[p].face.at() * 3 + i) * bands + b];
+        irradiance(p, b) += places[p].weights[i] * added(places[p].face, i, b);
   return values;
 }
 

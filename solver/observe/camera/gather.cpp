@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/field_view.h"
 #include "base/parallel/parallel_for.h"
+#include "mesh/tetrahedra/corners.h"
 
 namespace etendue {
 namespace {
@@ -36,7 +38,7 @@ std::vector<double> irradiance_at(const RayRadiance& scene, const WallCorner& co
                                   const std::vector<Vec3>& rays, int shadow_rays,
                                   RayRadiance::Workspace& work) {
   const TetrahedralMesh& mesh = scene.problem().mesh();
-  const Vec3 vertex = mesh.point(VertexIndex(mesh.vertices(corner.face)[corner.node]));
+  const Vec3 vertex = corner_of(mesh, corner.face, corner.node);
   const PointInCell start{mesh.owner(corner.face),
                           vertex + off_the_vertex * (mesh.centroid(corner.face) - vertex)};
   const Vec3 inwards = -mesh.area_normal(corner.face).normalized();
@@ -73,9 +75,9 @@ WallIrradiance gather(const RayRadiance& scene, int rays, int shadow_rays, int t
     if (!seen) return counter.add();
     const std::vector<double> irradiance =
         irradiance_at(scene, planes[p].front(), directions, shadow_rays, work);
+    const FaceField values(result.values, scene.bands());
     for (const WallCorner& corner : planes[p])
-      for (std::size_t b = 0; b < irradiance.size(); ++b)
-        result.values[(corner.face.at() * 3 + corner.node) * irradiance.size() + b] = irradiance[b];
+      for (std::size_t b = 0; b < scene.bands(); ++b) values(corner.face, corner.node, b) = irradiance[b];
     return counter.add();
   };
   const bool whole = parallel_for(

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/order_statistics.h"
+
 namespace etendue {
 namespace {
 
@@ -41,9 +43,7 @@ double automatic_exposure(std::span<const LinearColor> colors) {
   for (const LinearColor& color : colors)
     if (const double value = luminance(color); value > 0 && std::isfinite(value)) values.push_back(value);
   if (values.empty()) return 1;
-  const auto rank = static_cast<std::ptrdiff_t>(share_below_white * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return 1 / values[static_cast<std::size_t>(rank)];
+  return 1 / quantile(std::move(values), share_below_white);
 }
 
 }  // namespace etendue

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "mesh/tetrahedra/adjacency/flat_neighbours.h"
+#include "mesh/tetrahedra/corners.h"
 #include "solver/observe/photon_map/disc_area.h"
 
 namespace etendue {
@@ -82,8 +83,7 @@ void SurfaceHits::add_faces_in_disc(FaceIndex start, const Vec3& point, double r
   found.area = 0;
   for (std::size_t i = 0; i < found.faces.size(); ++i) {
     const FaceIndex face(found.faces[i]);
-    std::array<Vec3, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh_.point(VertexIndex(mesh_.vertices(face)[k]));
+    const std::array<Vec3, 3> corners = corners_of(mesh_, face);
     found.area += area_in_disc(corners, point, radius);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t next = planes_.beyond[face.at()][k];

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/parallel/parallel_for.h"
+#include "mesh/tetrahedra/corners.h"
 
 namespace etendue {
 namespace {
@@ -24,8 +25,8 @@ Eigen::Matrix4d coordinates(const TetrahedralMesh& mesh, CellIndex of, CellIndex
   Eigen::Matrix4d own, there;
   for (Eigen::Index i = 0; i < 4; ++i) {
     const auto vertex = static_cast<std::size_t>(i);
-    own.row(i) << 1, mesh.point(VertexIndex(mesh.vertices(of)[vertex])).transpose();
-    there.row(i) << 1, mesh.point(VertexIndex(mesh.vertices(at)[vertex])).transpose();
+    own.row(i) << 1, corner_of(mesh, of, vertex).transpose();
+    there.row(i) << 1, corner_of(mesh, at, vertex).transpose();
   }
   // Distances from one of its vertices: far from the origin digits would be lost.
   const Eigen::RowVector4d origin(0, own(0, 1), own(0, 2), own(0, 3));

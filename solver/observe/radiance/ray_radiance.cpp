@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/quadrature/gauss_legendre.h"
+#include "mesh/tetrahedra/corners.h"
 #include "solver/observe/radiance/lit_triangle.h"
 #include "solver/observe/radiance/quadratic_reconstruction.h"
 #include "solver/observe/radiance/ray_radiance_segment.h"
@@ -26,10 +27,9 @@ constexpr int most_mirrors = 10000;
 constexpr double same_place = 1e-12;
 
 std::array<double, 4> barycentric(const TetrahedralMesh& mesh, CellIndex cell, const Vec3& point) {
-  const auto& v = mesh.vertices(cell);
-  const Vec3& origin = mesh.point(VertexIndex(v[0]));
-  const Vec3 a = mesh.point(VertexIndex(v[1])) - origin, b = mesh.point(VertexIndex(v[2])) - origin,
-             c = mesh.point(VertexIndex(v[3])) - origin, p = point - origin;
+  const std::array<Vec3, 4> corners = corners_of(mesh, cell);
+  const Vec3& origin = corners[0];
+  const Vec3 a = corners[1] - origin, b = corners[2] - origin, c = corners[3] - origin, p = point - origin;
   const Vec3 bc = b.cross(c);
   const double det = a.dot(bc);
   const double x = p.dot(bc) / det, y = p.dot(c.cross(a)) / det, z = p.dot(a.cross(b)) / det;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "base/field_view.h"
 #include "mesh/tetrahedra/adjacency/flat_neighbours.h"
+#include "mesh/tetrahedra/corners.h"
 
 namespace etendue {
 namespace {
@@ -53,15 +55,15 @@ std::vector<double> joined_on_planes(const TetrahedralMesh& mesh, std::span<cons
         sum += mesh.area(corner.face) * values[node * bands + b];
       }
       for (const WallCorner& corner : plane)
-        joined[(corner.face.at() * 3 + corner.node) * bands + b] = sum / area;
+        FaceField(joined, bands)(corner.face, corner.node, b) = sum / area;
     }
   return joined;
 }
 
 // Parts of the area that the point cuts off with the edges.
 std::array<double, 3> barycentric(const TetrahedralMesh& mesh, FaceIndex face, const Vec3& point) {
-  std::array<Vec3, 3> to;
-  for (std::size_t i = 0; i < 3; ++i) to[i] = mesh.point(VertexIndex(mesh.vertices(face)[i])) - point;
+  std::array<Vec3, 3> to = corners_of(mesh, face);
+  for (Vec3& corner : to) corner -= point;
   const Vec3 whole = (to[1] - to[0]).cross(to[2] - to[0]);
   std::array<double, 3> part;
   for (std::size_t i = 0; i < 3; ++i)

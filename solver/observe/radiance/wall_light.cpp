@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "base/field_view.h"
 #include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/uncollided/sources/wide_source.h"
 
@@ -102,9 +103,10 @@ void WallLight::add_sent_on(FaceIndex face, const Vec3& point, std::span<const d
                             std::span<double> radiance) const {
   const std::array<double, 3> weights = barycentric(problem_.mesh(), face, point);
   const double half_range = brought.half_range[face.at()];
+  const ConstFaceField values(brought.values, bands_);
   for (std::size_t i = 0; i < 3 && half_range > 0; ++i)
     for (std::size_t b = 0; b < bands_; ++b)
-      radiance[b] += share[b] / half_range * weights[i] * brought.values[(face.at() * 3 + i) * bands_ + b];
+      radiance[b] += share[b] / half_range * weights[i] * values(face, i, b);
   for (std::size_t b = 0; b < bands_; ++b) radiance[b] += share[b] * std::numbers::inv_pi * irradiance[b];
 }
 

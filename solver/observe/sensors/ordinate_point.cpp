@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/field_view.h"
+
 namespace etendue {
 
 OrdinatesAtPoint ordinates_at_point(const TetrahedralMesh& mesh, const DirectionSetSolution& swept,
@@ -14,12 +16,13 @@ OrdinatesAtPoint ordinates_at_point(const TetrahedralMesh& mesh, const Direction
   for (const OrdinateRadiance& ordinate : swept.solution.radiance) {
     const OrdinateIndex n(ordinate.ordinate);
     const double weight = swept.directions.weight(n);
+    const ConstCellField values(ordinate.values, bands);
     const double across = weight * std::max(0.0, -normal.dot(swept.directions.direction(n)));
     for (const CellPoint& place : cells)
       for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t b = 0; b < bands; ++b) {
-          const double radiance = mesh.volume(place.cell) / volume * place.barycentric[i] *
-                                  ordinate.values[(place.cell.at() * 4 + i) * bands + b];
+          const double radiance =
+              mesh.volume(place.cell) / volume * place.barycentric[i] * values(place.cell, i, b);
           found.irradiance[b] += across * radiance;
           found.fluence[b] += weight * radiance;
         }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/field_view.h"
 #include "solver/angular/refraction/ordinate_reflectance.h"
 #include "solver/observe/radiance/collided_source.h"
 #include "solver/transport/source/ordinate_lights.h"
@@ -58,7 +59,7 @@ class Radiance {
       emitted *= index * index * (1 - mirrored);
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      irradiance += solution_.irradiance[(face.at() * 3 + i) * bands_ + band] / 3;
+      irradiance += ConstFaceField(solution_.irradiance, bands_)(face, i, band) / 3;
       sent += added[i * bands_ + band] / 3;
     }
     if (fed_ == FedBy::everything) sent += emitted;
@@ -94,7 +95,7 @@ class Radiance {
     });
   }
   double value(OrdinateIndex n, CellIndex cell, std::size_t node, std::size_t band) const {
-    return solution_.radiance[n.at()].values[(cell.at() * 4 + node) * bands_ + band];
+    return ConstCellField(solution_.radiance[n.at()].values, bands_)(cell, node, band);
   }
   const Problem& problem_;
   const DirectionSet& directions_;

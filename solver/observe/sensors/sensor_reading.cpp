@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "base/parallel/parallel_for.h"
+#include "base/vector_sums.h"
+#include "mesh/tetrahedra/corners.h"
 #include "solver/observe/sensors/observed_view.h"
 #include "solver/observe/sensors/polygon_points.h"
 #include "solver/observe/sensors/wall_intensity.h"
@@ -69,10 +71,6 @@ Measurement mean_of(const GridReading& grid, std::size_t bands, const std::vecto
     mean.error[i % bands] += share * errors[i];
   }
   return mean;
-}
-
-void add_to(std::vector<double>& sum, const std::vector<double>& values, double factor) {
-  for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += factor * values[b];
 }
 
 }  // namespace
@@ -250,9 +248,8 @@ std::vector<SensorReader::FluxPoint> SensorReader::flux_points(const Sensor& sen
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     if (mesh.wall(face) != sensor.wall) continue;
-    std::vector<Vec3> corners;
-    for (const std::int32_t v : mesh.vertices(face)) corners.push_back(mesh.point(VertexIndex(v)));
-    for (const PolygonPoint& point : polygon_points(corners, sensor.count[0]))
+    const std::array<Vec3, 3> corners = corners_of(mesh, face);
+    for (const PolygonPoint& point : polygon_points({corners.begin(), corners.end()}, sensor.count[0]))
       points.push_back({{mesh.owner(face), point.position}, mesh.area_normal(face).normalized(), point.area});
   }
   return points;

@@ -5,9 +5,11 @@
 #include <array>
 #include <numbers>
 
+#include "base/field_view.h"
 #include "base/parallel/parallel_for.h"
 #include "base/quadrature/cell_rule.h"
 #include "base/quadrature/simplex_cubature.h"
+#include "mesh/tetrahedra/corners.h"
 #include "mesh/tetrahedra/search/cell_locator.h"
 #include "solver/uncollided/sources/point_source.h"
 
@@ -56,8 +58,7 @@ SimplexEffort effort_at(const LightSetup& lights, const PointInCell& place) {
 std::vector<double> share_of(const LightSetup& lights, CellIndex cell, const Cone& cone) {
   const TetrahedralMesh& mesh = lights.problem().mesh();
   const std::size_t bands = lights.paths().bands();
-  std::array<Vec3, 4> corners;
-  for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.point(VertexIndex(mesh.vertices(cell)[k]));
+  const std::array<Vec3, 4> corners = corners_of(mesh, cell);
   const std::vector<double> sums = integrate_over_simplex(
       corners, 2 * bands,
       [&](const Vec3& point, std::span<double> values) {
@@ -84,8 +85,7 @@ std::vector<PathCoefficients> coefficients_of(const LightSetup& lights, CellInde
   for (std::size_t b = 0; b < mean.size(); ++b) mean[b] = matter.at(cell, b, any);
   if (!matter.depends_on_direction(lights.problem().mesh().region(cell)) && !matter.varies(cell)) return mean;
   const TetrahedralMesh& mesh = lights.problem().mesh();
-  std::array<Vec3, 4> corners;
-  for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.point(VertexIndex(mesh.vertices(cell)[k]));
+  const std::array<Vec3, 4> corners = corners_of(mesh, cell);
   for (const CellRulePoint& node : cell_rule()) {
     const Vec3 point = point_at(node.barycentric, corners);
     const LightBeams beams = beams_at(lights, {cell, point});
@@ -113,9 +113,7 @@ void add_cell(const LightSetup& lights, const Solution& solution, CellIndex cell
   const std::vector<double> share = cone ? share_of(lights, cell, *cone) : std::vector<double>(bands, 1);
   const std::vector<PathCoefficients> coefficients = coefficients_of(lights, cell, cone);
   for (std::size_t b = 0; b < bands; ++b) {
-    double fluence = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      fluence += solution.lights.fluence[(cell.at() * 4 + i) * bands + b] / 4;
+    const double fluence = ConstCellField(solution.lights.fluence, bands).mean(cell, b);
     const double path = problem.mesh().volume(cell) * fluence * share[b];
     account.path[b] += path;
     account.absorbed[b] += coefficients[b].absorption * path;

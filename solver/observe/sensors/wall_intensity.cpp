@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/parallel/parallel_for.h"
+#include "mesh/tetrahedra/corners.h"
 #include "solver/uncollided/sources/point_source.h"
 
 namespace etendue {
@@ -29,8 +30,7 @@ std::vector<WallPoint> points_of(const TetrahedralMesh& mesh, int wall) {
     if (mesh.wall(face) != wall) continue;
     for (std::size_t i = 0; i < 3; ++i) {
       Vec3 point = Vec3::Zero();
-      for (std::size_t k = 0; k < 3; ++k)
-        point += (k == i ? 2. / 3 : 1. / 6) * mesh.point(VertexIndex(mesh.vertices(face)[k]));
+      for (std::size_t k = 0; k < 3; ++k) point += (k == i ? 2. / 3 : 1. / 6) * corner_of(mesh, face, k);
       points.push_back({{mesh.owner(face), point}, mesh.area_normal(face) / 3});
     }
   }

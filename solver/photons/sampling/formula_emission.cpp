@@ -6,9 +6,12 @@
 #include <map>
 #include <numbers>
 
+#include "base/field_view.h"
 #include "base/quadrature/sphere_cubature.h"
+#include "mesh/tetrahedra/corners.h"
 #include "solver/angular/sets/direction_set.h"
 #include "solver/photons/kernel/photon_scene.h"
+#include "solver/problem/any_formula.h"
 #include "solver/transport/source/directional_emission.h"
 
 namespace etendue {
@@ -29,10 +32,6 @@ constexpr double first_step = 0.1;
 constexpr double margin = 1.02;
 // Normals of faces in one plane differ by rounding.
 constexpr double same_normal = 1e-9;
-
-bool any(const Formulas& formulas) {
-  return std::ranges::any_of(formulas, [](const auto& formula) { return formula.has_value(); });
-}
 
 /// The largest value of a function of the direction: the best of a set, climbed to the top.
 template <class Function>
@@ -77,11 +76,11 @@ double FormulaEmitter::at(const Vec3& point, const Vec3& travel) const {
 }
 
 double FormulaEmitter::at_corner(CellIndex cell, std::size_t i, const Vec3& travel) const {
-  return at(problem_.mesh().point(VertexIndex(problem_.mesh().vertices(cell)[i])), travel);
+  return at(corner_of(problem_.mesh(), cell, i), travel);
 }
 
 double FormulaEmitter::at_corner(FaceIndex face, std::size_t i, const Vec3& travel) const {
-  return at(problem_.mesh().point(VertexIndex(problem_.mesh().vertices(face)[i])), travel);
+  return at(corner_of(problem_.mesh(), face, i), travel);
 }
 
 FormulaEmitter::Node FormulaEmitter::in_plane(const Place& place) const {
@@ -166,10 +165,10 @@ void FormulaEmitter::look_at_wall(int wall) {
 }
 
 FormulaEmission::FormulaEmission(const Problem& problem) : problem_(problem), bands_(problem.band_count()) {
-  const bool in_media =
-      std::ranges::any_of(problem.media(), [](const Medium& m) { return any(m.emission_by_direction); });
-  const bool in_walls =
-      std::ranges::any_of(problem.walls(), [](const Wall& w) { return any(w.radiance_by_direction); });
+  const bool in_media = std::ranges::any_of(
+      problem.media(), [](const Medium& m) { return any_formula(m.emission_by_direction); });
+  const bool in_walls = std::ranges::any_of(
+      problem.walls(), [](const Wall& w) { return any_formula(w.radiance_by_direction); });
   if (!in_media && !in_walls) return;
   const DirectionSet looked_at =
       problem.space() == AngularSpace::plane ? directions_flatland(96) : directions_ldfe_sq(1);
@@ -200,21 +199,23 @@ void FormulaEmission::add_to(Solution& fields) const {
   const auto bands = static_cast<std::size_t>(bands_);
   fields.by_direction.regions.assign(problem_.media().size(), std::vector<double>(bands, 0));
   fields.by_direction.walls.assign(problem_.walls().size(), std::vector<double>(bands, 0));
+  const FaceField exitance(fields.exitance, bands);
   for (int band = 0; band < bands_; ++band) {
     const auto b = static_cast<std::size_t>(band);
     for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-      const FormulaEmitter* emitter = of_region(mesh.region(CellIndex(c)), band);
+      const CellIndex cell(c);
+      const FormulaEmitter* emitter = of_region(mesh.region(cell), band);
       for (std::size_t i = 0; i < 4 && emitter != nullptr; ++i)
-        fields.by_direction.regions[static_cast<std::size_t>(mesh.region(CellIndex(c)))][b] +=
-            mesh.volume(CellIndex(c)) / 4 * emitter->node(CellIndex(c), i).integral;
+        fields.by_direction.regions[static_cast<std::size_t>(mesh.region(cell))][b] +=
+            mesh.volume(cell) / 4 * emitter->node(cell, i).integral;
     }
     for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
-      const FormulaEmitter* emitter = of_wall(mesh.wall(FaceIndex(f)), band);
+      const FaceIndex face(f);
+      const FormulaEmitter* emitter = of_wall(mesh.wall(face), band);
       for (std::size_t i = 0; i < 3 && emitter != nullptr; ++i) {
-        const double sent = emitter->node(FaceIndex(f), i).integral;
-        fields.by_direction.walls[static_cast<std::size_t>(mesh.wall(FaceIndex(f)))][b] +=
-            mesh.area(FaceIndex(f)) / 3 * sent;
-        fields.exitance[(FaceIndex(f).at() * 3 + i) * bands + b] += sent;
+        const double sent = emitter->node(face, i).integral;
+        fields.by_direction.walls[static_cast<std::size_t>(mesh.wall(face))][b] += mesh.area(face) / 3 * sent;
+        exitance(face, i, b) += sent;
       }
     }
   }

@@ -2,7 +2,8 @@
 #include "solver/photons/solve/photon_batch.h"
 
 #include <algorithm>
-#include <ctime>
+
+#include "base/parallel/processor_timer.h"
 
 namespace etendue {
 namespace {
@@ -13,12 +14,6 @@ constexpr double roulette = 1e-3;
 constexpr double roulette_of_hits = 0.1;
 // Starts that are made at a time.
 constexpr std::size_t chunk = 4096;
-
-double processor_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/tetrahedra/corners.h"
 #include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/problem/mirror.h"
 #include "solver/problem/problem_checks.h"
@@ -62,7 +63,7 @@ void PhotonMesh::add_cells(const Problem& problem, int band) {
       cell.gx[i] = gradient.x();
       cell.gy[i] = gradient.y();
       cell.gz[i] = gradient.z();
-      cell.offset[i] = -gradient.dot(mesh.point(VertexIndex(mesh.vertices(index)[i == 0 ? 1 : 0])));
+      cell.offset[i] = -gradient.dot(corner_of(mesh, index, i == 0 ? 1 : 0));
       if (face.value() < mesh.boundary_face_count()) {
         cell.across[i] = -1 - face.value();
         continue;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/tetrahedra/corners.h"
 #include "solver/photons/kernel/photon_turns.h"
 #include "solver/problem/lights/beam_pieces.h"
 #include "solver/problem/lights/lamp_shape.h"
@@ -15,11 +16,6 @@ namespace {
 
 using std::numbers::pi;
 using Triangle = EmittingTriangle;
-
-Triangle triangle_of(const TetrahedralMesh& mesh, FaceIndex face) {
-  const auto& v = mesh.vertices(face);
-  return {{mesh.point(VertexIndex(v[0])), mesh.point(VertexIndex(v[1])), mesh.point(VertexIndex(v[2]))}};
-}
 
 /// Uniform over a triangle (Turk 1990).
 Vec3 point_in(const Triangle& triangle, double u, double v) {
@@ -43,9 +39,8 @@ Vec3 point_in(const TetrahedralMesh& mesh, CellIndex cell, double s, double t, d
     u = s + t + u - 1;
     s = 1 - t - old;
   }
-  const auto& v = mesh.vertices(cell);
-  const auto point = [&](std::size_t i) -> const Vec3& { return mesh.point(VertexIndex(v[i])); };
-  return (1 - s - t - u) * point(0) + s * point(1) + t * point(2) + u * point(3);
+  const std::array<Vec3, 4> corner = corners_of(mesh, cell);
+  return (1 - s - t - u) * corner[0] + s * corner[1] + t * corner[2] + u * corner[3];
 }
 
 /// A bound of the relative irradiance on a triangle.
@@ -170,8 +165,7 @@ void PhotonSources::add_lights() {
 void PhotonSources::add_beam_pieces(const BeamLight& beam, std::int32_t light, std::int32_t face) {
   const TetrahedralMesh& mesh = problem_.mesh();
   const double cosine = -beam.direction.dot(mesh.area_normal(FaceIndex(face))) / mesh.area(FaceIndex(face));
-  for (const std::array<Vec3, 3>& piece :
-       beam_pieces(*beam.profile, triangle_of(mesh, FaceIndex(face)).corner)) {
+  for (const std::array<Vec3, 3>& piece : beam_pieces(*beam.profile, corners_of(mesh, FaceIndex(face)))) {
     const auto& [a, b, c] = piece;
     const double area = (b - a).cross(c - a).norm() / 2;
     add({Kind::beam_piece, light, static_cast<std::int32_t>(beam_pieces_.size())},
@@ -242,7 +236,7 @@ PhotonStart PhotonSources::from_beam_piece(const BeamLight& beam, const BeamPiec
 PhotonStart PhotonSources::from_face(std::int32_t f, const Vec3* beam, DrawnNumbers& random) const {
   const PhotonFace& face = mesh_.faces()[static_cast<std::size_t>(f)];
   const double u = random.number(), v = random.number();
-  const Vec3 point = point_in(triangle_of(problem_.mesh(), FaceIndex(f)), u, v);
+  const Vec3 point = point_in({corners_of(problem_.mesh(), FaceIndex(f))}, u, v);
   const auto direction = [&] {
     return face.refractive_index != 1 ? refracted_in(face, random)
                                       : lambert(vector_of(face.normal), vector_of(face.tangent), random);
@@ -273,7 +267,7 @@ PhotonStart PhotonSources::from_cell_corner(std::int32_t number, std::size_t cor
   const FormulaEmitter& emitter = *mesh_.emitter(mesh.region(cell));
   const auto shares = point_towards<4>(corner, random);
   Vec3 point = Vec3::Zero(), direction;
-  for (std::size_t i = 0; i < 4; ++i) point += shares[i] * mesh.point(VertexIndex(mesh.vertices(cell)[i]));
+  for (std::size_t i = 0; i < 4; ++i) point += shares[i] * corner_of(mesh, cell, i);
   do direction = isotropic(random);
   while (random.number() * emitter.node(cell, corner).largest >= emitter.at_corner(cell, corner, direction));
   PhotonStart start = started(point, direction);
@@ -288,7 +282,7 @@ PhotonStart PhotonSources::from_face_corner(std::int32_t number, std::size_t cor
   const PhotonFace& face = mesh_.faces()[index.at()];
   const auto shares = point_towards<3>(corner, random);
   Vec3 point = Vec3::Zero(), direction;
-  for (std::size_t i = 0; i < 3; ++i) point += shares[i] * mesh.point(VertexIndex(mesh.vertices(index)[i]));
+  for (std::size_t i = 0; i < 3; ++i) point += shares[i] * corner_of(mesh, index, i);
   do direction = lambert(vector_of(face.normal), vector_of(face.tangent), random);
   while (random.number() * face.sent->node(index, corner).largest >=
          face.sent->at_corner(index, corner, direction));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "base/field_view.h"
 #include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/photons/sampling/directional_medium.h"
 #include "solver/problem/lights/beam_pieces.h"
@@ -15,6 +16,7 @@ namespace {
 void add_beam(const Problem& problem, const BeamLight& beam, Solution& fields) {
   const TetrahedralMesh& mesh = problem.mesh();
   const auto bands = static_cast<std::size_t>(problem.band_count());
+  const FaceField exitance(fields.exitance, bands);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     if (std::ranges::count(beam.walls, mesh.wall(face)) == 0) continue;
@@ -22,8 +24,7 @@ void add_beam(const Problem& problem, const BeamLight& beam, Solution& fields) {
     for (std::size_t b = 0; b < bands; ++b) {
       const double sent = seen * beam.irradiance[b];
       fields.lights.from_walls[static_cast<std::size_t>(mesh.wall(face))][b] += sent;
-      for (std::size_t i = 0; i < 3; ++i)
-        fields.exitance[(face.at() * 3 + i) * bands + b] += sent / mesh.area(face);
+      for (std::size_t i = 0; i < 3; ++i) exitance(face, i, b) += sent / mesh.area(face);
     }
   }
 }
@@ -52,27 +53,33 @@ void TallySums::clear() {
 void TallySums::to_fields(const Problem& problem, int band, double scale, Solution& fields) const {
   const TetrahedralMesh& mesh = problem.mesh();
   const auto bands = static_cast<std::size_t>(problem.band_count()), b = static_cast<std::size_t>(band);
-  for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c) {
-    const double factor = scale / mesh.volume(CellIndex(static_cast<std::int64_t>(c)));
-    if (!fields.absorbed.empty()) fields.absorbed[c * bands + b] = factor * absorbed_[c];
+  const CellField fluence(fields.fluence, bands);
+  const CellVectors net_flux(fields.net_flux, bands);
+  const BandTable absorbed(fields.absorbed, bands);
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const CellIndex cell(c);
+    const double factor = scale / mesh.volume(cell);
+    if (!fields.absorbed.empty()) absorbed(cell, b) = factor * absorbed_[cell.at()];
     for (std::size_t quantity = 0; quantity < 4; ++quantity) {
-      const double* m = cells_.data() + 16 * c + 4 * quantity;
+      const double* m = cells_.data() + 16 * cell.at() + 4 * quantity;
       const double sum = m[0] + m[1] + m[2] + m[3];
       for (std::size_t i = 0; i < 4; ++i) {
         const double value = factor * (20 * m[i] - 4 * sum);
         if (quantity == 0)
-          fields.fluence[(c * 4 + i) * bands + b] = value;
+          fluence(cell, i, b) = value;
         else
-          fields.net_flux[((c * 4 + i) * 3 + quantity - 1) * bands + b] = value;
+          net_flux(cell, i, quantity - 1, b) = value;
       }
     }
   }
-  for (std::size_t f = 0; f < static_cast<std::size_t>(mesh.boundary_face_count()); ++f) {
-    const double factor = scale / mesh.area(FaceIndex(static_cast<std::int64_t>(f)));
-    const double* m = faces_.data() + 4 * f;
+  const FaceField irradiance(fields.irradiance, bands), exitance(fields.exitance, bands);
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const double factor = scale / mesh.area(face);
+    const double* m = faces_.data() + 4 * face.at();
     for (std::size_t i = 0; i < 3; ++i) {
-      fields.irradiance[(f * 3 + i) * bands + b] = factor * (12 * m[i] - 3 * (m[0] + m[1] + m[2]));
-      fields.exitance[(f * 3 + i) * bands + b] = factor * m[3];
+      irradiance(face, i, b) = factor * (12 * m[i] - 3 * (m[0] + m[1] + m[2]));
+      exitance(face, i, b) = factor * m[3];
     }
   }
 }

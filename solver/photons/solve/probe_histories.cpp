@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/photons/solve/probe_histories.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
 
 #include "base/parallel/parallel_for.h"
+#include "base/parallel/thread_count.h"
 #include "base/random/random_stream.h"
 #include "solver/photons/kernel/photon_kernel.h"
 #include "solver/photons/kernel/photon_turns.h"
@@ -128,7 +127,7 @@ std::vector<std::vector<ProbeEstimate>> walk_back_from(const std::vector<PhotonP
   const PhotonKernels kernels = choose_photon_kernels();
   const DirectionalInput input(problem);
   std::vector<std::vector<ProbeEstimate>> found(probes.size());
-  const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
+  const int threads = thread_count(options.threads);
   const auto bands = static_cast<std::size_t>(problem.band_count());
   StageCounter counter(probes.size() * bands * batches * batch_size(options), observer);
   for (int band = 0; band < problem.band_count() && !counter.stopped(); ++band) {

@@ -2,15 +2,16 @@
 #include "solver/photons/solve/solve_photons.h"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <mutex>
 
+#include "base/order_statistics.h"
+#include "base/parallel/thread_count.h"
+#include "base/wall_clock.h"
 #include "solver/photons/solve/photon_batch.h"
 #include "solver/solution/node_means.h"
 
@@ -23,8 +24,6 @@ constexpr double wanted_batches = 64;
 constexpr double largest_batch = 2e5;
 // Batches between two looks at the error that was asked for; not by threads, so that none of them counts.
 constexpr int batches_of_a_round = 16;
-
-using Clock = std::chrono::steady_clock;
 
 /// A run of histories while it goes on.
 class PhotonRun {
@@ -75,7 +74,7 @@ class PhotonRun {
     const double size = batch_size(), rest = left();
     const int count = static_cast<int>(std::min<double>(batches_of_a_round, std::ceil(rest / size)));
     const std::uint64_t first = sums_.histories;
-    const int threads = options_.threads > 0 ? options_.threads : omp_get_num_procs();
+    const int threads = thread_count(options_.threads);
 #pragma omp parallel for ordered schedule(static, 1) num_threads(threads)
     for (int i = 0; i < count; ++i) {
       const double before = i * size;
@@ -138,7 +137,7 @@ class PhotonRun {
     progress.planned = begun_with_ + options_.photons;
     progress.error = whole_.error;
     progress.until = options_.until;
-    progress.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    progress.seconds = seconds_since(start_);
     double share = walked / options_.photons;
     if (options_.until > 0 && !whole_.error.empty()) {
       // The error falls as 1/sqrt(histories).
@@ -168,10 +167,7 @@ class PhotonRun {
     for (std::size_t i = band; i < sums_.cell_means.size(); i += bands_)
       if (const double mean = sums_.cell_means.mean(i); mean > 0)
         errors.push_back(sums_.cell_means.error(i) / mean);
-    if (errors.empty()) return 0;
-    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-    std::nth_element(errors.begin(), middle, errors.end());
-    return *middle;
+    return median(std::move(errors));
   }
 
   PhotonSolution result() {
@@ -245,7 +241,7 @@ class PhotonRun {
   std::atomic<bool> stopped_ = false;
   bool reflects_by_angle_ = std::ranges::any_of(
       problem_.walls(), [](const Wall& wall) { return wall.is_glossy() || wall.refractive_index != 1; });
-  Clock::time_point start_ = Clock::now();
+  WallClock::time_point start_ = WallClock::now();
 };
 
 constexpr std::array statistics_of_sums = {

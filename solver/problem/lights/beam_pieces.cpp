@@ -5,6 +5,7 @@
 
 #include "base/clipped_polygon.h"
 #include "base/quadrature/simplex_rules.h"
+#include "mesh/tetrahedra/corners.h"
 
 namespace etendue {
 namespace {
@@ -75,9 +76,7 @@ double mean_profile(const BeamProfile& profile, const Triangle& triangle) {
 double entering_area(const BeamLight& beam, const TetrahedralMesh& mesh, FaceIndex face) {
   const double seen = std::max(0.0, -beam.direction.dot(mesh.area_normal(face)));
   if (!beam.profile || seen == 0) return seen;
-  Triangle corners;
-  for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.point(VertexIndex(mesh.vertices(face)[i]));
-  return seen * mean_profile(*beam.profile, corners);
+  return seen * mean_profile(*beam.profile, corners_of(mesh, face));
 }
 
 }  // namespace etendue

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <span>
 
+#include "base/field_view.h"
 #include "mesh/tetrahedra/adjacency/flat_neighbours.h"
+#include "mesh/tetrahedra/corners.h"
 
 namespace etendue {
 namespace {
@@ -111,8 +113,7 @@ class PatchMaker {
 }  // namespace
 
 TriangleCorners inward_triangle(const TetrahedralMesh& mesh, FaceIndex face) {
-  TriangleCorners t;
-  for (std::size_t i = 0; i < 3; ++i) t[i] = mesh.point(VertexIndex(mesh.vertices(face)[i]));
+  TriangleCorners t = corners_of(mesh, face);
   if ((t[1] - t[0]).cross(t[2] - t[0]).dot(mesh.area_normal(face)) > 0) std::swap(t[1], t[2]);
   return t;
 }
@@ -151,17 +152,18 @@ WallPatches refined_patches(const TetrahedralMesh& mesh, const WallPatches& patc
 std::vector<double> means_at_vertices(const TetrahedralMesh& mesh, const WallPatches& patches,
                                       const std::vector<double>& values, std::size_t bands) {
   std::vector<double> means(patches.of_faces.size() * 3 * bands, 0);
+  const FaceField at_vertices(means, bands);
+  const ConstBandTable of_patches(values, bands);
   for (std::size_t p = 0; p < patches.pieces.size(); ++p)
     for (const PatchPiece& piece : patches.pieces[p]) {
       const FaceIndex face(piece.face);
-      const auto& v = mesh.vertices(face);
       const Vec3 middle = (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3;
       for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 to = mesh.point(VertexIndex(v[(i + 1) % 3])) - middle;
-        const Vec3 and_to = mesh.point(VertexIndex(v[(i + 2) % 3])) - middle;
+        const Vec3 to = corner_of(mesh, face, (i + 1) % 3) - middle;
+        const Vec3 and_to = corner_of(mesh, face, (i + 2) % 3) - middle;
         const double weight = to.cross(and_to).norm() / (2 * mesh.area(face));
         for (std::size_t b = 0; b < bands; ++b)
-          means[(face.at() * 3 + i) * bands + b] += 3 * share_of(piece) * weight * values[p * bands + b];
+          at_vertices(face, i, b) += 3 * share_of(piece) * weight * of_patches(p, b);
       }
     }
   return means;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/errors.h"
+#include "solver/problem/any_formula.h"
 #include "solver/problem/problem_checks.h"
 #include "solver/radiosity/solve/solve_radiosity.h"
 
@@ -47,17 +48,14 @@ void refuse_for_radiosity(const Problem& problem) {
   faults.find("absorption", problem.absorption(),
               "is not 0 (radiosity carries light from wall to wall alone: nothing may be lost between them)");
   faults.find("emission", problem.emission(), "is not 0 (in radiosity only walls emit)");
-  const auto any = [](const auto& formulas) {
-    return std::ranges::any_of(formulas, [](const auto& formula) { return formula.has_value(); });
-  };
   for (const Medium& medium : problem.media())
-    if (any(medium.emission_by_direction))
+    if (any_formula(medium.emission_by_direction))
       faults.add(origin_of(medium, "emission"), "depends on the direction");
   for (const Wall& wall : problem.walls()) {
     if (wall.refractive_index != 1 && std::ranges::any_of(wall.radiance, [](double r) { return r > 0; }))
       faults.add(origin_of(wall, "radiance"),
                  "is refracted as it comes in (radiosity sends light evenly into all directions)");
-    if (any(wall.radiance_by_direction))
+    if (any_formula(wall.radiance_by_direction))
       faults.add(origin_of(wall, "radiance"),
                  "depends on the place or the direction (not in this version for radiosity)");
   }

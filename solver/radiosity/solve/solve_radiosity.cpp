@@ -2,9 +2,9 @@
 #include "solver/radiosity/solve/solve_radiosity.h"
 
 #include <algorithm>
-#include <chrono>
 #include <numbers>
 
+#include "base/wall_clock.h"
 #include "solver/radiosity/exchange/wall_factors.h"
 #include "solver/radiosity/extended/extended_trace.h"
 #include "solver/radiosity/solve/sheet_passages.h"
@@ -23,11 +23,6 @@ constexpr double closed = 1e-12;
 // Residual power where a solution is examined for refinement: of links, and of the change that
 // patches are cut for.
 constexpr double rough = 0.01;
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 }  // namespace
 
@@ -54,7 +49,7 @@ RadiosityRoom::RadiosityRoom(const Problem& problem, const RadiosityOptions& opt
                              const RadiosityWatcher& watcher)
     : problem_(problem), options_(options), bands_(static_cast<std::size_t>(problem.band_count())) {
   refuse_for_radiosity(problem);
-  const Clock::time_point start = Clock::now();
+  const WallClock::time_point start = WallClock::now();
   patches_ = wall_patches(problem.mesh(), options.patch_size);
   for (;;) {
     make_factors(watcher);
@@ -219,7 +214,7 @@ RadiosityState RadiosityRoom::solve(const RadiosityEquation& equation,
 }
 
 Solution RadiosityRoom::solve(const RadiosityObserver& observer, const FactorProgress& of_cells) {
-  Clock::time_point start = Clock::now();
+  WallClock::time_point start = WallClock::now();
   const RadiosityEquation asked = equation();
   bool stopped = false;
   solved_ = solve(asked, [&](const RadiosityState& now) {
@@ -236,7 +231,7 @@ Solution RadiosityRoom::solve(const RadiosityObserver& observer, const FactorPro
   Solution solution;
   solution.method = "radiosity";
   fields_on_walls(state, solution);
-  start = Clock::now();
+  start = WallClock::now();
   fill_cells(solution, of_cells);
   report_.field_seconds = seconds_since(start);
   solution.seconds.sweep = report_.solve_seconds;

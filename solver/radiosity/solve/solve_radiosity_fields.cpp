@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "mesh/tetrahedra/corners.h"
 #include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/radiosity/solve/solve_radiosity.h"
 
@@ -96,13 +97,12 @@ void RadiosityRoom::fill_cells(Solution& fields, const FactorProgress& progress)
   fields.net_flux.assign(cells * 12 * bands_, 0);
   const WallLightField field = light(1, options_.path_rays);
   const auto fill = [&](std::size_t c) {
-    const auto& vertices = mesh.vertices(CellIndex(static_cast<std::int64_t>(c)));
+    const std::array<Vec3, 4> corners = corners_of(mesh, CellIndex(static_cast<std::int64_t>(c)));
     double* fluence = fields.fluence.data() + c * 4 * bands_;
     double* net_flux = fields.net_flux.data() + c * 12 * bands_;
     for (std::size_t i = 0; i < 4; ++i) {
       Vec3 point = Vec3::Zero();
-      for (std::size_t k = 0; k < 4; ++k)
-        point += (k == i ? near_share : far_share) * mesh.point(VertexIndex(vertices[k]));
+      for (std::size_t k = 0; k < 4; ++k) point += (k == i ? near_share : far_share) * corners[k];
       field.add_at(point, {fluence + i * bands_, bands_}, {net_flux + i * 3 * bands_, 3 * bands_});
     }
     const auto to_vertices = [](double* values, std::size_t count) {

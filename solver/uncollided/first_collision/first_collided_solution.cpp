@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "base/vector_sums.h"
 #include "solver/angular/harmonics/harmonics.h"
 #include "solver/transport/scattering/scattering_plan.h"
 #include "solver/transport/solve/solve.h"
@@ -15,10 +16,6 @@ namespace etendue {
 namespace {
 
 using Plan = std::vector<ScatteringTreatment>;
-
-void add(std::vector<double>& to, const std::vector<double>& from) {
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
-}
 
 void require_moments(const Problem& problem, const Plan& plan) {
   const auto bands = static_cast<std::size_t>(problem.band_count());
@@ -147,9 +144,9 @@ void FirstCollidedSolution::sweep(const Problem& problem, const SolveOptions& op
 }
 
 void FirstCollidedSolution::add_to(Solution& rest) const {
-  add(rest.net_flux, solution_.net_flux);
-  add(rest.exitance, solution_.exitance);
-  add(rest.meters, solution_.meters);
+  etendue::add_to(rest.net_flux, solution_.net_flux);
+  etendue::add_to(rest.exitance, solution_.exitance);
+  etendue::add_to(rest.meters, solution_.meters);
   rest.seconds.orders += solution_.seconds.orders;
   rest.seconds.sweep += solution_.seconds.sweep;
   rest.seconds.setup += solution_.seconds.setup;

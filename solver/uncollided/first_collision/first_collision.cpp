@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/field_view.h"
 #include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/angular/media/matter_table.h"
 #include "solver/uncollided/first_collision/conserve_moments.h"
@@ -118,16 +119,15 @@ void FirstCollision::add_projected_source(OrdinateIndex m, CellIndex cell, std::
 void FirstCollision::add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const {
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
+  const ConstFaceField irradiance(field_.irradiance, bands);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t b = 0; b < bands; ++b)
-      values[i * bands + b] +=
-          wall.diffuse[b] / half_range_[face.at()] * field_.irradiance[(face.at() * 3 + i) * bands + b];
+      values[i * bands + b] += wall.diffuse[b] / half_range_[face.at()] * irradiance(face, i, b);
   // Both sides of a sheet have the same half range and the same nodes.
   for (std::size_t b = 0; b < wall.transmittance.size(); ++b)
     for (std::size_t i = 0; i < 3 && wall.transmittance[b] > 0; ++i)
       values[i * bands + b] +=
-          wall.transmittance[b] / half_range_[face.at()] *
-          field_.irradiance[(static_cast<std::size_t>(behind_[face.at()]) * 3 + i) * bands + b];
+          wall.transmittance[b] / half_range_[face.at()] * irradiance(FaceIndex(behind_[face.at()]), i, b);
   glossy_.add(m, face, values);
 }
 

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/uncollided/first_collision/solve_split.h"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <chrono>
 #include <numbers>
 #include <utility>
 
+#include "base/field_view.h"
 #include "base/parallel/parallel_for.h"
+#include "base/parallel/thread_count.h"
+#include "base/vector_sums.h"
+#include "base/wall_clock.h"
+#include "mesh/tetrahedra/corners.h"
 #include "solver/problem/lights/beam_pieces.h"
 #include "solver/solution/node_means.h"
 #include "solver/transport/solve/solve.h"
@@ -20,25 +22,13 @@
 namespace etendue {
 namespace {
 
-int thread_count(const SolveOptions& options) {
-  return options.threads > 0 ? options.threads : omp_get_num_procs();
-}
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-void add(std::vector<double>& to, const std::vector<double>& from) {
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
-}
-
 /// What lights on walls send in, and mirrors send on, added to the exitance; the powers of the lights.
 void add_exitance(const LightSetup& lights, const UncollidedField& field, Solution& solution) {
   const Problem& problem = lights.problem();
   const TetrahedralMesh& mesh = problem.mesh();
   const auto bands = static_cast<std::size_t>(problem.band_count());
+  const FaceField exitance(solution.exitance, bands);
+  const ConstFaceField irradiance(field.irradiance, bands);
   // What is swept is in them already.
   solution.lights.from_walls.resize(problem.walls().size(), std::vector<double>(bands, 0));
   solution.lights.inside.resize(bands, 0);
@@ -62,10 +52,8 @@ void add_exitance(const LightSetup& lights, const UncollidedField& field, Soluti
       }
     for (std::size_t b = 0; b < bands; ++b) {
       solution.lights.from_walls[static_cast<std::size_t>(w)][b] += sent[b] * mesh.area(face);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t node = (face.at() * 3 + i) * bands + b;
-        solution.exitance[node] += sent[b] + wall.specular[b] * field.irradiance[node];
-      }
+      for (std::size_t i = 0; i < 3; ++i)
+        exitance(face, i, b) += sent[b] + wall.specular[b] * irradiance(face, i, b);
     }
   }
 }
@@ -77,13 +65,37 @@ std::vector<double> absorbed_power(const Problem& problem, const std::vector<dou
   return absorbed;
 }
 
-/// What a cell absorbs and scatters where something depends on the direction or varies in it.
-void add_cell(const UncollidedField& field, const TetrahedralMesh& mesh, CellIndex cell, std::size_t band,
+/// Adds what a cell absorbs and scatters.
+void add_cell(const Problem& problem, const UncollidedField& field, CellIndex cell, std::size_t band,
               UncollidedBalance& balance) {
-  const std::size_t bands = field.absorbed.size() / mesh.volumes().size();
-  balance.absorbed += mesh.volume(cell) * field.absorbed[cell.at() * bands + band];
-  for (std::size_t i = 0; i < 4; ++i)
-    balance.collided += mesh.volume(cell) * field.collided[(cell.at() * 4 + i) * bands + band] / 4;
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  const double volume = problem.mesh().volume(cell);
+  if (!field.absorbed.empty()) {
+    balance.absorbed += volume * ConstBandTable(field.absorbed, bands)(cell, band);
+    for (std::size_t i = 0; i < 4; ++i)
+      balance.collided += volume * ConstCellField(field.collided, bands)(cell, i, band) / 4;
+    return;
+  }
+  const double fluence = ConstCellField(field.fluence, bands).mean(cell, band) * volume;
+  balance.absorbed += problem.absorption(cell, static_cast<int>(band)) * fluence;
+  balance.collided += problem.scattering(cell, static_cast<int>(band)) * fluence;
+}
+
+/// Adds what a boundary face reflects and keeps.
+void add_face(const Problem& problem, const UncollidedField& field, FaceIndex face, std::size_t band,
+              UncollidedBalance& balance) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  const Wall& wall = problem.wall(mesh.wall(face));
+  const ConstFaceField irradiance(field.irradiance, static_cast<std::size_t>(problem.band_count()));
+  const std::int32_t glossy = field.glossy.place_of(face);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double arrived = irradiance(face, i, band) / 3 * mesh.area(face);
+    const double lobe =
+        glossy < 0 ? 0 : field.glossy.albedo(problem, static_cast<std::size_t>(glossy), i, band);
+    const double reflected = wall.diffuse[band] + wall.transmitted(band) + lobe;
+    balance.reflected += reflected * arrived;
+    balance.kept += (1 - wall.diffuse[band] - wall.transmitted(band) - lobe - wall.specular[band]) * arrived;
+  }
 }
 
 /// Powers of the uncollided light.
@@ -95,30 +107,9 @@ std::vector<UncollidedBalance> balance_of(const LightSetup& lights, const Uncoll
   for (std::size_t b = 0; b < bands; ++b) {
     UncollidedBalance& balance = balances[b];
     for (const auto& source : lights.sources()) balance.sent += source->power()[b];
-    for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-      double fluence = 0;
-      if (!field.absorbed.empty()) {
-        add_cell(field, mesh, CellIndex(c), b, balance);
-        continue;
-      }
-      for (std::size_t i = 0; i < 4; ++i)
-        fluence += field.fluence[(static_cast<std::size_t>(c) * 4 + i) * bands + b] / 4;
-      fluence *= mesh.volume(CellIndex(c));
-      balance.absorbed += problem.absorption(CellIndex(c), static_cast<int>(b)) * fluence;
-      balance.collided += problem.scattering(CellIndex(c), static_cast<int>(b)) * fluence;
-    }
-    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
-      const Wall& wall = problem.wall(mesh.wall(FaceIndex(f)));
-      const std::int32_t glossy = field.glossy.place_of(FaceIndex(f));
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double arrived =
-            field.irradiance[(static_cast<std::size_t>(f) * 3 + i) * bands + b] / 3 * mesh.area(FaceIndex(f));
-        const double lobe =
-            glossy < 0 ? 0 : field.glossy.albedo(problem, static_cast<std::size_t>(glossy), i, b);
-        balance.reflected += (wall.diffuse[b] + wall.transmitted(b) + lobe) * arrived;
-        balance.kept += (1 - wall.diffuse[b] - wall.transmitted(b) - lobe - wall.specular[b]) * arrived;
-      }
-    }
+    for (std::int32_t c = 0; c < mesh.cell_count(); ++c) add_cell(problem, field, CellIndex(c), b, balance);
+    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+      add_face(problem, field, FaceIndex(f), b, balance);
     const double found = balance.absorbed + balance.collided + balance.reflected + balance.kept;
     balance.residual = balance.sent > 0 ? (balance.sent - found) / balance.sent : 0;
   }
@@ -144,8 +135,7 @@ void add_meters(const LightSetup& lights, const SolveOptions& options, int threa
   parallel_for(options.meters.size(), threads, 1, [&](std::size_t i) {
     const CellPoint& place = options.meters[i].cells.front();
     Vec3 position = Vec3::Zero();
-    for (std::size_t k = 0; k < 4; ++k)
-      position += place.barycentric[k] * mesh.point(VertexIndex(mesh.vertices(place.cell)[k]));
+    for (std::size_t k = 0; k < 4; ++k) position += place.barycentric[k] * corner_of(mesh, place.cell, k);
     const LightAtPoint light = lights.at({place.cell, position}, options.meters[i].normal);
     for (std::size_t b = 0; b < bands; ++b) solution.meters[i * bands + b] += light.irradiance[b];
     return true;
@@ -156,9 +146,9 @@ void add_meters(const LightSetup& lights, const SolveOptions& options, int threa
 
 UncollidedLight::UncollidedLight(const LightSetup& lights, const SolveOptions& options,
                                  const StageObserver& observer)
-    : lights_(lights), threads_(thread_count(options)) {
+    : lights_(lights), threads_(thread_count(options.threads)) {
   if (lights.empty()) return;
-  const auto start = Clock::now();
+  const auto start = WallClock::now();
   field_ = uncollided_field(lights.paths(), lights.sources(), threads_, observer);
   seconds_ = seconds_since(start);
 }
@@ -181,7 +171,7 @@ Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const Direc
     first.add_to(solution);
     return solution;
   }
-  const auto start = Clock::now();
+  const auto start = WallClock::now();
   const FirstCollision input(lights_, field_, directions, threads_);
   const double seconds = seconds_since(start);
   with_input.angular_input = &input;
@@ -201,7 +191,7 @@ Solution UncollidedLight::solve_rest(const DirectionSet& directions, const Direc
     return whole;
   }
   Solution solution = sweep_rest(directions, first_collided, options, observer, reader);
-  const auto swept = Clock::now();
+  const auto swept = WallClock::now();
   solution.notes.insert(solution.notes.begin(), lights_.notes().begin(), lights_.notes().end());
   solution.lights.balance = balance_of(lights_, field_);
   add_exitance(lights_, field_, solution);
@@ -210,11 +200,11 @@ Solution UncollidedLight::solve_rest(const DirectionSet& directions, const Direc
     solution.lights.exact_walls.push_back(lights_.has_wall(static_cast<int>(w)));
   if (!field_.absorbed.empty()) {
     if (solution.absorbed.empty()) solution.absorbed = absorbed_power(lights_.problem(), solution.fluence);
-    add(solution.absorbed, field_.absorbed);
+    add_to(solution.absorbed, field_.absorbed);
   }
-  add(solution.fluence, field_.fluence);
-  add(solution.net_flux, field_.net_flux);
-  add(solution.irradiance, field_.irradiance);
+  add_to(solution.fluence, field_.fluence);
+  add_to(solution.net_flux, field_.net_flux);
+  add_to(solution.irradiance, field_.irradiance);
   add_meters(lights_, options, threads_, solution);
   solution.negative = negative_census(solution.fluence, lights_.paths().bands());
   solution.seconds.lights += seconds_since(swept);

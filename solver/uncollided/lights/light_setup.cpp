@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "mesh/tetrahedra/corners.h"
 #include "mesh/tetrahedra/search/cell_locator.h"
 #include "solver/uncollided/projection/light_at_wall.h"
 #include "solver/uncollided/sources/beam_source.h"
@@ -63,8 +64,7 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
 EmitterPart part_of_cell(const Problem& problem, const LightPaths& paths, CellIndex cell) {
   EmitterPart part;
   part.cell = cell;
-  for (std::size_t i = 0; i < 4; ++i)
-    part.corners[i] = problem.mesh().point(VertexIndex(problem.mesh().vertices(cell)[i]));
+  std::ranges::copy(corners_of(problem.mesh(), cell), part.corners.begin());
   part.brightness = values_of_cell(problem, cell, &Problem::emission);
   for (std::size_t b = 0; b < part.brightness.size(); ++b)
     part.extinction.push_back(paths.extinction(cell, b));
@@ -75,7 +75,7 @@ EmitterPart part_of_cell(const Problem& problem, const LightPaths& paths, CellIn
 EmitterPart part_of_face(const Problem& problem, FaceIndex face) {
   const TetrahedralMesh& mesh = problem.mesh();
   EmitterPart part;
-  for (std::size_t i = 0; i < 3; ++i) part.corners[i] = mesh.point(VertexIndex(mesh.vertices(face)[i]));
+  std::ranges::copy(corners_of(mesh, face), part.corners.begin());
   const Vec3 normal = (part.corners[1] - part.corners[0]).cross(part.corners[2] - part.corners[0]);
   if (normal.dot(mesh.area_normal(face)) > 0) std::swap(part.corners[1], part.corners[2]);
   part.brightness = problem.wall(mesh.wall(face)).radiance;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mesh/tetrahedra/corners.h"
 #include "solver/uncollided/closed_form/polygon_irradiance.h"
 
 namespace etendue {
@@ -50,9 +51,8 @@ void SkyIrradiance::add(const PointInCell& at, const Vec3& normal, std::span<dou
   const TetrahedralMesh& mesh = paths_.problem().mesh();
   std::vector<double> transmittance(paths_.bands());
   for (const FaceIndex face : faces_) {
-    Triangle corners;
-    for (std::size_t i = 0; i < 3; ++i)
-      corners[i] = mesh.point(VertexIndex(mesh.vertices(face)[i])) - at.position;
+    Triangle corners = corners_of(mesh, face);
+    for (Vec3& corner : corners) corner -= at.position;
     // Seen from behind or in its own plane it brings nothing.
     if (corners[0].dot(mesh.area_normal(face)) <= 0) continue;
     for_small_parts(corners, most_halvings, [&](const Triangle& part) {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/clipped_polygon.h"
+#include "mesh/tetrahedra/corners.h"
 #include "solver/uncollided/sources/beam_source.h"
 
 namespace etendue {
@@ -17,8 +18,7 @@ constexpr double step_inside = 1e-3;
 /// Adds the mean irradiance of a face by a beam with a cross-section, which may lie between its corners.
 void add_mean_irradiance(const BeamSource& beam, const TetrahedralMesh& mesh, FaceIndex face,
                          LightBeams& arriving) {
-  std::array<Vec3, 3> corners;
-  for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.point(VertexIndex(mesh.vertices(face)[i]));
+  const std::array<Vec3, 3> corners = corners_of(mesh, face);
   std::vector<double> fluence(arriving.bands());
   for (std::size_t image = 0; image < beam.directions().size(); ++image) {
     const Vec3& direction = beam.directions()[image];
@@ -75,7 +75,7 @@ GlossyBeams::GlossyBeams(const LightPaths& paths, const std::vector<std::unique_
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
   for (std::int64_t i = 0; i < count; ++i) {
     const FaceIndex face(faces_[static_cast<std::size_t>(i / 3)]);
-    const Vec3 corner = mesh.point(VertexIndex(mesh.vertices(face)[static_cast<std::size_t>(i % 3)]));
+    const Vec3 corner = corner_of(mesh, face, static_cast<std::size_t>(i % 3));
     const PointInCell at{mesh.owner(face), corner + step_inside * (mesh.centroid(face) - corner)};
     LightBeams& beams = corners_[static_cast<std::size_t>(i)];
     beams = irradiance_at(paths, sources, at, face, Sight::attenuated);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "mesh/tetrahedra/corners.h"
 #include "solver/uncollided/projection/arriving_light.h"
 #include "solver/uncollided/projection/ray_segment.h"
 
@@ -123,10 +124,9 @@ class PointsOfCell {
 
 LitCell::LitCell(const LightPaths& paths, CellIndex cell)
     : index(cell),
+      corners(corners_of(paths.problem().mesh(), cell)),
       volume(paths.problem().mesh().volume(cell)),
       centroid(paths.problem().mesh().centroid(cell)) {
-  const TetrahedralMesh& mesh = paths.problem().mesh();
-  for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh.point(VertexIndex(mesh.vertices(cell)[i]));
   size = std::cbrt(6 * std::sqrt(2.0) * volume);
   thickness = paths.largest_extinction(cell) * size;
 }

@@ -7,6 +7,7 @@
 
 #include "base/clipped_polygon.h"
 #include "base/quadrature/simplex_rules.h"
+#include "mesh/tetrahedra/corners.h"
 #include "solver/uncollided/closed_form/solid_angle.h"
 #include "solver/uncollided/projection/arriving_light.h"
 #include "solver/uncollided/sources/beam_source.h"
@@ -24,9 +25,8 @@ struct LitFace {
         area(mesh.area(face)),
         size(std::sqrt(2 * area)),
         centroid(mesh.centroid(face)),
-        normal(mesh.area_normal(face) / area) {
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.point(VertexIndex(mesh.vertices(face)[i]));
-  }
+        normal(mesh.area_normal(face) / area),
+        corners(corners_of(mesh, face)) {}
 
   Vec3 position(const std::array<double, 3>& b) const {
     return b[0] * corners[0] + b[1] * corners[1] + b[2] * corners[2];

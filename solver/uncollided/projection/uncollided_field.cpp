@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "base/field_view.h"
 #include "base/parallel/parallel_for.h"
 #include "base/quadrature/cell_rule.h"
 #include "solver/uncollided/projection/cell_light.h"
@@ -95,19 +96,21 @@ void add_moments(const LightPaths& paths, const LitCell& cell, const NodalMoment
       !matter.empty() &&
       (matter.varies(cell.index) || matter.depends_on_direction(paths.problem().mesh().region(cell.index)));
   const RayMatter::View any;  // asked only where directions are alike
+  const CellField fluences(field.fluence, bands), collided(field.collided, bands);
+  const CellVectors net_flux(field.net_flux, bands);
+  const BandTable absorbed(field.absorbed, bands);
   for (std::size_t b = 0; b < bands; ++b) {
     const PathCoefficients here =
         matter.empty() || uneven ? PathCoefficients{} : matter.at(cell.index, b, any);
     for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t node = cell.index.at() * 4 + i;
       const double fluence = moments.nodal(i, 0, b, cell.volume);
-      field.fluence[node * bands + b] += fluence;
+      fluences(cell.index, i, b) += fluence;
       for (std::size_t axis = 0; axis < 3; ++axis)
-        field.net_flux[(node * 3 + axis) * bands + b] += moments.nodal(i, 1 + axis, b, cell.volume);
+        net_flux(cell.index, i, axis, b) += moments.nodal(i, 1 + axis, b, cell.volume);
       if (matter.empty()) continue;
-      field.collided[node * bands + b] +=
+      collided(cell.index, i, b) +=
           uneven ? moments.nodal(i, NodalMoments::collided, b, cell.volume) : here.scattering * fluence;
-      field.absorbed[cell.index.at() * bands + b] +=
+      absorbed(cell.index, b) +=
           uneven ? moments.at(i, NodalMoments::absorbed, b) / cell.volume : here.absorption * fluence / 4;
     }
   }
@@ -172,7 +175,7 @@ void add_walls(const LightPaths& paths, const LightSource& source, const ShadowP
       add_irradiance(paths, source, shadows, face, work.beams, moments);
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t b = 0; b < bands; ++b)
-        irradiance[(face.at() * 3 + i) * bands + b] += moments.nodal(i, 0, b, mesh.area(face));
+        FaceField(irradiance, bands)(face, i, b) += moments.nodal(i, 0, b, mesh.area(face));
     return counter.add();
   };
   parallel_for(

@@ -194,4 +194,11 @@ std::vector<ReferenceShape> reference_shapes() {
   return shapes;
 }
 
+std::vector<FlatPatch> sphere_patches(int divisions) {
+  std::vector<FlatPatch> patches;
+  for (const TriangleCorners& t : turned(sphere_triangles(1, divisions)))
+    patches.emplace_back(std::vector{t});
+  return patches;
+}
+
 }  // namespace etendue

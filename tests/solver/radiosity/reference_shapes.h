@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/radiosity/form_factors/flat_patch.h"
 #include "solver/radiosity/form_factors/lambert.h"
 
 namespace etendue {
@@ -29,5 +30,7 @@ std::vector<TriangleCorners> polygon_triangles(Corners corners);
 std::vector<TriangleCorners> sphere_triangles(double radius, int divisions);
 /// The same surfaces seen from the other side.
 std::vector<TriangleCorners> turned(std::vector<TriangleCorners> triangles);
+/// The inside of a sphere of radius 1, a patch for each triangle.
+std::vector<FlatPatch> sphere_patches(int divisions);
 
 }  // namespace etendue

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "solver/materials/phase/phase_models.h"
+#include "tests/support/text.h"
 
 namespace etendue {
 namespace {
@@ -16,8 +17,6 @@ std::vector<double> powers(double g, int count) {
   for (int l = 0; l < count; ++l) moments.push_back(std::pow(g, l));
   return moments;
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(PhaseSeries, OfPowersIsHenyeyAndGreensteins) {
   const PhaseLegendre series = {powers(0.6, 80)};

@@ -8,13 +8,12 @@
 #include <numbers>
 
 #include "solver/materials/phase/phase_models.h"
+#include "tests/support/text.h"
 
 namespace etendue {
 namespace {
 
 using std::numbers::pi;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Henyey and Greenstein's function at angles that crowd in the forward direction.
 PhaseTable forward_table(double g, int count, double factor) {

@@ -182,9 +182,12 @@ TEST(ExtendedRoom, AFurnaceWithMirrorsIsEven) {
     options.method = method;
     RadiosityRoom with_method(problem, options);
     const Solution solution = with_method.solve();
+    ASSERT_EQ(solution.irradiance.size(), 3 * static_cast<std::size_t>(mesh.boundary_face_count()));
+    ASSERT_EQ(solution.exitance.size(), 3 * static_cast<std::size_t>(mesh.boundary_face_count()));
     for (const double irradiance : solution.irradiance) ASSERT_NEAR(irradiance, pi, 1e-9);
     for (const double exitance : solution.exitance) ASSERT_NEAR(exitance, pi, 1e-9);
     // Points look over the mirrors along 64 rays: on the mean over some thousand points these know it well.
+    ASSERT_EQ(solution.fluence.size(), 4 * mesh.volumes().size());
     double mean = 0;
     for (const double fluence : solution.fluence)
       mean += fluence / static_cast<double>(solution.fluence.size());
@@ -211,6 +214,9 @@ TEST(ExtendedRoom, AllSolutionsAreTheSame) {
       irradiance = solution.irradiance;
       exitance = solution.exitance;
     }
+    ASSERT_GT(irradiance.size(), 0);
+    ASSERT_EQ(solution.irradiance.size(), irradiance.size());
+    ASSERT_EQ(solution.exitance.size(), irradiance.size());
     for (std::size_t i = 0; i < irradiance.size(); ++i) {
       ASSERT_NEAR(solution.irradiance[i], irradiance[i], 1e-9);
       ASSERT_NEAR(solution.exitance[i], exitance[i], 1e-9);
@@ -230,6 +236,8 @@ TEST(ExtendedRoom, WhatIsRedirectedIsAPartOfWhatArrives) {
   RadiosityRoom with_floor(problem, fine_options(64));
   with_floor.solve();
   const RadiosityState& state = with_floor.solved();
+  ASSERT_EQ(state.irradiance.size(), with_floor.patches().patches.size());
+  ASSERT_EQ(state.redirected.size(), state.irradiance.size());
   for (std::size_t p = 0; p < state.irradiance.size(); ++p) {
     EXPECT_GE(state.redirected[p], -1e-6 * state.irradiance[p]) << p;
     EXPECT_LE(state.redirected[p], (1 + 1e-6) * state.irradiance[p]) << p;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "solver/radiosity/form_factors/exchange_area.h"
-#include "solver/radiosity/form_factors/ray_factors.h"
+#include "tests/solver/radiosity/form_factors/ray_factors.h"
 #include "tests/solver/radiosity/reference_shapes.h"
 
 namespace etendue {

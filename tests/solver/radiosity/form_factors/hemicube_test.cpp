@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Every row of validation/reference/form_factors.csv (its origin stands there), by hemicubes.
-#include "solver/radiosity/form_factors/hemicube.h"
+#include "tests/solver/radiosity/form_factors/hemicube.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/radiosity/form_factors/ray_factors.h"
+#include "tests/solver/radiosity/form_factors/ray_factors.h"
 #include "tests/solver/radiosity/reference_shapes.h"
 
 namespace etendue {

@@ -14,13 +14,6 @@
 namespace etendue {
 namespace {
 
-std::vector<FlatPatch> sphere_patches(int divisions) {
-  std::vector<FlatPatch> patches;
-  for (const TriangleCorners& t : turned(sphere_triangles(1, divisions)))
-    patches.emplace_back(std::vector{t});
-  return patches;
-}
-
 TEST(PatchTree, HoldsEachPatchOnceInBallsAndBetweenPlanes) {
   for (const std::vector<FlatPatch>& patches :
        {sphere_patches(3), wall_patches(cube_mesh(0.01), 0.3).patches}) {

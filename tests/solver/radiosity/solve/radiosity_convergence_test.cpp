@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/radiosity/form_factors/ray_factors.h"
 #include "solver/radiosity/solve/solve_radiosity.h"
+#include "tests/solver/radiosity/form_factors/ray_factors.h"
 #include "tests/solver/radiosity/radiosity_samples.h"
 #include "tests/solver/radiosity/reference_shapes.h"
 

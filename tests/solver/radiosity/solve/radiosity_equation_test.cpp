@@ -12,13 +12,6 @@
 namespace etendue {
 namespace {
 
-std::vector<FlatPatch> sphere_patches(int divisions) {
-  std::vector<FlatPatch> patches;
-  for (const TriangleCorners& t : turned(sphere_triangles(1, divisions)))
-    patches.emplace_back(std::vector{t});
-  return patches;
-}
-
 /// The upper half shines and reflects 0.8, the lower reflects 0.3.
 RadiosityEquation half_and_half(const Exchange& exchange) {
   RadiosityEquation equation{exchange, 1, {}, {}};
@@ -52,6 +45,7 @@ TEST(RadiosityEquation, GatheringNTimesIsTheSeriesOfNBouncesInASphere) {
   const RadiosityState state =
       solve_by_gathering(half_and_half(exchange), {1e-10, 100}, [&](const RadiosityState& now) {
         const double n = now.passes;
+        EXPECT_EQ(now.irradiance.size(), patches.size());
         for (const double irradiance : now.irradiance)
           EXPECT_NEAR(irradiance, (1 - std::pow(0.55, n)) / (1 - 0.55), 1e-13) << n;
         const Bounce& bounce = now.bounces.back();

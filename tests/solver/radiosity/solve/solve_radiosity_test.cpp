@@ -104,6 +104,8 @@ TEST(SolveRadiosity, AFurnaceIsEvenInside) {
   const Problem problem(mesh, Bands{}, {plain.media().begin(), plain.media().end()}, walls);
   RadiosityRoom room(problem, options_of(0, RadiosityMethod::gathering));
   const Solution solution = room.solve();
+  ASSERT_EQ(solution.fluence.size(), 4 * mesh.volumes().size());
+  ASSERT_EQ(solution.net_flux.size(), 3 * solution.fluence.size());
   for (const double fluence : solution.fluence) EXPECT_NEAR(fluence, 4 * M_PI, 1e-9);
   for (const double flux : solution.net_flux) EXPECT_NEAR(flux, 0, 1e-9);
   const WallLightValue value = room.light(4, 1).at(Vec3(0.4, 0.3, 0.6), Vec3::UnitX());

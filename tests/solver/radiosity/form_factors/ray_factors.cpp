@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/radiosity/form_factors/ray_factors.h"
+#include "tests/solver/radiosity/form_factors/ray_factors.h"
 
 #include <algorithm>
 #include <array>
