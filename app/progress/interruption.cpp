@@ -68,7 +68,10 @@ Interruption::Interruption() {
   sigaction(SIGPIPE, &action, &pipe_before);
 }
 
+Interruption::Interruption(std::function<bool()> asked) : may_note_(false), asked_(std::move(asked)) {}
+
 Interruption::~Interruption() {
+  if (asked_) return;
   sigaction(SIGINT, &interrupt_before, nullptr);
   sigaction(SIGTERM, &terminate_before, nullptr);
   sigaction(SIGPIPE, &pipe_before, nullptr);
@@ -82,9 +85,10 @@ void Interruption::note_all() {
   if (may_note_) signals_allowed = any_number;
 }
 
-bool Interruption::noted() const { return signals_noted > 0; }
+bool Interruption::noted() const { return asked_ ? asked_() : signals_noted > 0; }
 
 bool Interruption::is_overdue() const {
+  if (asked_) return asked_();
   return signals_noted > 0 && nanoseconds_now() - first_noted > nanoseconds_of_grace;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace etendue {
@@ -13,6 +14,9 @@ class Interruption {
   Interruption();
   /// Of a run that leaves nothing itself: any signal ends the program at once with these last words.
   explicit Interruption(const char* last_words);
+  /// For a run within another program, which decides itself when the run ends: signals stay as they are, and
+  /// several of these may live at once.
+  explicit Interruption(std::function<bool()> asked);
   ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
@@ -29,6 +33,7 @@ class Interruption {
 
  private:
   bool may_note_ = true;
+  std::function<bool()> asked_;  ///< in place of signals
 };
 
 /// While this lives, a run that is ended before it wrote anything ends with these words in place of "nothing

@@ -1,0 +1,65 @@
+# Installs BUILD into BUILD/installed, compiles the examples of SOURCE against that tree by find_package and one of them
+# by pkg-config, runs them, and compares what they say with the program that was installed.
+set(installed ${BUILD}/installed)
+set(examples ${BUILD}/installed-examples)
+file(REMOVE_RECURSE ${installed} ${examples})
+
+function(run result)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${ARGN}: exit code ${code}\n${out}\n${err}")
+  endif()
+  set(${result} "${out}" PARENT_SCOPE)
+endfunction()
+
+run(ignored ${CMAKE_COMMAND} --install ${BUILD} --prefix ${installed})
+run(ignored ${CMAKE_COMMAND} -S ${SOURCE}/examples -B ${examples} -G Ninja -DCMAKE_PREFIX_PATH=${installed}
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release)
+run(ignored ${CMAKE_COMMAND} --build ${examples})
+
+# The cube: 6 cells of 4 values, and its power balances.
+run(cube ${examples}/mesh_from_arrays)
+if(NOT cube MATCHES "24 values of fluence in 6 cells.*emitted 4 W")
+  message(FATAL_ERROR "mesh_from_arrays says:\n${cube}")
+endif()
+
+# Probes of the small case, with the digits of the installed command.
+run(solved ${examples}/solve_case ${SOURCE}/tests/app/api/small_case.toml)
+file(MAKE_DIRECTORY ${examples}/command)
+run(ignored ${installed}/bin/etendue run ${SOURCE}/tests/app/api/small_case.toml --output ${examples}/command
+    --progress none --no-estimate)
+file(STRINGS ${examples}/command/probes.csv rows REGEX "^desk,")
+list(LENGTH rows count)
+if(NOT count EQUAL 4)
+  message(FATAL_ERROR "probes.csv has ${count} rows of 4")
+endif()
+foreach(row IN LISTS rows)
+  string(REPLACE "," ";" fields "${row}")
+  list(GET fields 1 index)
+  list(GET fields 5 band)
+  list(GET fields 6 fluence)
+  if(NOT solved MATCHES "probe desk\\[${index}\\], ${band}: fluence ([^\n]*)")
+    message(FATAL_ERROR "solve_case has no desk[${index}], ${band}:\n${solved}")
+  endif()
+  string(SUBSTRING "${fluence}" 0 15 digits)
+  string(FIND "${CMAKE_MATCH_1}" "${digits}" place)
+  if(NOT place EQUAL 0)
+    message(FATAL_ERROR "desk[${index}], ${band}: ${CMAKE_MATCH_1} is not ${fluence}")
+  endif()
+endforeach()
+
+find_program(PKG_CONFIG pkg-config)
+if(PKG_CONFIG)
+  file(GLOB_RECURSE pc ${installed}/etendue.pc)
+  get_filename_component(folder ${pc} DIRECTORY)
+  set(ENV{PKG_CONFIG_PATH} ${folder})
+  run(flags ${PKG_CONFIG} --cflags --libs etendue)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  get_filename_component(libraries ${folder} DIRECTORY)
+  run(ignored ${COMPILER} -std=c++20 ${SOURCE}/examples/mesh_from_arrays.cpp -o ${examples}/by_pkg_config ${flags}
+      -Wl,-rpath,${libraries})
+  run(cube ${examples}/by_pkg_config)
+  if(NOT cube MATCHES "24 values of fluence in 6 cells")
+    message(FATAL_ERROR "by_pkg_config says:\n${cube}")
+  endif()
+endif()
