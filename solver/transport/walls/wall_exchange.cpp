@@ -65,23 +65,25 @@ WallExchange::WallExchange(const Problem& problem, const DirectionSet& direction
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     const double range = half_range_[face.at()];
-    faces_.push_back({mesh.area_normal(face), 1 / mesh.area(face), range > out_of_reach ? 1 / range : 0,
-                      static_cast<std::size_t>(mesh.wall(face))});
+    faces_.geometry.push_back({mesh.area_normal(face), 1 / mesh.area(face),
+                               range > out_of_reach ? 1 / range : 0,
+                               static_cast<std::size_t>(mesh.wall(face))});
     for (std::size_t band = 0; band < stride_; ++band)
       feeds_back_ = feeds_back_ || (range > out_of_reach && fed_back(face, band) > 0) ||
-                    walls_.transmitted[faces_.back().wall * stride_ + band] > 0;
+                    walls_.transmitted[faces_.geometry.back().wall * stride_ + band] > 0;
   }
   list_faces();
 }
 
 void WallExchange::list_faces() {
   for (std::int32_t f = 0; f < problem_.mesh().boundary_face_count(); ++f) {
-    lists_.all.push_back(f);
-    if (reflects(FaceIndex(f))) lists_.reflecting.push_back(f);
+    faces_.all.push_back(f);
+    if (reflects(FaceIndex(f))) faces_.reflecting.push_back(f);
   }
-  for (std::vector<std::int32_t>* list : {&lists_.all, &lists_.reflecting})
+  for (std::vector<std::int32_t>* list : {&faces_.all, &faces_.reflecting})
     std::stable_sort(list->begin(), list->end(), [this](std::int32_t a, std::int32_t b) {
-      const Face &left = faces_[static_cast<std::size_t>(a)], &right = faces_[static_cast<std::size_t>(b)];
+      const Face &left = faces_.geometry[static_cast<std::size_t>(a)],
+                 &right = faces_.geometry[static_cast<std::size_t>(b)];
       return std::pair(octant(left.area_normal), left.wall) <
              std::pair(octant(right.area_normal), right.wall);
     });
@@ -106,13 +108,13 @@ double WallExchange::fed_back(FaceIndex face, std::size_t band) const {
 void WallExchange::form_inflow(const TransportState& last, Emission emission, int threads,
                                std::span<double> inflow) {
   glossy_.form(last.mirrors().first(glossy_.size()), threads);
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const std::size_t wall = faces_[f].wall * stride_;
+  for (std::size_t f = 0; f < faces_.geometry.size(); ++f) {
+    const std::size_t wall = faces_.geometry[f].wall * stride_;
     const double* irradiance = last.irradiance().data() + f * face_length_;
     double* own = inflow.data() + f * face_length_;
     for (std::size_t i = 0; i < face_length_; ++i) {
       const double sent = emission == Emission::included ? walls_.radiance[wall + i % stride_] : 0;
-      own[i] = sent + walls_.diffuse[wall + i % stride_] * faces_[f].by_half_range * irradiance[i];
+      own[i] = sent + walls_.diffuse[wall + i % stride_] * faces_.geometry[f].by_half_range * irradiance[i];
     }
   }
   // Both sides of a sheet have the same half range and the same nodes.
@@ -120,14 +122,14 @@ void WallExchange::form_inflow(const TransportState& last, Emission emission, in
     if (behind_[f] < 0) continue;
     const double* irradiance = last.irradiance().data() + static_cast<std::size_t>(behind_[f]) * face_length_;
     for (std::size_t i = 0; i < face_length_; ++i)
-      inflow[f * face_length_ + i] += walls_.transmitted[faces_[f].wall * stride_ + i % stride_] *
-                                      faces_[f].by_half_range * irradiance[i];
+      inflow[f * face_length_ + i] += walls_.transmitted[faces_.geometry[f].wall * stride_ + i % stride_] *
+                                      faces_.geometry[f].by_half_range * irradiance[i];
   }
 }
 
 template <class Real>
 void WallExchange::fill(std::span<const double> inflow, const SweepSlotsOf<Real>& slots) const {
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
+  for (std::size_t f = 0; f < faces_.geometry.size(); ++f) {
     const double* own = inflow.data() + f * face_length_;
     std::copy(own, own + face_length_, slots.slot(wall_slots_.inflow(static_cast<std::int32_t>(f))));
   }
@@ -137,7 +139,7 @@ template <class Real>
 void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::span<const double> passing,
                            std::span<const double> inflow, const SweepSlotsOf<Real>& slots) const {
   for (const std::int32_t f : mirrors_.faces()) {
-    const Face& face = faces_[static_cast<std::size_t>(f)];
+    const Face& face = faces_.geometry[static_cast<std::size_t>(f)];
     if (projected_area(face.area_normal, directions_.direction(m)) >= 0) continue;
     const WallMirrors::Mirror& by = *mirrors_.find(FaceIndex(f));
     const WallMirrors::Plane& plane = mirrors_.plane(by);
@@ -161,10 +163,10 @@ void WallExchange::reflect(OrdinateIndex m, const TransportState& last, std::spa
 template <class Real>
 void WallExchange::add_exitance(OrdinateIndex m, const SweepSlotsOf<Real>& slots,
                                 std::span<double> exitance) const {
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const double seen = projected_area(faces_[f].area_normal, directions_.direction(m));
+  for (std::size_t f = 0; f < faces_.geometry.size(); ++f) {
+    const double seen = projected_area(faces_.geometry[f].area_normal, directions_.direction(m));
     if (seen >= 0) continue;
-    const double factor = -seen * faces_[f].by_area * directions_.weight(m);
+    const double factor = -seen * faces_.geometry[f].by_area * directions_.weight(m);
     const Real* trace = slots.slot(wall_slots_.inflow(static_cast<std::int32_t>(f)));
     for (std::size_t i = 0; i < face_length_; ++i) exitance[f * face_length_ + i] += factor * trace[i];
   }
@@ -174,14 +176,15 @@ template <class Real>
 void WallExchange::accumulate_irradiance(OrdinateIndex m, const SweepSlotsOf<Real>& slots, AccumulateAt what,
                                          std::span<double> irradiance, std::span<double> mirrors,
                                          std::span<double> passing) const {
-  const std::span<const std::int32_t> faces = what == AccumulateAt::all ? lists_.all : lists_.reflecting;
+  const std::span<const std::int32_t> faces = what == AccumulateAt::all ? faces_.all : faces_.reflecting;
   if (stride_ == 1 && face_length_ == 3) {
     add_irradiance<1, Real>(m, slots, faces, irradiance);
   } else {
     add_irradiance<0, Real>(m, slots, faces, irradiance);
   }
   for (const std::int32_t f : mirrors_.faces()) {
-    if (projected_area(faces_[static_cast<std::size_t>(f)].area_normal, directions_.direction(m)) <= 0)
+    if (projected_area(faces_.geometry[static_cast<std::size_t>(f)].area_normal, directions_.direction(m)) <=
+        0)
       continue;
     const WallMirrors::Mirror& by = *mirrors_.find(FaceIndex(f));
     const std::span<double> to =
@@ -203,9 +206,9 @@ void WallExchange::add_irradiance(OrdinateIndex m, const SweepSlotsOf<Real>& slo
   const Vec3 direction = directions_.direction(m);
   for (const std::int32_t f : faces) {
     const auto at = static_cast<std::size_t>(f);
-    const double seen = projected_area(faces_[at].area_normal, direction);
+    const double seen = projected_area(faces_.geometry[at].area_normal, direction);
     if (seen <= 0) continue;
-    const double factor = seen * faces_[at].by_area * directions_.weight(m);
+    const double factor = seen * faces_.geometry[at].by_area * directions_.weight(m);
     const FaceCode inside = wall_slots_.inside(f);
     double* sum = irradiance.data() + at * length;
     for (std::size_t i = 0; i < length; i += stride) {

@@ -100,11 +100,12 @@ class WallExchange {
     std::vector<char> reflects;       ///< [wall]
   };
 
-  /// Boundary faces in an order that helps branch prediction: where light leaves in the same directions they
-  /// are neighbors.
-  struct FaceLists {
-    std::vector<std::int32_t> all;
-    std::vector<std::int32_t> reflecting;
+  /// All boundary faces. The lists are in an order that helps branch prediction: faces through which light
+  /// leaves in the same directions are neighbors.
+  struct BoundaryFaces {
+    std::vector<Face> geometry;            ///< [boundary face]
+    std::vector<std::int32_t> all;         ///< list
+    std::vector<std::int32_t> reflecting;  ///< list
   };
 
   void list_faces();
@@ -124,8 +125,7 @@ class WallExchange {
       behind_;  ///< [boundary face] other side of a sheet, -1: none; empty: no wall transmits
   GlossyWalls glossy_;
   WallMirrors mirrors_;
-  std::vector<Face> faces_;  ///< [boundary face]
-  FaceLists lists_;
+  BoundaryFaces faces_;
   bool feeds_back_ = false;
 };
 
