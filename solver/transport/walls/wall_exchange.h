@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "solver/transport/order/sweep_slots.h"
 #include "solver/transport/state/transport_state.h"
 #include "solver/transport/walls/glossy_walls.h"
+#include "solver/transport/walls/wall_mirrors.h"
 
 namespace etendue {
 
@@ -35,10 +35,8 @@ class WallExchange {
 
   std::size_t irradiance_size() const;
   /// Of what the mirrors reflect in the next sweep, and of what they reflect within the same.
-  std::size_t mirror_size() const {
-    return glossy_.size() + mirror_rows(ReflectionPass::next_sweep) * row_size();
-  }
-  std::size_t passing_size() const { return mirror_rows(ReflectionPass::this_sweep) * row_size(); }
+  std::size_t mirror_size() const { return glossy_.size() + mirrors_.size(WallMirrors::Pass::next_sweep); }
+  std::size_t passing_size() const { return mirrors_.size(WallMirrors::Pass::this_sweep); }
   /// Returns whether the next sweep reflects light that arrives at a wall.
   bool feeds_back() const { return feeds_back_; }
   /// Part of the irradiance of a face that the next sweep reflects to this side.
@@ -50,7 +48,7 @@ class WallExchange {
   const GlossyWalls& glossy() const { return glossy_; }
   /// Boundary faces whose walls reflect or transmit in some band.
   bool reflects(FaceIndex face) const {
-    return wall_reflects_[static_cast<std::size_t>(mesh_.wall(face))] != 0;
+    return walls_.reflects[static_cast<std::size_t>(problem_.mesh().wall(face))] != 0;
   }
 
   /// Radiance that enters along every direction, from the last state: that of the walls and the light that
@@ -83,6 +81,7 @@ class WallExchange {
                    std::span<const double> after, std::span<double> mirrors) const;
 
  private:
+  /// Boundary face.
   struct Face {
     Vec3 area_normal;      ///< out of the domain [length^2]
     double by_area;        ///< 1 / area
@@ -90,60 +89,43 @@ class WallExchange {
     std::size_t wall;
   };
 
-  /// Sweep in which a mirror reflects the radiance that arrives.
-  enum class ReflectionPass { this_sweep, next_sweep };
+  /// Coefficients of the walls.
+  struct Coefficients {
+    Coefficients(std::span<const Wall> walls, std::size_t stride);
 
-  struct MirrorPlane {
-    Vec3 normal;
-    double refractive_index;  ///< 1: that of a mirror
-    ReflectionPass pass;
-    std::vector<std::int32_t> partner;  ///< [ordinate]
-    std::vector<double> reflected;      ///< [ordinate] where it refracts
+    std::vector<double> radiance;     ///< [wall][stride], times the square of the refractive index
+    std::vector<double> diffuse;      ///< [wall][stride]
+    std::vector<double> specular;     ///< [wall][stride]
+    std::vector<double> transmitted;  ///< [wall][stride]
+    std::vector<char> reflects;       ///< [wall]
   };
 
-  /// A face that is a mirror.
-  struct Mirror {
-    std::size_t plane;
-    std::size_t row;  ///< among those of its pass
+  /// All boundary faces. The lists are in an order that helps branch prediction: faces through which light
+  /// leaves in the same directions are neighbors.
+  struct BoundaryFaces {
+    std::vector<Face> geometry;            ///< [boundary face]
+    std::vector<std::int32_t> all;         ///< list
+    std::vector<std::int32_t> reflecting;  ///< list
   };
 
-  void find_mirrors(const OrdinateSchedule& schedule);
+  void list_faces();
   /// Of linear elements with as many bands as `LinearBands` says, or 0 for any.
   template <std::size_t LinearBands, class Real>
   void add_irradiance(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<const std::int32_t> faces,
                       std::span<double> irradiance) const;
-  const Mirror* mirror(FaceIndex face) const {
-    const std::int32_t at = mirror_of_[face.at()];
-    return at < 0 ? nullptr : &mirrors_[static_cast<std::size_t>(at)];
-  }
-  std::size_t row_size() const;
-  std::size_t mirror_rows(ReflectionPass pass) const { return rows_[static_cast<std::size_t>(pass)]; }
-  MirrorPlane mirror_plane(FaceIndex face, const OrdinateSchedule& schedule) const;
-  std::size_t mirror_at(std::size_t row, std::int32_t ordinate) const;
 
-  const TetrahedralMesh& mesh_;
   const Problem& problem_;
   const DirectionSet& directions_;
   const WallSlots& wall_slots_;
   std::size_t stride_;
-  std::size_t face_length_;          ///< face nodes times stride
-  std::vector<double> half_range_;   ///< [boundary face]
-  std::vector<double> radiance_;     ///< [wall][stride]
-  std::vector<double> diffuse_;      ///< [wall][stride]
-  std::vector<double> specular_;     ///< [wall][stride]
-  std::vector<double> transmitted_;  ///< [wall][stride]
+  std::size_t face_length_;         ///< face nodes times stride
+  std::vector<double> half_range_;  ///< [boundary face]
+  Coefficients walls_;
   std::vector<std::int32_t>
       behind_;  ///< [boundary face] other side of a sheet, -1: none; empty: no wall transmits
   GlossyWalls glossy_;
-  std::vector<char> wall_reflects_;      ///< [wall]
-  std::vector<std::int32_t> mirror_of_;  ///< [boundary face] its mirror, -1 where it is none
-  std::vector<Mirror> mirrors_;
-  std::vector<MirrorPlane> planes_;
-  std::array<std::size_t, 2> rows_{};  ///< [pass]
-  std::vector<Face> faces_;
-  std::vector<std::int32_t> all_;           ///< boundary faces
-  std::vector<std::int32_t> reflecting_;    ///< boundary faces
-  std::vector<std::int32_t> mirror_faces_;  ///< boundary faces
+  WallMirrors mirrors_;
+  BoundaryFaces faces_;
   bool feeds_back_ = false;
 };
 
