@@ -83,6 +83,7 @@ struct MeshCase {
 
 struct MediumCase {
   std::optional<BandValues> absorption, scattering, extinction, albedo;
+  std::optional<BandValues> temperature;  ///< one value [K], from which `emission` follows
   std::optional<BandValues> emission, power_density;
   Uncollided uncollided = Uncollided::automatic;
   std::vector<std::string> phase_notes;            ///< what was computed on the way to them
@@ -131,6 +132,7 @@ struct LightCase {
 };
 
 struct WallCase {
+  std::optional<BandValues> temperature;                   ///< one value [K], from which `radiance` follows
   BandValues radiance;                                     ///< empty values: 0
   BandValues diffuse, specular;                            ///< numbers; empty values: 0
   BandValues transmittance;                                ///< numbers; empty values: 0

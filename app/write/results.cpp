@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "app/case/temperatures.h"
 #include "app/write/csv/sensor_files.h"
 #include "app/write/csv/tables.h"
 #include "app/write/json/summary.h"
@@ -55,6 +56,7 @@ WrittenResults write_results(const RunResult& result) {
   add_sensor_files(result, folder);
   folder.add_text("walls.csv", walls_csv(result));
   folder.add_text("regions.csv", regions_csv(result));
+  if (has_temperatures(result.input)) folder.add_text("heat.csv", heat_csv(result));
   if (result.radiosity) folder.add_text("form_factors.csv", form_factors_csv(result));
   if (result.radiosity && !result.radiosity->bounces.empty())
     folder.add_text("passes.csv", passes_csv(result));
@@ -64,6 +66,7 @@ WrittenResults write_results(const RunResult& result) {
   std::vector<std::string> names = folder.names();
   names.push_back("summary.json");
   folder.add_text("summary.json", summary_json(result, names, seconds()));
+  folder.lock();
   folder.publish(files_of_earlier_run(directory));
   return {directory, names, seconds()};
 }

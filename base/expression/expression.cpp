@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "base/blackbody.h"
 #include "base/errors.h"
 
 namespace etendue {
@@ -59,6 +60,7 @@ struct Expression::Parser {
     parser.ClearConst();  // muParser's own _pi has only 13 digits
     parser.DefineConst("pi", std::numbers::pi);
     parser.DefineConst("e", std::numbers::e);
+    parser.DefineFun("blackbody_fraction", blackbody_fraction);
     for (std::size_t i = 0; i < variables.size(); ++i) parser.DefineVar(variables[i], &values[i]);
     for (const auto& [name, function] : formula.functions)
       parser.DefineFunUserData(name, call, const_cast<PlaceFunction*>(function.get()), false);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/blackbody.h"
+
 namespace etendue {
 namespace {
 
@@ -44,6 +46,7 @@ constexpr std::array functions = {
     UnaryFunction{"sign", sign, zero},
     UnaryFunction{"rint", [](double x) { return std::floor(x + 0.5); }, zero},
     UnaryFunction{"abs", [](double x) { return std::abs(x); }, sign},
+    UnaryFunction{"blackbody_fraction", blackbody_fraction, blackbody_fraction_slope},
 };
 
 }  // namespace

@@ -83,6 +83,14 @@ class Result:
     def regions(self):
         return list(dict.fromkeys(name for name, _ in self._regions))
 
+    @functools.cached_property
+    def _heat(self):
+        return {row["name"]: row for row in read_rows(self.folder / "heat.csv")}
+
+    def heat(self, name, column):
+        """Heat that a wall or region of a case with temperatures exchanges."""
+        return float(self._heat[name][column])
+
     def probe(self, name, band=None):
         """Rows of a probe in the order of its points, their numbers as numbers."""
         band = band or self.bands[0]

@@ -4,6 +4,7 @@
 #include "app/case/build/entry_of.h"
 #include "app/case/build/field_uses.h"
 #include "app/case/build/mesh_names.h"
+#include "app/case/build/temperature_range.h"
 #include "app/case/values/band_values.h"
 #include "app/case/values/medium_coefficients.h"
 #include "solver/angular/kernels/kernel_coefficient.h"
@@ -171,7 +172,8 @@ std::vector<DirectionSet> rotated_and_fitted(const DirectionSet& set, const Case
 
 Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
   check_names(input, names_of(mesh));
-  field_uses(input, mesh);  // all fields cover what they are used in
+  field_uses(input, mesh);          // all fields cover what they are used in
+  temperature_ranges(input, mesh);  // none is negative
   const int bands = input.bands.count();
   const std::vector<double> volumes = region_volumes(mesh);
   std::vector<Wall> walls;

@@ -93,10 +93,11 @@ struct Key {
   std::optional<BandValues> MediumCase::*values;
   const char* name;
 };
-constexpr std::array<Key, 6> medium_keys = {{{&MediumCase::absorption, "absorption"},
+constexpr std::array<Key, 7> medium_keys = {{{&MediumCase::absorption, "absorption"},
                                              {&MediumCase::scattering, "scattering"},
                                              {&MediumCase::extinction, "extinction"},
                                              {&MediumCase::albedo, "albedo"},
+                                             {&MediumCase::temperature, "temperature"},
                                              {&MediumCase::emission, "emission"},
                                              {&MediumCase::power_density, "power_density"}}};
 
@@ -125,7 +126,8 @@ std::vector<FieldUse> field_uses(const Case& input, const TetrahedralMesh& mesh)
   for (std::size_t wall = 0; wall < mesh.wall_names().size(); ++wall) {
     const WallCase entry = entry_of(input.walls, mesh.wall_names()[wall]);
     for (const PlaceFunction* function : functions_in(entry.radiance))
-      uses.add(*function, "radiance", mesh.wall_names()[wall], entry.radiance.origin,
+      uses.add(*function, entry.temperature ? "temperature" : "radiance", mesh.wall_names()[wall],
+               entry.radiance.origin,
                [&](const TakeNode& take) { give_wall_corners(mesh, static_cast<int>(wall), take); });
   }
   return uses.all();

@@ -83,7 +83,7 @@ class KeyCheck {
   void value(TomlNode& node, const KeyDeclaration& key) {
     if (key.support == Support::later) return later(node);
     check_value(node, key, faults_);
-    if (key.type != KeyType::band_values) return;
+    if (key.type != KeyType::band_values && key.type != KeyType::place_value) return;
     field(node);
     if (node.is_array())
       for (auto& item : node.array()) field(*item);

@@ -37,6 +37,8 @@ std::string type_column(KeyType type) {
       return "number per band";
     case KeyType::band_values:
       return "number, formula or field per band";
+    case KeyType::place_value:
+      return "number, formula or field";
     case KeyType::size_bound:
       return "number or table NAME = number";
     case KeyType::named_integers:

@@ -47,6 +47,10 @@ Json integer_of(const KeyDeclaration& key) {
   return integer;
 }
 
+Json place_value(const Json& number) {
+  return one_of({number, {{"type", "string"}}, {{"$ref", "#/definitions/field"}}});
+}
+
 Json per_band(const Json& value) { return one_of({value, list_of(value)}); }
 
 Json sides() {
@@ -84,7 +88,9 @@ Json value_of(const KeyDeclaration& key) {
     case KeyType::band_numbers:
       return per_band(number);
     case KeyType::band_values:
-      return per_band(one_of({number, {{"type", "string"}}, {{"$ref", "#/definitions/field"}}}));
+      return per_band(place_value(number));
+    case KeyType::place_value:
+      return place_value(number);
     case KeyType::size_bound:
       return one_of({number, table_of(number)});
     case KeyType::named_integers:

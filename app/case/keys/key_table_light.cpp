@@ -44,6 +44,21 @@ std::vector<KeyDeclaration> light_keys() {
         .help = "Radiance that the wall sends into the domain; a formula may use the direction of travel wx, "
                 "wy, wz too."}},
       {"walls.NAME",
+       "temperature",
+       place_value,
+       {.unit = "K",
+        .range = not_negative,
+        .help = "Instead of `radiance`: the wall emits emissivity times the radiance of a blackbody, divided "
+                "among the bands by `bands.edges` (docs/user/heat.md)."}},
+      {"walls.NAME",
+       "emissivity",
+       band_numbers,
+       {.default_note = "what is neither reflected nor transmitted",
+        .range = fraction,
+        .help =
+            "Hemispherical emissivity, which equals the absorptivity (Kirchhoff's law). Without `diffuse` "
+            "the rest is reflected diffusely."}},
+      {"walls.NAME",
        "uncollided",
        switch_,
        {.default_value = "\"auto\"",

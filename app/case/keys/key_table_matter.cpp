@@ -78,6 +78,14 @@ std::vector<KeyDeclaration> matter_keys() {
         .help = "Of the whole region, instead of `emission`: divided by 4 pi (flatland: 2 pi) and the meshed "
                 "volume."}},
       {"media.NAME",
+       "temperature",
+       place_value,
+       {.unit = "K",
+        .range = not_negative,
+        .help =
+            "Instead of `emission`: the medium emits absorption times the radiance of a blackbody, divided "
+            "among the bands by `bands.edges` (docs/user/heat.md)."}},
+      {"media.NAME",
        "scattering_method",
        band_texts,
        {.default_value = "\"auto\"",

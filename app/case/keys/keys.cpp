@@ -36,6 +36,8 @@ std::string type_text(KeyType type) {
       return "a number, or a list with one for each band";
     case KeyType::band_values:
       return "a number, a formula in x, y, z or { file, array }, or a list with one for each band";
+    case KeyType::place_value:
+      return "a number, a formula in x, y, z or { file, array }";
     case KeyType::size_bound:
       return "a number, or a table of one for each region";
     case KeyType::named_integers:

@@ -24,6 +24,7 @@ enum class KeyType {
   band_texts,        ///< text, or a list with one for each band
   band_numbers,      ///< a number, or a list with one for each band
   band_values,       ///< a number, a formula in x, y, z or a field from a file, or a list of such
+  place_value,       ///< a number, a formula in x, y, z or a field from a file; the same in all bands
   size_bound,        ///< a number, or a table NAME = number
   named_integers,    ///< a table NAME = integer
   named_points,      ///< a table NAME = [x, y, z]

@@ -53,6 +53,8 @@ class ValueCheck {
         return node.is_array() ? list(node, &ValueCheck::number) : number(node);
       case KeyType::band_values:
         return node.is_array() ? list(node, &ValueCheck::number_or_formula) : number_or_formula(node);
+      case KeyType::place_value:
+        return number_or_formula(node);
       case KeyType::size_bound:
         return node.is_table() ? names(node, &ValueCheck::number) : number(node);
       case KeyType::named_integers:

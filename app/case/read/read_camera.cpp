@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/read/read_camera.h"
 
+#include "app/case/read/file_name.h"
 #include "app/case/read/read_false_color.h"
 
 #include <algorithm>
@@ -80,9 +81,7 @@ void read_pixels(Section& section, Camera& camera) {
 CameraCase read_camera(Section& section) {
   CameraCase result;
   result.origin = section.origin();
-  result.name = section.text_if("name").value_or("");
-  if (result.name.find('/') != std::string::npos || result.name.starts_with('.'))
-    section.fault("name", "cannot name a file; use letters, digits, - and _");
+  result.name = file_name(section, "name");
   read_view(section, result.camera);
   read_lens(section, result.camera);
   read_pixels(section, result.camera);

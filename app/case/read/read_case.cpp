@@ -51,9 +51,11 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   result.mesh = read_mesh_section(top.section("mesh"), file.parent_path());
   result.bands = read_bands(top.section("bands"));
   read_directions(top.section("directions"), result);
-  result.media = read_media(top.section("media"), {result.bands, result.angular_space, file.parent_path(),
-                                                   [&result] { return ordinate_count(result); }});
-  result.walls = read_walls(top.section("walls"), result.bands, file.parent_path());
+  result.media =
+      read_media(top.section("media"), {result.bands, result.units, result.angular_space, file.parent_path(),
+                                        [&result] { return ordinate_count(result); }});
+  result.walls = read_walls(top.section("walls"),
+                            {result.bands, result.units, result.angular_space, file.parent_path()});
   result.lights = read_lights(top, {result.bands, result.units, file.parent_path()});
   for (const auto& [name, wall] : result.walls)
     if (wall.beam) result.lights.push_back(*wall.beam);

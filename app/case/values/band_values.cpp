@@ -128,6 +128,13 @@ std::optional<BandValues> read_band_values(Section& section, std::string_view na
   return values_in(*node, name, section.faults());
 }
 
+std::optional<BandValues> read_place_value(Section& section, std::string_view name) {
+  TomlNode* node = section.find(name);
+  if (node == nullptr) return std::nullopt;
+  if (node->is_text()) check_formula(*node, FormulaOf::place, section.faults());
+  return values_in(*node, name, section.faults());
+}
+
 BandValues read_band_values_or_default(Section& section, std::string_view name, const Bands& bands,
                                        FormulaOf formula) {
   if (auto values = read_band_values(section, name, bands, formula)) return *values;

@@ -24,6 +24,9 @@ std::optional<BandValues> read_band_values(Section& section, std::string_view na
 BandValues read_band_values_or_default(Section& section, std::string_view name, const Bands& bands,
                                        FormulaOf formula = FormulaOf::place);
 
+/// The value of a key that is the same in all bands; empty where it is absent or faulty.
+std::optional<BandValues> read_place_value(Section& section, std::string_view name);
+
 /// Whether some formula uses the direction of travel.
 bool depend_on_direction(const std::optional<BandValues>& values);
 

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/case/build/field_uses.h"
+#include "app/case/build/temperature_range.h"
 
 namespace etendue {
 namespace {
@@ -13,7 +16,34 @@ std::string unit_of(const std::string& key, const Units& units) {
   if (key == "emission") return fmt::format(" {}/({}^3 sr)", units.power, units.length);
   if (key == "power_density") return fmt::format(" {}/{}^3", units.power, units.length);
   if (key == "radiance") return fmt::format(" {}/({}^2 sr)", units.power, units.length);
+  if (key == "temperature") return " K";
   return fmt::format(" 1/{}", units.length);
+}
+
+/// One range for all places that have the same temperature.
+std::vector<TemperatureRange> joined_places(const std::vector<TemperatureRange>& ranges) {
+  std::vector<TemperatureRange> joined;
+  for (const TemperatureRange& range : ranges) {
+    const auto same = std::ranges::find_if(joined, [&](const TemperatureRange& other) {
+      return range.lowest == range.highest && other.lowest == range.lowest && other.highest == range.highest;
+    });
+    if (same == joined.end())
+      joined.push_back(range);
+    else
+      same->place += ", " + range.place;
+  }
+  return joined;
+}
+
+std::string temperature_text(const TemperatureRange& range, const Bands& bands) {
+  std::string text = fmt::format("temperature of {}: ", range.place);
+  text += range.lowest == range.highest
+              ? fmt::format("{:.6g} K", range.mean)
+              : fmt::format("from {:.6g} to {:.6g}, mean {:.6g} K", range.lowest, range.highest, range.mean);
+  if (range.mean > 0 && !bands.edges.empty())
+    text += fmt::format("; the bands hold {:.3g} % of the power of a blackbody of {:.4g} K",
+                        100 * range.fraction_in_bands, range.mean);
+  return text;
 }
 
 }  // namespace
@@ -24,6 +54,8 @@ std::vector<std::string> field_texts(const Case& input, const TetrahedralMesh& m
     texts.push_back(fmt::format("{} of {}: {}, from {:.6g} to {:.6g}, mean {:.6g}{}", use.key, use.place,
                                 use.field, use.smallest, use.largest, use.mean,
                                 unit_of(use.key, input.units)));
+  for (const TemperatureRange& range : joined_places(temperature_ranges(input, mesh)))
+    texts.push_back(temperature_text(range, input.bands));
   return texts;
 }
 

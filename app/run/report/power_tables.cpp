@@ -85,7 +85,7 @@ std::string powers_text(const RunResult& result) {
                                                        : "\nwalls: many, see walls.csv\n";
   text += result.regions.size() * bands <= longest_table ? regions_text(result, units)
                                                          : "\nregions: many, see regions.csv\n";
-  return text;
+  return text + heat_text(result);
 }
 
 std::string probes_text(const RunResult& result) {

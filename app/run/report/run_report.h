@@ -17,6 +17,8 @@ std::string balance_text(const RunResult& result);
 std::string uncollided_text(const RunResult& result);
 /// Walls and regions.
 std::string powers_text(const RunResult& result);
+/// Heat that walls and regions exchange, where the case has temperatures.
+std::string heat_text(const RunResult& result);
 /// Probes, where they are few.
 std::string probes_text(const RunResult& result);
 /// The error against the exact solution, where the case says what it is.

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "app/write/csv/csv_field.h"
+#include "app/write/result/heat_rows.h"
 
 namespace etendue {
 namespace {
@@ -88,6 +89,16 @@ std::string regions_csv(const RunResult& result) {
       add_row(table, "{},{},{},{},{},{}{}", csv_field(result.problem.media()[r].name), csv_field(bands[b]),
               power.volume, power.fluence_mean, power.absorbed, power.emitted, errors);
     }
+  return table;
+}
+
+std::string heat_csv(const RunResult& result) {
+  std::string table = "kind,name,extent,emitted,absorbed,net,density";
+  table += result.errors ? ",net_error\n" : "\n";
+  for (const HeatRow& row : heat_rows(result))
+    table += fmt::format("{},{},{},{},{},{},{}{}\n", row.is_wall ? "wall" : "region", csv_field(row.name),
+                         row.extent, row.emitted, row.absorbed, row.net, row.density(),
+                         result.errors ? fmt::format(",{}", row.error) : "");
   return table;
 }
 

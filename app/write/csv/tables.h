@@ -14,6 +14,9 @@ std::string walls_csv(const RunResult& result);    ///< wall,band,area,irradianc
 std::string regions_csv(const RunResult& result);  ///< region,band,volume,fluence_mean,absorbed,emitted
 std::string history_csv(const RunResult& result);  ///< sweep,band,residual
 
+/// kind,name,extent,emitted,absorbed,net,density: heat of walls and regions, all bands together.
+std::string heat_csv(const RunResult& result);
+
 /// pass,band,exitant,incident,deposit: powers of the passes of radiosity.
 std::string passes_csv(const RunResult& result);
 

@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <array>
 
+#include "app/case/temperatures.h"
 #include "app/write/result/unit_labels.h"
 #include "app/write/vtk/vtk_arrays.h"
 #include "app/write/vtk/vtk_files.h"
 #include "app/write/vtk/vtk_output.h"
+#include "solver/solution/flux_divergence.h"
 #include "solver/solution/node_means.h"
 
 namespace etendue {
@@ -63,6 +65,7 @@ class FieldsOfCells {
     for (const OrdinateRadiance& kept : result_.solution.radiance)
       if (std::ranges::count(ordinates, kept.ordinate) > 0) add_radiance(kept);
     if (asked("media")) add_media();
+    if (has_temperatures(result_.input)) add_divergence();
     if (const auto& error = result_.solution.direction_error; !error.empty())
       grid_->GetCellData()->AddArray(
           vtk_array({"fluence_direction_error", bands_, units_.flux}, band_count(), error));
@@ -123,6 +126,12 @@ class FieldsOfCells {
     add("absorption", units_.coefficient, problem.absorption());
     add("scattering", units_.coefficient, problem.scattering());
     add("emission", units_.emission, problem.emission());
+  }
+
+  void add_divergence() {
+    const std::string unit = units_.power + "/" + units_.volume;
+    grid_->GetCellData()->AddArray(
+        vtk_array({"divergence", {}, unit}, 1, flux_divergence(result_.problem, result_.solution)));
   }
 
   const RunResult& result_;

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "app/case/temperatures.h"
 #include "app/write/result/unit_labels.h"
 #include "app/write/vtk/vtk_arrays.h"
 #include "app/write/vtk/vtk_files.h"
@@ -31,6 +32,12 @@ std::vector<double> differences(std::span<const double> a, std::span<const doubl
   std::vector<double> result(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] - b[i];
   return result;
+}
+
+std::vector<double> sums_over_bands(std::span<const double> values, std::size_t bands) {
+  std::vector<double> sums(values.size() / bands, 0.0);
+  for (std::size_t i = 0; i < values.size(); ++i) sums[i / bands] += values[i];
+  return sums;
 }
 
 /// [triangle][3][3][band] values [triangle][3][band] times the unit normal of their triangle.
@@ -134,6 +141,9 @@ vtkSmartPointer<vtkPolyData> fields_of_walls(const RunResult& result) {
   add("exitance", light.exitance);
   const std::vector<double> net = differences(light.irradiance, light.exitance);
   add("net_irradiance", net);
+  if (has_temperatures(result.input))
+    light.surface->GetPointData()->AddArray(
+        vtk_array({"radiative_heat_flux", {}, unit}, 1, sums_over_bands(net, bands.names.size())));
   add_band_vectors(*light.surface->GetPointData(), {"net_flux", bands.names, unit},
                    along_normals(net, light.normals, bands.names.size()));
   light.surface->GetPointData()->AddArray(color_array(bands, light.exitance, light.areas, 3, unit));

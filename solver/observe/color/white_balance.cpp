@@ -5,8 +5,8 @@
 
 #include <Eigen/LU>
 
+#include "base/blackbody.h"
 #include "solver/observe/color/color_matching.h"
-#include "solver/observe/color/planck_spectrum.h"
 
 namespace etendue {
 namespace {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/blackbody.h"
 #include "base/errors.h"
 
 namespace etendue {
@@ -46,6 +47,10 @@ TEST(Expression, KnowsItsConstantsInFullPrecision) {
   EXPECT_EQ(value_at(in_xyz("e"), 0, 0, 0), std::numbers::e);
   EXPECT_EQ(message_of("_pi"), "unexpected token \"_pi\" (character 1)" + accepted);
   EXPECT_DOUBLE_EQ(value_at(in_xyz("log(e)"), 0, 0, 0), 1);  // log is natural
+}
+
+TEST(Expression, KnowsTheSpectrumOfABlackbody) {
+  EXPECT_EQ(value_at(in_xyz("blackbody_fraction(x*y)"), 700, 3000, 0), blackbody_fraction(2.1e6));
 }
 
 TEST(Expression, KnowsWhichVariablesItUses) {

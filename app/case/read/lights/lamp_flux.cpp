@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/blackbody.h"
 #include "solver/observe/color/photometry.h"
-#include "solver/observe/color/planck_spectrum.h"
 
 namespace etendue {
 

@@ -12,6 +12,7 @@
 #include "app/case/read/materials/read_glossy.h"
 #include "app/case/read/materials/read_phase.h"
 #include "app/case/read/materials/read_reduced_scattering.h"
+#include "app/case/read/materials/read_temperature.h"
 #include "app/case/values/band_values.h"
 #include "app/case/values/medium_coefficients.h"
 #include "solver/materials/media/angular_formula.h"
@@ -173,7 +174,7 @@ void fill_in(Section& section, const MediumCase& medium) {
   if (!medium.extinction && !medium.albedo)
     for (const char* name : {"absorption", "scattering"})
       if (name != std::string_view("scattering") || !section.has("reduced_scattering")) section.value(name);
-  if (!medium.power_density && !medium.power) section.value("emission");
+  if (!medium.power_density && !medium.power && !section.has("temperature")) section.value("emission");
   if (scatters(section) && !section.has("phase")) section.section("phase").resolve("model", "isotropic");
   if (!scatters(section)) return;
   for (const char* name : {"scattering_method", "forward_peak"}) section.value(name);
@@ -189,6 +190,9 @@ MediumCase read_medium(Section section, const MatterContext& context) {
     medium.power_density = read_band_values(section, "power_density", bands);
     medium.power = read_band_values(section, "power", bands);
     read_directional(section, context, medium);
+    section.unused("temperature",
+                   "not beside leaves, flakes or a kernel in this version (their absorption depends on the "
+                   "direction); use emission");
     if (!any_faulty(section, {"emission", "power_density", "power"}))
       report_first(section, medium, bands, emission_problem);
     section.value("uncollided");
@@ -207,9 +211,10 @@ MediumCase read_medium(Section section, const MatterContext& context) {
   if (auto scattering = read_reduced_scattering(section, bands, context.space, medium.phase))
     medium.scattering = std::move(scattering);
   medium.uncollided = read_uncollided(section);
-  check_uncollided(section, medium.uncollided, depend_on_direction(medium.emission));
   medium.choice = read_choices(section, bands);
   check_medium(section, medium, bands);
+  read_thermal_emission(section, {bands, context.units, context.space}, medium);
+  check_uncollided(section, medium.uncollided, depend_on_direction(medium.emission));
   check_directions(section, medium, bands);
   fill_in(section, medium);
   return medium;
@@ -238,15 +243,23 @@ void check_reflectances(Section& section, const WallCase& wall, const Bands& ban
   }
 }
 
-WallCase read_wall(const std::string& name, Section section, const Bands& bands,
-                   const std::filesystem::path& case_folder) {
+WallCase read_wall(const std::string& name, Section section, const WallContext& context) {
+  const Bands& bands = context.bands;
   WallCase wall;
   wall.origin = section.origin();
-  wall.diffuse = read_band_values_or_default(section, "diffuse", bands);
+  // Of a wall whose emissivity is given the diffuse reflectance follows.
+  if (section.has("diffuse") || !section.has("emissivity"))
+    wall.diffuse = read_band_values_or_default(section, "diffuse", bands);
+  else
+    wall.diffuse.values = {0.0};
   wall.specular = read_band_values_or_default(section, "specular", bands);
   wall.transmittance = read_band_values_or_default(section, "transmittance", bands);
-  if (section.has("glossy")) wall.glossy = read_glossy(section.section("glossy"), bands, case_folder);
-  wall.radiance = read_band_values_or_default(section, "radiance", bands, FormulaOf::place_and_direction);
+  if (section.has("glossy")) wall.glossy = read_glossy(section.section("glossy"), bands, context.case_folder);
+  wall.refractive_index = section.number("refractive_index");
+  if (section.has("radiance") || !section.has("temperature"))
+    wall.radiance = read_band_values_or_default(section, "radiance", bands, FormulaOf::place_and_direction);
+  if (!any_faulty(section, {"diffuse", "specular", "transmittance"}))
+    read_thermal_wall(section, {bands, context.units, context.space}, wall);
   wall.uncollided = read_uncollided(section);
   check_uncollided(section, wall.uncollided,
                    std::ranges::any_of(wall.radiance.values, [](const Value& value) {
@@ -254,7 +267,6 @@ WallCase read_wall(const std::string& name, Section section, const Bands& bands,
                    }));
   wall.beam = read_beam(section, name, bands);
   if (wall.beam) wall.beam->uncollided = wall.uncollided;
-  wall.refractive_index = section.number("refractive_index");
   if (section.has("glazing")) {
     wall.glazing = read_glazing(section.section("glazing"), bands);
     check_glazed_wall(section, wall);
@@ -284,13 +296,12 @@ std::map<std::string, MediumCase> read_media(Section media, const MatterContext&
   return read_entries<MediumCase>(std::move(media), context.bands, "region", "", reader);
 }
 
-std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands,
-                                           const std::filesystem::path& case_folder) {
-  const auto reader = [&case_folder](const std::string& name, Section section, const Bands& all) {
-    return read_wall(name, std::move(section), all, case_folder);
+std::map<std::string, WallCase> read_walls(Section walls, const WallContext& context) {
+  const auto reader = [&context](const std::string& name, Section section, const Bands&) {
+    return read_wall(name, std::move(section), context);
   };
-  return read_entries<WallCase>(std::move(walls), bands, "wall", ", as [walls.\"*\"] with diffuse = 0.5",
-                                reader);
+  return read_entries<WallCase>(std::move(walls), context.bands, "wall",
+                                ", as [walls.\"*\"] with diffuse = 0.5", reader);
 }
 
 }  // namespace etendue

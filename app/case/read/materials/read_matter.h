@@ -14,13 +14,21 @@ namespace etendue {
 /// What media are read with.
 struct MatterContext {
   const Bands& bands;
+  const Units& units;
   AngularSpace space;
   std::filesystem::path case_folder;
   std::function<int()> ordinates;  ///< how many directions the case has; 0 where they are faulty
 };
 
+/// What walls are read with.
+struct WallContext {
+  const Bands& bands;
+  const Units& units;
+  AngularSpace space;
+  std::filesystem::path case_folder;
+};
+
 std::map<std::string, MediumCase> read_media(Section media, const MatterContext& context);
-std::map<std::string, WallCase> read_walls(Section walls, const Bands& bands,
-                                           const std::filesystem::path& case_folder);
+std::map<std::string, WallCase> read_walls(Section walls, const WallContext& context);
 
 }  // namespace etendue

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "solver/observe/color/planck_spectrum.h"
+#include "base/blackbody.h"
 
 namespace etendue {
 namespace {

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read/materials/read_temperature.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/case/values/band_values.h"
+#include "app/case/values/blackbody_values.h"
+#include "app/case/values/medium_coefficients.h"
+#include "app/case/values/value_algebra.h"
+
+namespace etendue {
+namespace {
+
+/// Sums of what a person wrote with a few digits agree to this.
+constexpr double agreement = 1e-9;
+
+/// Edges that are not one more than the bands were reported already.
+bool has_faulty_edges(const Bands& bands) {
+  return !bands.edges.empty() && bands.edges.size() != bands.names.size() + 1;
+}
+
+/// Why a temperature cannot become a radiance; empty where it can.
+std::string temperature_problem(const ThermalContext& context) {
+  if (context.space == AngularSpace::plane)
+    return "not in flatland (the radiance of a blackbody is that of space); use emission or radiance";
+  if (context.units.length != "m" || context.units.power != "W")
+    return fmt::format(
+        "needs meters and watts (the case has {} and {}); use units.length = \"m\" with "
+        "mesh.scale, and units.power = \"W\"",
+        context.units.length, context.units.power);
+  if (context.bands.count() > 1 && context.bands.edges.empty())
+    return fmt::format(
+        "needs the edges of the {} bands, which divide the power of a blackbody; add "
+        "bands.edges [nm], or use one band",
+        context.bands.count());
+  return "";
+}
+
+double number_of(const BandValues& values, int band) {
+  return values.values.empty() ? 0 : std::get<double>(value_of(values, band));
+}
+
+/// What a wall neither reflects nor transmits.
+double absorptivity(const WallCase& wall, int band) {
+  return 1 - number_of(wall.diffuse, band) - number_of(wall.specular, band) -
+         number_of(wall.transmittance, band);
+}
+
+std::string emissivity_problem(const WallCase& wall, const BandValues& emissivity, bool has_diffuse,
+                               const Bands& bands) {
+  for (int band = 0; band < bands.count(); ++band) {
+    const double given = number_of(emissivity, band), rest = absorptivity(wall, band);
+    if (has_diffuse && std::abs(given - rest) > agreement)
+      return fmt::format(
+          "differs from 1 - diffuse - specular - transmittance = {:.6g} (Kirchhoff's law); leave "
+          "diffuse or emissivity out",
+          rest);
+    if (given > rest + agreement)
+      return fmt::format("emissivity + specular + transmittance = {:.6g}; use at most 1", 1 - rest + given);
+  }
+  return "";
+}
+
+/// Diffuse reflectance of a wall of which `emissivity` is given.
+BandValues diffuse_rest(const WallCase& wall, const BandValues& emissivity, const Bands& bands) {
+  BandValues diffuse;
+  diffuse.origin = emissivity.origin;
+  for (int band = 0; band < bands.count(); ++band)
+    diffuse.values.emplace_back(std::max(0.0, absorptivity(wall, band) - number_of(emissivity, band)));
+  return diffuse;
+}
+
+void read_emissivity(Section& section, const Bands& bands, WallCase& wall) {
+  const std::optional<BandValues> emissivity = read_band_values(section, "emissivity", bands);
+  if (!emissivity) return;
+  if (!wall.glossy.empty() || wall.refractive_index != 1)
+    return section.fault(
+        "emissivity",
+        "not beside glossy or refractive_index (such an emissivity depends on the direction; "
+        "not in this version); leave it out");
+  const bool has_diffuse = section.has("diffuse");
+  const std::string problem = emissivity_problem(wall, *emissivity, has_diffuse, bands);
+  if (!problem.empty()) return section.fault("emissivity", problem);
+  if (!has_diffuse) wall.diffuse = diffuse_rest(wall, *emissivity, bands);
+}
+
+/// The key `temperature`, unless it cannot become a radiance or one of `emission_keys` says the same.
+std::optional<BandValues> read_temperature(Section& section, const ThermalContext& context,
+                                           std::initializer_list<const char*> emission_keys) {
+  std::optional<BandValues> temperature = read_place_value(section, "temperature");
+  if (!temperature || has_faulty_edges(context.bands)) return std::nullopt;
+  std::string problem = temperature_problem(context);
+  for (const char* other : emission_keys)
+    if (section.has(other))
+      problem = fmt::format("{} is given too, and both say what is emitted; use one of them", other);
+  if (problem.empty()) return temperature;
+  section.fault("temperature", problem);
+  return std::nullopt;
+}
+
+/// Radiance of a blackbody times a factor in each band.
+template <class FactorOf>
+BandValues thermal_radiance(const BandValues& temperature, const Bands& bands, FactorOf factor_of) {
+  BandValues radiance;
+  radiance.origin = temperature.origin;
+  for (int band = 0; band < bands.count(); ++band)
+    radiance.values.push_back(
+        product(factor_of(band), blackbody_radiance(temperature.values.front(), bands, band)));
+  return radiance;
+}
+
+}  // namespace
+
+void read_thermal_emission(Section& section, const ThermalContext& context, MediumCase& medium) {
+  medium.temperature = read_temperature(section, context, {"emission", "power_density", "power"});
+  if (!medium.temperature) return;
+  medium.emission = thermal_radiance(*medium.temperature, context.bands,
+                                     [&](int band) { return matter_values(medium, band).absorption; });
+  if (depend_on_direction(medium.emission))
+    section.fault("temperature",
+                  "not where absorption depends on the direction (not in this version); use emission");
+}
+
+void read_thermal_wall(Section& section, const ThermalContext& context, WallCase& wall) {
+  read_emissivity(section, context.bands, wall);
+  wall.temperature = read_temperature(section, context, {"radiance"});
+  if (!wall.temperature) return;
+  if (!wall.glossy.empty())
+    return section.fault("temperature",
+                         "not beside glossy (its emissivity depends on the direction; not in this version); "
+                         "use radiance");
+  // Behind a refracting wall the radiance is that of what is there.
+  wall.radiance = thermal_radiance(*wall.temperature, context.bands, [&](int band) {
+    return Value(wall.refractive_index == 1 ? absorptivity(wall, band) : 1.0);
+  });
+}
+
+}  // namespace etendue

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "app/case/case.h"
+#include "app/case/keys/section.h"
+
+namespace etendue {
+
+/// What a temperature needs to become a radiance in each band.
+struct ThermalContext {
+  const Bands& bands;
+  const Units& units;
+  AngularSpace space;
+};
+
+/// Reads the temperature of a medium whose absorption is read, and sets the emission that follows: absorption
+/// times the radiance of a blackbody (Kirchhoff's law).
+void read_thermal_emission(Section& section, const ThermalContext& context, MediumCase& medium);
+
+/// Reads `emissivity` and `temperature` of a wall whose reflectances and transmittance are read: the diffuse
+/// reflectance and the radiance that follow.
+void read_thermal_wall(Section& section, const ThermalContext& context, WallCase& wall);
+
+}  // namespace etendue

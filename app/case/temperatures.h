@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "app/case/case.h"
+
+namespace etendue {
+
+/// Whether a medium or wall of the case has a temperature.
+bool has_temperatures(const Case& input);
+
+}  // namespace etendue

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/values/value_algebra.h"
+
+#include <fmt/format.h>
+
+namespace etendue {
+
+bool is_number(const Value& value) { return std::holds_alternative<double>(value); }
+
+Formula term(const Value& value) {
+  if (is_number(value)) return fmt::format("{:.17g}", std::get<double>(value));
+  Formula formula = std::get<Formula>(value);
+  formula.text = "(" + formula.text + ")";
+  return formula;
+}
+
+Formula joined(const Value& a, const char* sign, const Value& b) {
+  Formula first = term(a), second = term(b);
+  first.text += sign + second.text;
+  first.functions.merge(second.functions);
+  return first;
+}
+
+Value product(const Value& a, const Value& b) {
+  if (is_number(a) && is_number(b)) return std::get<double>(a) * std::get<double>(b);
+  return joined(a, "*", b);
+}
+
+}  // namespace etendue

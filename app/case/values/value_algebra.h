@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "app/case/case.h"
+
+namespace etendue {
+
+bool is_number(const Value& value);
+
+/// The value as a factor or term of a longer formula: in parentheses.
+Formula term(const Value& value);
+
+/// `a sign b` as a formula that calls the functions of both.
+Formula joined(const Value& a, const char* sign, const Value& b);
+
+/// A number where both are numbers.
+Value product(const Value& a, const Value& b);
+
+}  // namespace etendue

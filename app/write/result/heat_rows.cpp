@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/write/result/heat_rows.h"
+
+#include <cmath>
+
+namespace etendue {
+namespace {
+
+HeatRow wall_row(const RunResult& result, std::size_t wall) {
+  HeatRow row{.is_wall = true, .name = result.problem.walls()[wall].name};
+  double variance = 0;
+  for (std::size_t band = 0; band < result.walls[wall].size(); ++band) {
+    const WallPower& power = result.walls[wall][band];
+    row.extent = power.area;
+    row.emitted += power.emitted;
+    row.net += power.incoming - power.outgoing;
+    if (result.errors) variance += std::pow(result.errors->net[wall][band], 2);
+  }
+  row.absorbed = row.net + row.emitted;
+  row.error = std::sqrt(variance);
+  return row;
+}
+
+HeatRow region_row(const RunResult& result, std::size_t region) {
+  HeatRow row{.name = result.problem.media()[region].name};
+  double variance = 0;
+  for (std::size_t band = 0; band < result.regions[region].size(); ++band) {
+    const RegionPower& power = result.regions[region][band];
+    row.extent = power.volume;
+    row.emitted += power.emitted;
+    row.absorbed += power.absorbed;
+    if (result.errors) variance += std::pow(result.errors->regions[region][band].absorbed, 2);
+  }
+  row.net = row.emitted - row.absorbed;
+  row.error = std::sqrt(variance);
+  return row;
+}
+
+}  // namespace
+
+std::vector<HeatRow> heat_rows(const RunResult& result) {
+  std::vector<HeatRow> rows;
+  for (std::size_t wall = 0; wall < result.walls.size(); ++wall) rows.push_back(wall_row(result, wall));
+  for (std::size_t region = 0; region < result.regions.size(); ++region)
+    rows.push_back(region_row(result, region));
+  return rows;
+}
+
+}  // namespace etendue

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/write/result/run_result.h"
+
+namespace etendue {
+
+/// Heat that one wall or region exchanges by radiation, all bands together.
+struct HeatRow {
+  bool is_wall = false;
+  std::string name;
+  double extent = 0;    ///< area of a wall [m^2], volume of a region [m^3]
+  double emitted = 0;   ///< by itself [W]
+  double absorbed = 0;  ///< [W]
+  double net = 0;       ///< into a wall: absorbed - emitted; out of a region: emitted - absorbed [W]
+  double error = 0;     ///< standard error of `net` by photons [W]
+
+  /// Radiative heat flux into the wall [W/m^2], or divergence of the heat flux in the region [W/m^3].
+  double density() const { return extent > 0 ? net / extent : 0; }
+};
+
+/// Walls, then regions, in the order of the mesh.
+std::vector<HeatRow> heat_rows(const RunResult& result);
+
+}  // namespace etendue

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/build/temperature_range.h"
+
+#include <gtest/gtest.h>
+
+#include "app/case/build/build.h"
+#include "app/case/temperatures.h"
+#include "tests/app/case/case_text.h"
+
+namespace etendue {
+namespace {
+
+std::string hot_air(const std::string& temperature) {
+  return cube + "[media.air]\nabsorption = 1\ntemperature = " + temperature +
+         "\n[walls.zmin]\ntemperature = 300\n";
+}
+
+TEST(TemperatureRange, IsThatOfRegionsAndWalls) {
+  const Case input = case_of(hot_air("\"400 + 100*x\""), {"mesh.max_volume=0.01"});
+  const auto ranges = temperature_ranges(input, build_mesh(input));
+  ASSERT_EQ(ranges.size(), 2u);
+  EXPECT_EQ(ranges[0].place, "air");
+  EXPECT_NEAR(ranges[0].mean, 450, 1e-9);  // exact: linear, and the centroids carry the volumes
+  EXPECT_GT(ranges[0].lowest, 400);
+  EXPECT_LT(ranges[0].highest, 500);
+  EXPECT_EQ(ranges[1].place, "zmin");
+  EXPECT_EQ(ranges[1].lowest, 300);
+  EXPECT_EQ(ranges[1].highest, 300);
+}
+
+TEST(TemperatureRange, RefusesNegativeTemperaturesWithTheirPlace) {
+  const Case input = case_of(hot_air("\"10 - 100*x\""));
+  try {
+    build_problem(input, build_mesh(input));
+    FAIL();
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.faults().size(), 1u);
+    EXPECT_NE(error.faults().front().text.find("the temperature is -"), std::string::npos);
+    EXPECT_NE(error.faults().front().text.find("in air; use kelvin, at least 0"), std::string::npos);
+    EXPECT_EQ(error.faults().front().line, 9);
+  }
+}
+
+TEST(TemperatureRange, IsThereWhereTheCaseHasTemperatures) {
+  EXPECT_TRUE(has_temperatures(case_of(hot_air("900"))));
+  EXPECT_FALSE(has_temperatures(case_of(cube)));
+}
+
+}  // namespace
+}  // namespace etendue
