@@ -11,7 +11,7 @@ namespace etendue {
 /// (Damerau 1964, in the restricted form that edits no part twice). Capitals count as small letters.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The name that a misspelt one most likely stands for; empty where none is near.
+/// The name that a misspelt one most likely means; empty where none is near.
 std::string closest_name(std::string_view misspelt, std::span<const std::string> names);
 
 /// `; did you mean "…"?`, or empty.

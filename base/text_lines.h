@@ -35,7 +35,7 @@ class TextLines {
   std::int64_t integer(std::string_view what);
   double number(std::string_view what);
   Vec3 point();
-  /// How many things follow, each at least two bytes: more than the file can hold is a fault, so that a
+  /// Number of things that follow, each at least two bytes: more than the file can hold is a fault, so that a
   /// wrong number does not take all memory.
   std::size_t count(std::string_view what);
 

@@ -26,7 +26,7 @@ class Expression {
   double operator()(std::span<const double> values) const;
   const std::string& text() const { return formula_.text; }
   const Formula& formula() const { return formula_; }
-  /// Whether the formula uses this variable.
+  /// Returns whether the formula uses this variable.
   bool uses(const std::string& variable) const;
 
  private:

@@ -20,7 +20,7 @@ class PlaceFunction {
   virtual bool covers(const Vec3& point) const = 0;
   /// Length over which the function is smooth around a point [length]; infinite where it is smooth.
   virtual double smooth_length(const Vec3& point) const = 0;
-  /// Whether it is constant in parts of space and jumps between them.
+  /// Returns whether it is constant in parts of space and jumps between them.
   virtual bool has_jumps() const = 0;
   /// What it is, for messages.
   virtual std::string name() const = 0;

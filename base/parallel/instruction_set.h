@@ -11,7 +11,7 @@
 
 namespace etendue {
 
-/// Whether this machine has "baseline", "avx2" (x86-64-v3) or "avx512" (x86-64-v4).
+/// Returns whether this machine has "baseline", "avx2" (x86-64-v3) or "avx512" (x86-64-v4).
 inline bool has_instruction_set(std::string_view name) {
 #ifdef __x86_64__
   const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
@@ -24,7 +24,7 @@ inline bool has_instruction_set(std::string_view name) {
   return name == "baseline";
 }
 
-/// Of the instruction sets that kernels are built for, best first, the place of the first that this machine
+/// Place of the first of the instruction sets that kernels are built for, best first, that this machine
 /// has, or of the one that the environment variable ETENDUE_ISA names. Throws InputError where that is not
 /// built or not there.
 inline std::size_t choose_instruction_set(std::span<const std::string_view> built) {

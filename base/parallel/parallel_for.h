@@ -10,9 +10,10 @@
 namespace etendue {
 
 /// Calls body(i, workspace) for i = 0 … count - 1 on several threads, `chunk` at a time; each thread has a
-/// workspace of its own from make(). The body says whether to go on: after false no more is begun, and the
-/// rest is left out. What it throws ends the loop too, and the first of it is thrown here. Whether all was
-/// done comes back. Bodies that write to places of their own leave the same bits for any number of threads.
+/// workspace of its own from make(). The body returns whether to continue: after false no more is begun, and
+/// the rest is left out. What it throws ends the loop too, and the first of it is thrown here. Whether all
+/// was done comes back. Bodies that write to places of their own leave the same bits for any number of
+/// threads.
 template <class Make, class Body>
 bool parallel_for(std::size_t count, int threads, int chunk, const Make& make, const Body& body) {
   std::atomic<bool> stopped = false;

@@ -17,10 +17,10 @@ using StageObserver = std::function<bool(double share)>;
 /// the end. No more than one thread is in the observer at a time, and no other waits for it.
 class StageCounter {
  public:
-  /// Without an observer the stage goes on to its end.
+  /// Without an observer the stage continues to its end.
   StageCounter(std::size_t parts, StageObserver observer) : parts_(parts), observer_(std::move(observer)) {}
 
-  /// Adds parts that are done. Returns whether the stage goes on.
+  /// Adds parts that are done. Returns whether the stage continues.
   bool add(std::size_t parts = 1) {
     const std::size_t done = done_.fetch_add(parts) + parts;
     if (observer_ && !stopped_) ask(done);

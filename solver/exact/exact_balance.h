@@ -8,7 +8,7 @@
 
 namespace etendue {
 
-/// Adds the power of the exact source to the regions and the balances, and what enters at the walls, which
+/// Adds the power of the exact source to the regions and the balances, and the inflow at the walls, which
 /// are black, to the balances. The source may take power away.
 void add_exact_powers(const ExactInput& input, const std::vector<std::vector<WallPower>>& walls,
                       std::vector<std::vector<RegionPower>>& regions, std::vector<Balance>& balances);

@@ -13,7 +13,7 @@
 
 namespace etendue {
 
-/// What must be put into a problem so that a given radiance u solves it at the ordinates of a set:
+/// Source and inflow for which a given radiance u solves a problem at the ordinates of a set:
 ///
 ///     s_m = w_m.grad u_m + sigma_t u_m - sigma_s/(4 pi) sum over k of chi_l(k) Y_k(m) phi_k,
 ///     phi_k = sum over n of w_n Y_k(n) u_n,

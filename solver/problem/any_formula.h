@@ -9,7 +9,7 @@
 
 namespace etendue {
 
-/// Whether any of the bands has a formula.
+/// Returns whether any of the bands has a formula.
 inline bool any_formula(std::span<const std::optional<AngularFormula>> formulas) {
   return std::ranges::any_of(formulas, [](const auto& formula) { return formula.has_value(); });
 }

@@ -17,7 +17,7 @@ double critical_cosine(double index);
 /// index): moments of the light that is transmitted, to 1e-10.
 double transmitted_moment(double cosine, int power, double index);
 
-/// Whether a wall mirrors in some band: by its specular reflectance or because it refracts.
+/// Returns whether a wall mirrors in some band: by its specular reflectance or because it refracts.
 bool is_mirror(const Wall& wall);
 /// The part of light that a wall mirrors which it meets at `cosine` > 0 to the normal.
 double mirrored_part(const Wall& wall, std::size_t band, double cosine);
@@ -25,7 +25,7 @@ double mirrored_part(const Wall& wall, std::size_t band, double cosine);
 double mirrored_part_of_isotropic(const Wall& wall, std::size_t band);
 /// The radiance that a wall's `radiance` sends in at `cosine` > 0 to the normal.
 double radiance_sent(const Wall& wall, std::size_t band, double cosine);
-/// What comes in for a wall's radiance, as irradiance over that of the same radiance just inside: 1, or what
+/// Irradiance that a wall's radiance gives, over that of the same radiance just inside: 1, or what
 /// a surface that refracts lets in and draws together.
 double entering_part(const Wall& wall);
 

@@ -15,8 +15,8 @@ struct SavedState;
 class AngularInput {
  public:
   virtual ~AngularInput() = default;
-  /// Whether the source of a cell differs between ordinates. Where it does not, add_source is asked for one
-  /// ordinate only, and the cell takes no memory for each of them.
+  /// Returns whether the source of a cell differs between ordinates. Where it does not, add_source is asked
+  /// for one ordinate only, and the cell takes no memory for each of them.
   virtual bool depends_on_direction(CellIndex) const { return true; }
   /// Adds the source at the four vertices of a cell along ordinate m to `values` [4][band]
   /// [power/(length^3 sr)]. Called by several threads at a time.

@@ -67,7 +67,7 @@ ScatteringDegree scattering_degree(const PhaseFunction& phase, const DirectionSe
 /// The degree that a person wants, or all that the set resolves below it.
 ScatteringDegree given_degree(int degree, const PhaseFunction& phase, const DirectionSet& set);
 
-/// Whether every moment beyond this degree (up to 8) is small enough to be left out.
+/// Returns whether every moment beyond this degree (up to 8) is small enough to be left out.
 bool is_negligible_beyond(const PhaseFunction& phase, int degree);
 
 /// What scattering became on a set.

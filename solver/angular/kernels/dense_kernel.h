@@ -24,8 +24,8 @@ struct DenseKernel {
   /// [ordinate] all that is scattered, straight ahead too, by its own integral and not by sums over the
   /// matrix: 1 of a phase function.
   std::vector<double> total;
-  /// [ordinate] what goes straight ahead: the diagonal that was taken out, or where the matrix cannot resolve
-  /// it, total - leaving.
+  /// [ordinate] light scattered straight ahead: the diagonal that was taken out, or where the matrix cannot
+  /// resolve it, total - leaving.
   std::vector<double> ahead;
   /// [ordinate] the momentum that the scattered light loses, by its own integral: 1 - g of a phase function.
   /// Empty where nothing is scaled to it.
@@ -62,10 +62,10 @@ void scale_to_momentum_transfer(Eigen::MatrixXd& rate, const std::vector<double>
 /// is total[n].
 void scale_to_row_sums(Eigen::MatrixXd& rate, const std::vector<double>& total, const DirectionSet& set);
 
-/// Takes the diagonal out, as what goes straight ahead, and sums up what leaves; `total` by ordinate.
+/// Takes the diagonal out, as scattering straight ahead, and sums up the rest; `total` by ordinate.
 DenseKernel without_diagonal(Eigen::MatrixXd rate, std::vector<double> total, const DirectionSet& set);
 
-/// Of a matrix scaled to a momentum transfer: what goes straight ahead follows from the total.
+/// Of a matrix scaled to a momentum transfer: scattering straight ahead follows from the total.
 DenseKernel with_forward_part(Eigen::MatrixXd rate, std::vector<double> total, std::vector<double> transfer,
                               const DirectionSet& set);
 
@@ -82,7 +82,7 @@ struct DenseAccuracy {
   double momentum_error = 0;
   /// Largest |k(w -> v) - k(-v -> -w)| relative to the largest entry.
   double reciprocity_error = 0;
-  double smallest_forward = 0;  ///< beta, the part that goes on straight ahead
+  double smallest_forward = 0;  ///< beta, the part scattered straight ahead
   double largest_forward = 0;
   double smallest = 0;        ///< entry, relative to the mean of all
   double negative_share = 0;  ///< sum of |negative entries| over that of all

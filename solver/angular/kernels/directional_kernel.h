@@ -8,13 +8,13 @@
 
 namespace etendue {
 
-/// Matter that depends on the directions themselves, on a set of them, for a density of 1.
+/// A medium that depends on the directions themselves, on a set of them, for a density of 1.
 struct DirectionalKernel {
   DenseKernel kernel;
   /// [ordinate] absorption coefficient; empty where the medium's own, the same in all directions, holds.
   std::vector<double> absorbing;
-  /// What the medium's coefficients (absorption + scattering, or scattering alone where `absorbing` is empty)
-  /// are for this density in the mean over directions.
+  /// Value of the medium's coefficients (absorption + scattering, or scattering alone where `absorbing` is
+  /// empty) are for this density in the mean over directions.
   double reference = 1;
 };
 

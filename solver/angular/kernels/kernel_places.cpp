@@ -30,7 +30,7 @@ std::vector<double> fingerprint(const KernelFormula& kernel, const Vec3& place) 
   return values;
 }
 
-/// Whether all are multiples of one another. Values that are not finite are not.
+/// Returns whether all are multiples of one another. Values that are not finite are not.
 bool are_proportional(const std::vector<std::vector<double>>& prints) {
   std::size_t cell = 0, pair = 0;
   for (std::size_t c = 0; c < prints.size(); ++c)

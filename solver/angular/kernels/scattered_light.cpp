@@ -47,7 +47,7 @@ void ScatteredLight::scatter(const Beams& beams, std::span<double> values) const
       values[m] += fluence * scattering_value(scattering_, normals_, direction, set_.directions()[m]);
 }
 
-// What falls on either side of the leaves of a normal n is summed over the beams first. Each side sends
+// The irradiance on either side of the leaves of a normal n is summed over the beams first. Each side sends
 // (1/pi)|w.n| of it: the reflectance of it back, the transmittance on through the leaf.
 void ScatteredLight::scatter_by_leaves(const LeafCanopy& leaves, const Beams& beams,
                                        std::span<double> values) const {

@@ -50,7 +50,7 @@ class DirectionalMatter {
   std::vector<Kind> kinds_;
 };
 
-/// Whether a ray sees what a medium has instead of a phase function: leaves and flakes, not kernels.
+/// Returns whether a ray sees what a medium has instead of a phase function: leaves and flakes, not kernels.
 bool is_seen_by_rays(const DirectionalScattering& scattering);
 
 }  // namespace etendue

@@ -24,7 +24,7 @@ namespace {
 
 /// The mean of Ross's G over directions.
 constexpr double mean_leaf_projection = 0.5;
-/// What a formula scatters out of a direction is looked up in a table of so many rows: its cubics are off by
+/// Rows of the table of the scattering coefficient of a formula by direction: its cubics are off by
 /// a millionth of what is as smooth as wz^2.
 constexpr int table_rows = 48;
 /// It is taken for the same in all directions where it is so to this part in the ordinates of a small set.
@@ -51,7 +51,7 @@ class LeafProjection {
   }
 
  private:
-  /// Whether it has a short formula.
+  /// Returns whether it has a short formula.
   bool is_simple() const {
     return angles_ == LeafAngles::horizontal || angles_ == LeafAngles::vertical ||
            angles_ == LeafAngles::spherical;
@@ -120,7 +120,7 @@ struct RayMatter::Kind {
   }
 
   DirectionalScattering scattering;
-  /// What the medium's coefficients are for a density of 1 in the mean over directions; of scattering alone
+  /// Value of the medium's coefficients for a density of 1 in the mean over directions; of scattering alone
   /// where its own absorption is not part of it.
   double reference = mean_leaf_projection;
   bool own_absorption = true;

@@ -28,11 +28,11 @@ class RayMatter {
   explicit RayMatter(const Problem& problem);
   ~RayMatter();
 
-  /// Whether nothing depends on the direction, and nothing varies in cells.
+  /// Returns whether nothing depends on the direction, and nothing varies in cells.
   bool empty() const { return empty_; }
-  /// Whether coefficients vary in a cell.
+  /// Returns whether coefficients vary in a cell.
   bool varies(CellIndex cell) const { return linear_.varies(cell); }
-  /// Whether something does in a region.
+  /// Returns whether something does in a region.
   bool depends_on_direction(int region) const { return by_direction_[static_cast<std::size_t>(region)] != 0; }
 
   /// What depends on the direction alone.
@@ -49,7 +49,7 @@ class RayMatter {
   /// At a point of it.
   PathCoefficients at(CellIndex cell, std::size_t band, const View& view, const Vec3& point) const;
 
-  /// Matter that scatters so, each kind once.
+  /// Scattering of each kind of medium, once.
   std::size_t kind_count() const { return kinds_.size(); }
   const DirectionalScattering& scattering(int kind) const;
   /// Which of them a region and band have; -1: none.

@@ -220,7 +220,7 @@ class RefinedQuarter {
   /// Angle [rad] within which circle and cone touch, so that rounding does not tell opposites apart.
   static constexpr double touching = 1e-9;
 
-  /// Whether the circle around the quadrilateral meets the cone or its opposite.
+  /// Returns whether the circle around the quadrilateral meets the cone or its opposite.
   bool meets_cone(const Rectangle& r) const {
     const Vec3 center = on_sphere((r.u0 + r.u1) / 2, (r.v0 + r.v1) / 2);
     const auto angle = [](const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); };

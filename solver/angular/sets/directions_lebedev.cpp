@@ -12,7 +12,7 @@
 
 namespace etendue {
 
-/// The text of solver/angular/sets/lebedev.txt, which says what its columns are.
+/// The text of solver/angular/sets/lebedev.txt, which describes its columns.
 extern const char* const lebedev_table;
 
 namespace {

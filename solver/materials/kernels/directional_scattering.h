@@ -12,11 +12,12 @@
 
 namespace etendue {
 
-// Matter whose extinction or scattering depends on the directions themselves, not only on the angle between
+// Media whose extinction or scattering depends on the directions themselves, not only on the angle between
 // them. Each is for a density of 1; the medium's coefficients carry the density (docs/theory/scattering.md).
 
-/// How the normals of leaves are inclined (de Wit 1965): level, mostly level, at mid angles, mostly upright,
-/// at both extremes, as the surface of a ball, at all inclinations alike, upright. Azimuths are all alike.
+/// Distribution of the inclination of leaf normals (de Wit 1965): level, mostly level, at mid angles, mostly
+/// upright, at both extremes, as the surface of a ball, at all inclinations alike, upright. Azimuths are all
+/// alike.
 enum class LeafAngles {
   horizontal,
   planophile,

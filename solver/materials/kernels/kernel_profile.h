@@ -5,14 +5,14 @@
 
 namespace etendue {
 
-/// What leaves, flakes or a formula make of light in one direction, as a phase function would say it: the
+/// Scattering of light in one direction by leaves, flakes or a formula, as a phase function gives it: the
 /// share of the scattered light that goes into a unit of solid angle at an angle of deflection, in the mean
 /// over the azimuth about the direction. A matrix between ordinates has none.
 class KernelProfile {
  public:
   KernelProfile(const DirectionalScattering& scattering, const Vec3& before);
 
-  /// Whether there is anything to show: the direction is scattered, and not by a matrix.
+  /// Returns whether there is anything to show: the direction is scattered, and not by a matrix.
   bool is_known() const { return scattered_ > 0; }
   /// [1/sr] at the cosine of the angle of deflection; 2 pi times its integral over cosines is 1.
   double operator()(double cosine) const;

@@ -17,9 +17,9 @@ class AngularFormula {
   explicit AngularFormula(Formula formula);
 
   double at(const Vec3& point, const Vec3& direction) const;
-  /// Whether it uses wx, wy or wz.
+  /// Returns whether it uses wx, wy or wz.
   bool depends_on_direction() const;
-  /// Whether it uses x, y or z.
+  /// Returns whether it uses x, y or z.
   bool depends_on_place() const;
   const std::string& text() const { return formula_.text(); }
 
@@ -30,7 +30,7 @@ class AngularFormula {
 /// x, y, z, wx, wy, wz
 const std::vector<std::string>& angular_variables();
 
-/// Whether a text is a formula in these that uses wx, wy or wz.
+/// Returns whether a text is a formula in these that uses wx, wy or wz.
 bool depends_on_direction(const Formula& formula);
 
 /// The formula's mean over all directions as a formula in x, y, z: the rule of degree 5 on the axes and

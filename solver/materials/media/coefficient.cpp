@@ -15,7 +15,7 @@ double edge_length(const std::array<Vec3, 4>& v) {
   return std::cbrt(std::numbers::sqrt2 * std::abs((v[1] - v[0]).cross(v[2] - v[0]).dot(v[3] - v[0])));
 }
 
-/// Whether a tetrahedron holds a jump of a function, as far as the points of the rule see.
+/// Returns whether a tetrahedron holds a jump of a function, as far as the points of the rule see.
 bool jumps_in(const PlaceFunction& function, const std::array<Vec3, 4>& vertices) {
   if (!function.has_jumps()) return false;
   const double first = function.at(point_at(cell_rule()[0].barycentric, vertices));

@@ -6,9 +6,9 @@
 
 namespace etendue {
 
-/// What a homogeneous sphere in a plane wave does (Mie 1908), in the notation of Bohren and Huffman (1983,
-/// chapter 4): x = 2 pi radius / wavelength in the surrounding medium, refractive index m = n + i k relative
-/// to it, k >= 0 absorbs.
+/// Scattering of a plane wave by a homogeneous sphere (Mie 1908), in the notation of Bohren and Huffman
+/// (1983, chapter 4): x = 2 pi radius / wavelength in the surrounding medium, refractive index m = n + i k
+/// relative to it, k >= 0 absorbs.
 class MieSphere {
  public:
   MieSphere(double size_parameter, std::complex<double> index);

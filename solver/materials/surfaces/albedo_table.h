@@ -6,8 +6,8 @@
 
 namespace etendue {
 
-/// What a surface reflects in all directions, as a function of the angle of incidence: values at angles of
-/// equal distance from 0 to 90 degrees, with cubics through four of them between.
+/// Albedo of a surface, reflected into all directions, as a function of the angle of incidence: values at
+/// angles of equal distance from 0 to 90 degrees, with cubics through four of them between.
 class AlbedoTable {
  public:
   AlbedoTable() = default;

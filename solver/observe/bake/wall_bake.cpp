@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Part of the way from a vertex to the middle of its face.
+/// Part of the distance from a vertex to the middle of its face.
 constexpr double off_the_vertex = 0.02;
 
 /// [place][band]; empty where it was stopped.

@@ -16,7 +16,7 @@ struct WallSurface {
   struct Vertex {
     Vec3 position;
     Vec3 normal;        ///< unit, into the domain
-    WallCorner corner;  ///< one of the corners that stand there
+    WallCorner corner;  ///< one of the corners at this vertex
   };
   std::vector<Vertex> vertices;
   /// [boundary face], counterclockwise seen from inside of the domain

@@ -53,7 +53,8 @@ class CameraRays {
   /// The camera must look somewhere, and not along `up`.
   explicit CameraRays(const Camera& camera);
 
-  /// Whether a place of the picture shows something: a fisheye is a circle as wide as the shorter side.
+  /// Returns whether a place of the picture shows something: a fisheye is a circle as wide as the shorter
+  /// side.
   bool shows(double across, double down) const;
   /// Through a place of the picture that shows something, in pixels from its upper left corner.
   CameraRay through(double across, double down) const;

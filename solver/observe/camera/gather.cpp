@@ -14,11 +14,11 @@ namespace {
 
 using std::numbers::pi;
 
-/// Rays start this part of the way from the vertex to the middle of a face: at an edge of the room they would
-/// not know on which of its sides they stand.
+/// Rays start at this part of the distance from the vertex to the middle of a face: at an edge of the room
+/// they would not know on which of its sides they stand.
 constexpr double off_the_vertex = 0.02;
 
-/// Directions about z that stand for equal parts of the integral of cos over the half range: by Nusselt's
+/// Directions about z of equal parts of the integral of cos over the half range: by Nusselt's
 /// analogy equal parts of a disc, rings times azimuths.
 std::vector<Vec3> half_range_rays(int rays) {
   const int side = static_cast<int>(std::lround(std::sqrt(rays)));

@@ -6,7 +6,7 @@
 
 namespace etendue {
 
-/// What a wall receives beside the light that comes straight from lights, looked for by rays from each vertex
+/// Irradiance of walls beside the light that comes straight from lights, sampled by rays from each vertex
 /// of each plane of walls (final gathering), in place of the sum over the directions of the set:
 ///
 ///     E = integral of L cos over the half range,   L of RayRadiance,

@@ -13,7 +13,7 @@ constexpr double xyz_to_rgb[3][3] = {{3.240969942, -1.537383178, -0.4986107603},
                                      {-0.9692436363, 1.875967502, 0.04155505741},
                                      {0.0556300797, -0.2039769589, 1.056971514}};
 
-/// Whether the eye sees one of them.
+/// Returns whether the eye sees one of them.
 bool is_seen(const std::vector<LinearColor>& colors) {
   return std::ranges::any_of(colors, [](const LinearColor& color) { return color != LinearColor{}; });
 }

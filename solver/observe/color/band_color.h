@@ -31,7 +31,7 @@ class BandColor {
 /// Linear sRGB of tristimulus values X, Y, Z.
 LinearColor linear_srgb(const std::array<double, 3>& xyz);
 
-/// Whether the bands are called red, green and blue.
+/// Returns whether the bands are called red, green and blue.
 bool are_primaries(const Bands& bands);
 
 /// Luminance of a linear color (BT.709).

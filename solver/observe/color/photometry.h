@@ -35,7 +35,7 @@ class Photometry {
  public:
   explicit Photometry(const Bands& bands);
 
-  /// Whether there is something to see by.
+  /// Returns whether there is something to see by.
   bool known() const { return !efficacy_.empty(); }
   /// "V(lambda), 683 lm/W" or the rule for bands called red, green and blue without edges: linear sRGB whose
   /// luminance is weighted by V.

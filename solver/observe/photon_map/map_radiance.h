@@ -16,7 +16,7 @@
 
 namespace etendue {
 
-/// Radiance from a photon map (Jensen 2001, sections 7.2 and 10.4): hits stand for the light that arrives.
+/// Radiance from a photon map (Jensen 2001, sections 7.2 and 10.4): hits sample the light that arrives.
 ///
 /// A hit p brings the power dF_p in the direction w_p. Around a point of a wall those that fell on an area A,
 /// and around one in a medium those that were scattered in a volume V, give
@@ -48,7 +48,7 @@ class MapRadiance {
 
   /// (1) without what the wall emits and mirrors.
   Estimate reflected(FaceIndex face, const Vec3& point, const Vec3& travel, int band, Workspace& work) const;
-  /// (2) of light that goes on into the direction `travel`; the ball's radius is left in the workspace, 0
+  /// (2) of light that continues in the direction `travel`; the ball's radius is left in the workspace, 0
   /// where there is none.
   Estimate scattered(CellIndex cell, const Vec3& point, const Vec3& travel, int band, Workspace& work) const;
   /// Irradiance of a wall [power/length^2]: (1) with 1 in place of f_r.
@@ -68,7 +68,7 @@ class MapRadiance {
   double add_flat_lights(const RaySegment& segment, double length, const Workspace& work) const;
   double march(const RaySegment& segment, std::size_t first, std::size_t last, double begin,
                Workspace& work) const;
-  /// What a wall sends by itself at a point of a face.
+  /// Radiance that a wall emits at a point of a face.
   double emitted(FaceIndex face, const Vec3& point, const Vec3& travel, int band) const;
   double extinction(CellIndex cell, int band) const {
     return problem_.absorption(cell, band) + problem_.scattering(cell, band);

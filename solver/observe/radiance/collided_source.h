@@ -19,7 +19,7 @@
 
 namespace etendue {
 
-/// What feeds the light that directions carried: emission that is no light, and what they scatter, at any
+/// Source of the light that directions carried: emission that is no light, and what they scatter, at any
 /// direction of travel,
 ///
 ///     S(w) = q + sigma_s/(4 pi) sum over k of chi_k Y_k(w) phi_k
@@ -28,7 +28,7 @@ namespace etendue {
 ///
 ///     S(w) = q + sigma_s (sum over n of w_n p(w.w_n) u_n) / (sum over n of w_n p(w.w_n)).
 ///
-/// In the plane 2 pi stands for 4 pi. Of leaves and flakes as DirectionalMatter says. All are continuous in
+/// In the plane 4 pi becomes 2 pi. Leaves and flakes are those of DirectionalMatter. All are continuous in
 /// w, and a constant radiance scatters into a constant one. No ordinate's radiance itself is evaluated.
 class CollidedSource {
  public:
@@ -50,9 +50,9 @@ class CollidedSource {
   const OrdinateLights& swept_lights() const { return swept_lights_; }
   /// [cell] the place of its moments in the state, from 1; 0 where only the fluence is known.
   std::span<const std::int32_t> rows() const { return row_; }
-  /// Whether all directions are alike in a cell.
+  /// Returns whether all directions are alike in a cell.
   bool is_isotropic(CellIndex cell) const { return row_[cell.at()] == 0 && dense_row_[cell.at()] < 0; }
-  /// As light sees it that goes on where it is scattered straight ahead [1/length].
+  /// Extinction of light that continues where it is scattered straight ahead [1/length].
   double extinction(CellIndex cell, std::size_t band, const View& view) const {
     const int matter = matter_.of(problem_.mesh().region(cell), band);
     if (matter < 0) return extinction_[cell.at() * bands_ + band];

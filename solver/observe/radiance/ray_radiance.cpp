@@ -278,7 +278,7 @@ void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const RaySegment& 
           work.factor[b] * std::exp(-work.depth_rest[b]) * formulas[b]->at(point, segment.travel());
 }
 
-/// Whether the ray goes on.
+/// Returns whether the ray continues.
 bool RayRadiance::reflect(FaceIndex face, double cosine, Workspace& work) const {
   const Wall& wall = problem_.wall(problem_.mesh().wall(face));
   double left = 0;

@@ -35,7 +35,7 @@ struct RayView {
 ///     L = integral of e^(-tau) (q + S) ds + e^(-tau) L_wall                                          (1)
 ///
 /// with S of CollidedSource and OnceScattered, linear in each cell, so that (1) is closed there. Walls send
-/// what they emit and what WallLight says; at mirrors the ray goes on, and at glossy walls it parts into rays
+/// what they emit and that of WallLight; at mirrors the ray continues, and at glossy walls it parts into rays
 /// that are drawn from f_r, which take a glossy wall that they meet for a diffuse one of the same mean
 /// albedo. Lights are seen where they have an extent. What is seen of them, and what they are said to have
 /// scattered, goes through the whole extinction; the rest through that of CollidedSource.
@@ -118,7 +118,7 @@ class RayRadiance {
                        std::span<double> sum) const;
   bool reflect(FaceIndex face, double cosine, Workspace& work) const;
   std::vector<double> weights_left(const Workspace& work) const;
-  /// Whether the rounds of a ray that is back at its first mirror could be added up.
+  /// Returns whether the rounds of a ray that is back at its first mirror could be added up.
   bool end_series(const FirstReflection& first, const Workspace& work, std::span<double> radiance) const;
   void find_dark_cells();
 

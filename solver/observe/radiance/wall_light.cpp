@@ -26,7 +26,7 @@ constexpr int few_rays = 16;
 /// From one detail to the next coarser one, and an opening within which all of a light is one.
 constexpr double coarser = 1.3, whole = 20;
 
-/// Whether a light is made of triangles, and of so many at most.
+/// Returns whether a light is made of triangles, and of so many at most.
 bool is_flat(const LightSource& source, std::size_t most) {
   const WideSource* wide = source.as_wide();
   return wide != nullptr && !wide->flat_parts().empty() && wide->flat_parts().size() <= most;

@@ -12,7 +12,7 @@
 
 namespace etendue {
 
-/// How light of the lights is found where a ray of a picture meets a wall: mostly 16 rays to a lamp; more
+/// Sampling of the light of the lights where a ray of a picture meets a wall: mostly 16 rays to a lamp; more
 /// where some of them are in the shadow, or where the haze that they pass is not alike, so that no edges of
 /// single shadows are seen. Flat lamps are cut along the edges of walls that stand before them instead.
 inline constexpr LightDetail wall_light_detail{0.4, 0.02, 0.6, 0.9, TriangleRule::three_points};
@@ -20,7 +20,7 @@ inline constexpr LightDetail penumbra_detail{0.12, 0.01, 0.15, 0.3, TriangleRule
 inline constexpr LightDetail cut_detail{0, 0, 0.6, 0.9, TriangleRule::seven_points};
 
 /// The first of ever coarser details, from one on, by which a source sends no more than so many beams to a
-/// point where nothing stands in the way; the coarsest where it has more parts than that. `beams` is room to
+/// point where nothing is in between; the coarsest where it has more parts than that. `beams` is room to
 /// work in, and then holds these.
 LightDetail detail_within(const LightSource& source, const PointInCell& point, LightDetail detail, int rays,
                           LightBeams& beams);
@@ -57,7 +57,7 @@ class WallLight {
   void add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought,
                      std::span<const double> irradiance, std::span<double> radiance) const;
 
-  /// Adds the part `share` [band] of what arrives at a face as radiance that is the same in all directions,
+  /// Adds the part `share` [band] of the irradiance of a face as radiance that is the same in all directions,
   /// by rays to the lights.
   void add_sent_on(FaceIndex face, const Vec3& point, std::span<const double> share,
                    const WallIrradiance& brought, int shadow_rays, LightBeams& beams,
@@ -83,7 +83,7 @@ class WallLight {
   void add_sent_on(FaceIndex face, const Vec3& point, std::span<const double> share,
                    const WallIrradiance& brought, std::span<const double> irradiance,
                    std::span<double> radiance) const;
-  /// Whether the beams that are seen have not lost alike; or, where asked, some are hidden.
+  /// Returns whether the beams that are seen have not lost alike; or, where asked, some are hidden.
   bool are_unlike(const LightBeams& clear, const LightBeams& seen, bool hidden_too = false) const;
 
   const LightSetup& lights_;

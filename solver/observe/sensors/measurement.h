@@ -9,7 +9,7 @@ namespace etendue {
 
 /// What sensors report, in the words and units of radiometry.
 enum class RadiometricQuantity {
-  irradiance,  ///< through the sensor's plane [power/length^2]; of a cone what comes from within it
+  irradiance,  ///< through the sensor's plane [power/length^2]; of a cone the light from within it
   /// Of all that leaves a wall, be it emitted, reflected or let through (CIE S 017:2020, 17-21-080)
   /// [power/length^2]
   exitance,

@@ -7,7 +7,7 @@
 
 namespace etendue {
 
-/// A point of a rule on a polygon and the area that it stands for.
+/// A point of a rule on a polygon and the area that it represents.
 struct PolygonPoint {
   Vec3 position;
   double area;

@@ -48,8 +48,8 @@ class Radiance {
                    band);
     return sum / 3;
   }
-  /// What a wall sends in: emission, light reflected diffusely, and that of the mirrored ordinate; and what
-  /// an angular input adds [3][band].
+  /// Radiance that a wall sends in: emission, light reflected diffusely, and that of the mirrored ordinate;
+  /// and what an angular input adds [3][band].
   double from_wall(OrdinateIndex n, FaceIndex face, std::size_t band, std::span<const double> added) const {
     const Wall& wall = problem_.wall(problem_.mesh().wall(face));
     const Vec3 normal = problem_.mesh().area_normal(face).normalized();

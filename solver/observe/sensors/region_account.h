@@ -12,7 +12,7 @@
 
 namespace etendue {
 
-/// What becomes of light in a region, of the directions of travel in a cone: integrals of the transport
+/// Balance of the light in a region, of the directions of travel in a cone: integrals of the transport
 /// equation over both, per band,
 ///
 ///     flowing_out - flowing_in + absorbed + scattered_out = emitted + scattered_in.

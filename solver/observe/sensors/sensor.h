@@ -18,7 +18,7 @@ enum class SensorKind {
   cone,        ///< at a point, from all directions within an angle of the one in which it looks
   grid,        ///< irradiance at the middles of equal parts of a parallelogram
   flux,        ///< power through a flat polygon or a whole wall, to both sides
-  intensity,   ///< what leaves the domain by a wall, over directions
+  intensity,   ///< of the light that leaves the domain by a wall, over directions
   region,      ///< the account of a region, of all light or of that from within a cone
   glare        ///< discomfort glare of an observer
 };

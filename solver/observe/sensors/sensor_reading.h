@@ -64,14 +64,14 @@ class SensorReader {
   /// stands for the integral itself.
   std::vector<AtPoint> over_cone(const PointInCell& place, const Cone& cone, std::span<const Vec3> normals,
                                  int rays, Worker& work, WallSeen wall = WallSeen::whole) const;
-  /// A point of a rule on a polygon or a wall, and the area that it stands for.
+  /// A point of a rule on a polygon or a wall, and the area that it represents.
   struct FluxPoint {
     PointInCell place;
     Vec3 normal;
     double area;
   };
   std::vector<FluxPoint> flux_points(const Sensor& sensor, const Locate& locate) const;
-  /// What falls on both sides at a point: on that of the normal, and on the other. What falls on the back of
+  /// Irradiance of both sides at a point: on that of the normal, and on the other. What falls on the back of
   /// a wall is what the wall sends in.
   std::vector<AtPoint> both_sides(const FluxPoint& point, const Sensor& sensor, Worker& work) const;
   void read_cone(const PointInCell& place, const Sensor& sensor, Worker& work, SensorReading& reading) const;

@@ -20,7 +20,7 @@ constexpr double same_direction = 1e-9;
 
 struct WallPoint {
   PointInCell place;
-  Vec3 area;  ///< out of the domain, that the point stands for
+  Vec3 area;  ///< out of the domain, that the point represents
 };
 
 std::vector<WallPoint> points_of(const TetrahedralMesh& mesh, int wall) {

@@ -119,7 +119,7 @@ ETENDUE_PHOTON_INLINE Attenuated attenuated(double x) {
   return {mean, (mean - left) / x};
 }
 
-/// Whether the photon lives on; it then weighs what those that died did.
+/// Returns whether the photon lives on; it then weighs what those that died did.
 ETENDUE_PHOTON_INLINE bool survives(Photon& photon, double roulette) {
   if (!(photon.weight > 0)) return false;
   const double target = survivor * roulette;

@@ -11,7 +11,7 @@ namespace etendue {
 namespace {
 
 // Steps without a way forward, one behind the other, around an edge or a vertex, until a photon is given up;
-// and steps of one history in all: only light caught between mirrors in a void goes on for so long.
+// and steps of one history in all: only light caught between mirrors in a void takes so many.
 constexpr int longest_stand = 200;
 constexpr std::int64_t longest_history = 50'000'000;
 // Rounds of steps between two questions to who watches: a fraction of a millisecond, which costs nothing.
@@ -142,7 +142,7 @@ class Telling {
  public:
   ETENDUE_PHOTON_MEMBER explicit Telling(const WalkWatch& watch) : watch_(watch) {}
   ETENDUE_PHOTON_MEMBER void end_one() { ++ended_; }
-  /// After each round; whether the walk goes on.
+  /// Is called after each round; returns whether the walk continues.
   ETENDUE_PHOTON_MEMBER bool goes_on() { return ++rounds_ < rounds_between_questions || ask(); }
   bool ask() {
     const std::uint64_t ended = ended_;

@@ -11,7 +11,7 @@ namespace etendue {
 /// Asked by the thread that walks histories, some thousand times a second: `ended` of them have ended since
 /// the last time. False ends the walk at once, with histories that are cut short.
 struct WalkWatch {
-  bool (*goes_on)(void* watcher, std::uint64_t ended) = nullptr;  ///< null: the walk goes on to its end
+  bool (*goes_on)(void* watcher, std::uint64_t ended) = nullptr;  ///< null: the walk continues to its end
   void* watcher = nullptr;
 };
 

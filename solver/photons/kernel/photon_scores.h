@@ -8,7 +8,7 @@
 
 namespace etendue {
 
-// Scores of histories along their paths: each score is told of cells, collisions and walls.
+// Scores of histories along their paths: each score receives cells, collisions and walls.
 
 ETENDUE_PHOTON_INLINE void add(double* to, const Four& value) {
   const Four sum = load(to) + value;

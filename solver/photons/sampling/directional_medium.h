@@ -13,7 +13,8 @@ namespace etendue {
 /// What a region does in one band to photons whose absorption or scattering depends on their direction.
 class DirectionalMedium {
  public:
-  /// The problem and `matter` must outlive it. `sampler` is null where a phase function says how light turns.
+  /// The problem and `matter` must outlive it. `sampler` is null where light is scattered by a phase
+  /// function.
   DirectionalMedium(const Problem& problem, const RayMatter& matter, int region, int band,
                     std::unique_ptr<DirectionSampler> sampler);
 
@@ -57,11 +58,11 @@ class DirectionalMedia {
   std::vector<const KernelSampler*> kernels_;
 };
 
-/// Whether histories may go back along the light with the scattering that they have forwards: a kernel must
-/// claim to be reciprocal.
+/// Returns whether histories may go back along the light with the scattering that they have forwards: a
+/// kernel must claim to be reciprocal.
 bool is_reciprocal(const Problem& problem);
 
-/// Whether absorption or scattering depends on the direction anywhere.
+/// Returns whether absorption or scattering depends on the direction anywhere.
 bool depends_on_direction(const Problem& problem);
 
 }  // namespace etendue

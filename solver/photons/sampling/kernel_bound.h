@@ -9,7 +9,7 @@
 
 namespace etendue {
 
-/// What a kernel by a formula is at most at each angle of deflection, whatever the direction before and the
+/// Upper bound of a kernel by a formula at each angle of deflection, whatever the direction before and the
 /// azimuth: constant in rings, of which half lie within 60 degrees. Directions are drawn from it and kept as
 /// often as the kernel is large there.
 class KernelBound {

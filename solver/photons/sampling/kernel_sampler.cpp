@@ -12,7 +12,7 @@ namespace {
 
 /// Places at which a kernel that depends on them is evaluated for its bound.
 constexpr std::size_t places_looked_at = 50;
-/// Draws after which light goes on as it came: where the kernel was evaluated it is next to nothing.
+/// Draws after which light continues as it came: where the kernel was evaluated it is next to nothing.
 constexpr std::int64_t most_draws = 100000;
 
 std::vector<Vec3> places_of(const KernelFormula& kernel, bool of_product, const TetrahedralMesh& mesh,

@@ -16,7 +16,7 @@ namespace etendue {
 /// Of a formula that is a product of a factor of the place and one of the directions it draws until a
 /// direction is kept: the scattering coefficient is known. Any other is another kernel in each cell, at its
 /// centroid. Light then meets something as often as the bound says, and is scattered as often as a first draw
-/// is kept; else it has met nothing and goes on (Woodcock et al. 1965; Coleman 1968): that scatters at the
+/// is kept; else it has met nothing and continues (Woodcock et al. 1965; Coleman 1968): that scatters at the
 /// rate of the kernel's own integral, which nobody needs to know.
 class KernelSampler : public DirectionSampler {
  public:

@@ -36,8 +36,8 @@ struct ProbeOptions {
   int threads = 0;  ///< 0: all cores
 };
 
-/// Whether histories can go back along the light: not where the problem has lights, since backward histories
-/// do not meet a point or a beam, nor where a kernel does not claim to be reciprocal.
+/// Returns whether histories can go back along the light: not where the problem has lights, since backward
+/// histories do not meet a point or a beam, nor where a kernel does not claim to be reciprocal.
 bool can_walk_back(const Problem& problem);
 
 /// Light at points, without any cell around them that it is averaged over: histories start there and go back

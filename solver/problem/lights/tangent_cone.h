@@ -19,7 +19,7 @@ class TangentCone {
   /// `cells` are those that hold the point, as CellLocator::find gives them.
   TangentCone(const TetrahedralMesh& mesh, const std::vector<CellPoint>& cells);
 
-  /// Whether all directions lead into the domain.
+  /// Returns whether all directions lead into the domain.
   bool is_whole() const { return parts_.empty(); }
   bool contains(const Vec3& direction) const;
   double solid_angle() const { return solid_angle_; }  ///< [sr]

@@ -10,7 +10,7 @@
 
 namespace etendue {
 
-/// Is told which part of form factors is made, 0 to 1.
+/// Receives the part of the form factors that is made, 0 to 1.
 using FactorProgress = std::function<void(double)>;
 
 /// The exchange areas G_jk = A_j F_jk of patches [length^2]: symmetric, which is the reciprocity of form

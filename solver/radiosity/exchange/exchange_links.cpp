@@ -174,8 +174,8 @@ std::vector<double> ExchangeLinks::found_row(std::size_t j) const {
   return found_times(unit, 1);
 }
 
-// Pull: what nodes send, and its moment about their centres; links: what arrives at nodes, and its slope
-// there; push: what arrives at their patches. Four numbers for each node and band.
+// Pull: what nodes send, and its moment about their centres; links: the incident power of nodes, and its
+// slope there; push: that of their patches. Four numbers for each node and band.
 std::vector<double> ExchangeLinks::found_times(std::span<const double> x, std::size_t bands) const {
   const std::vector<PatchNode>& nodes = tree_.nodes();
   const auto patch_of = [&](const PatchNode& node) {

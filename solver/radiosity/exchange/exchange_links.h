@@ -19,8 +19,8 @@ struct LinkRule {
   std::vector<double> brightness;
 };
 
-/// Exchange between nodes of a tree of patches: a link says that all patches of one node exchange with all of
-/// the other by one kernel, G_jk = k(x_j, x_k) A_j A_k (Hanrahan, Salzman, Aupperle 1991; there it is
+/// Exchange between nodes of a tree of patches: a link means that all patches of one node exchange with all
+/// of the other by one kernel, G_jk = k(x_j, x_k) A_j A_k (Hanrahan, Salzman, Aupperle 1991; there it is
 /// constant, here linear in both places, node_kernel(), and the tree is joined upwards from patches, so that
 /// it serves many small faces too). A link is split where the kernel is too far from that between the samples
 /// of both nodes, times what the node sends (their BF refinement), or where something blocks a part of the

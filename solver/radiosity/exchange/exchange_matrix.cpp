@@ -8,7 +8,7 @@
 namespace etendue {
 namespace {
 
-// Parts of the rows after each of which progress is told.
+// Parts of the rows after each of which progress is reported.
 constexpr std::size_t progress_steps = 100;
 
 }  // namespace

@@ -15,7 +15,7 @@ constexpr double one_side = 0.5;
 // Height above a plane, relative to the distance to it, that is rounding.
 constexpr double in_plane = 1e-12;
 
-/// Whether all of b is behind all patches of a.
+/// Returns whether all of b is behind all patches of a.
 bool is_behind(const PatchNode& a, const PatchNode& b) {
   const Vec3 separation = b.center - a.center;
   const double cosine = a.axis.dot(b.axis), across = std::sqrt(std::max(0.0, 1 - cosine * cosine));

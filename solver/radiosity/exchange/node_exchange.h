@@ -5,7 +5,7 @@
 
 namespace etendue {
 
-/// What two nodes exchange with nothing between them: the kernel k = cos cos/(pi r^2) [1/length^2], 0 behind
+/// Exchange of two nodes with nothing between them: the kernel k = cos cos/(pi r^2) [1/length^2], 0 behind
 /// a horizon, fitted between their samples by
 ///
 ///     k(x, y) = mean + slope_a.(x - centre of a) + slope_b.(y - centre of b)

@@ -18,9 +18,9 @@ class PatchVisibility {
   /// must outlive it.
   PatchVisibility(const std::vector<FlatPatch>& patches, int rays, int threads);
 
-  /// No patch lies behind the plane of another: then nothing stands between any two points.
+  /// No patch lies behind the plane of another: then nothing is between any two points.
   bool is_convex() const { return scene_ == nullptr; }
-  /// The part of what two patches exchange that nothing stands in the way of: shares of rays between points
+  /// Unoccluded part of the exchange of two patches: shares of rays between points
   /// all over both, each counting by what it carries. The same for a pair in either order.
   double share(std::size_t a, std::size_t b) const;
   /// The same between two nodes of a tree of these patches.

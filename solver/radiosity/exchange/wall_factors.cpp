@@ -3,7 +3,7 @@
 
 namespace etendue {
 
-// What arrives everywhere where one wall sends 1 and the others nothing: a column for each wall.
+// Irradiance everywhere where one wall sends 1 and the others nothing: a column for each wall.
 std::vector<double> factors_of_walls(const Exchange& exchange, const WallPatches& patches,
                                      std::size_t walls) {
   const std::size_t count = exchange.size();

@@ -19,7 +19,7 @@ bool is_even(const Wall& wall) {
   return same(wall.specular) && same(wall.glossy);
 }
 
-/// Whether what walls redirect is the same in all bands.
+/// Returns whether what walls redirect is the same in all bands.
 bool bands_are_alike(const Problem& problem) { return std::ranges::all_of(problem.walls(), is_even); }
 
 }  // namespace

@@ -24,8 +24,8 @@ struct ExtendedClosing {
 ///
 /// G_0 between patches that see each other, and G_1 of rays that leave each patch evenly over its area and
 /// as the cosine, and are followed over walls that redirect them. As both directions are sampled, G_1 is the
-/// mean of what the rays of either patch find. Of what arrives at a patch, A_j H_j = sum over k of G_jk B_k,
-/// the wall redirects the part
+/// mean of what the rays of either patch find. Of the power incident on a patch, A_j H_j = sum over k of G_jk
+/// B_k, the wall redirects the part
 ///
 ///     sum over k of (a_j G_jk + C_jk) B_k,                                                             (2)
 ///

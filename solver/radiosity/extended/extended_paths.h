@@ -13,7 +13,7 @@
 
 namespace etendue {
 
-/// The walls that light goes on from without becoming diffuse.
+/// Walls from which light continues without becoming diffuse.
 enum class Redirection { mirrors_and_lobes, mirrors_alone };
 
 /// What a wall redirects, as a mirror or by its reflectance f_r, of light that meets it at `cosine` > 0 to
@@ -21,7 +21,7 @@ enum class Redirection { mirrors_and_lobes, mirrors_alone };
 double redirected_part(const Wall& wall, std::size_t band, double cosine, Redirection by);
 /// The same of light that is the same from all directions.
 double redirected_part_of_isotropic(const Wall& wall, std::size_t band, Redirection by);
-/// Whether it redirects anything in some band.
+/// Returns whether it redirects anything in some band.
 bool redirects(const Wall& wall, Redirection by);
 
 /// The random numbers of a path: for its first turn from a sequence that is even over many paths, then its

@@ -6,7 +6,7 @@
 
 namespace etendue {
 
-/// What rays that leave all patches bring to patches, [patch left][patch met]: sums of the area that a ray
+/// Exchange by rays that leave all patches, [patch left][patch met]: sums of the area that a ray
 /// stands for, times its weight, and times by how much a wall redirects more of it than of isotropic light.
 /// The latter are empty where no wall redirects by the angle.
 struct TracedRays {

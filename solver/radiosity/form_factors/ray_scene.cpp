@@ -15,7 +15,7 @@ namespace {
 // The part of the path between two points that is not traced, at either end: what single precision moves
 // there must not block it, nor the other side of the sheet that a path begins on.
 constexpr double end_of_path = 1e-4;
-// The same for rays that go on, relative to the size of the scene.
+// The same for rays that continue, relative to the size of the scene.
 constexpr double begin_of_ray = 1e-6;
 
 /// A hit counts where the ray comes from the front. Rays are asked for one by one.

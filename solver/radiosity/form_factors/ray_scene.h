@@ -27,7 +27,7 @@ class RayScene {
 
   /// The first triangle on the path; `direction` is a unit vector. Any number of threads may ask.
   std::optional<SceneHit> first_hit(const Vec3& from, const Vec3& direction) const;
-  /// Whether something stands between two points: they may lie on surfaces that face each other.
+  /// Returns whether something is between two points: they may lie on surfaces that face each other.
   bool is_blocked(const Vec3& from, const Vec3& to) const;
 
  private:

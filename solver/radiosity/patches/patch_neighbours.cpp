@@ -11,8 +11,8 @@
 namespace etendue {
 namespace {
 
-// How far beyond an edge the neighbour is looked for, of the way from the corner opposite: far less than the
-// quarters of any piece, far more than rounding.
+// Distance beyond an edge at which the neighbour is found, relative to that of the corner opposite: far less
+// than the quarters of any piece, far more than rounding.
 constexpr double beyond_an_edge = 1e-4;
 
 using Weights = std::array<double, 3>;
@@ -49,7 +49,7 @@ class PatchFinder {
     for (std::vector<FacePart>& parts : parts_) std::ranges::sort(parts, {}, &FacePart::quarters);
   }
 
-  /// What lies at a point just beyond an edge of a piece; none across edges between planes and feet of
+  /// The piece at a point just beyond an edge of a piece; none across edges between planes and feet of
   /// sheets.
   std::optional<FacePart> at(std::int32_t face, const Vec3& point) const {
     const TriangleCorners corners = inward_triangle(mesh_, FaceIndex(face));

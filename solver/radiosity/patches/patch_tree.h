@@ -22,7 +22,7 @@ struct SurfaceSite {
   Vec3 position, normal;
 };
 
-/// Samples that stand for a node, at most.
+/// Samples of a node, at most.
 inline constexpr std::size_t most_samples = 8;
 
 /// Patches near each other that look to nearly the same side.

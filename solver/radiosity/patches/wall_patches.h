@@ -44,7 +44,7 @@ WallPatches refined_patches(const TetrahedralMesh& mesh, const WallPatches& patc
 /// The face as a triangle, counterclockwise seen from the domain.
 TriangleCorners inward_triangle(const TetrahedralMesh& mesh, FaceIndex face);
 
-/// A quarter of a triangle: those at its corners 0, 1, 2 stand in place of these, 3 is in the middle.
+/// A quarter of a triangle: those at its corners 0, 1, 2 replace these, 3 is in the middle.
 TriangleCorners quarter_of(const TriangleCorners& triangle, std::size_t quarter);
 
 /// [boundary face][3][band] Means of values [patch][band] over each face, weighted by the linear function

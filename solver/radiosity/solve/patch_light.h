@@ -22,7 +22,7 @@ struct PatchLight {
 
 PatchLight light_on_patches(const Problem& problem, const WallPatches& patches, const RadiosityState& state);
 
-/// Whether some patch is a part of a face, so that means over faces say less.
+/// Returns whether some patch is a part of a face, so that means over faces say less.
 bool are_finer_than_faces(const WallPatches& patches);
 
 }  // namespace etendue

@@ -19,7 +19,7 @@ struct SheetPassage {
 struct RadiosityEquation {
   const Exchange& exchange;
   std::size_t bands = 1;
-  std::vector<double> emission;     ///< E, what a patch sends by itself [power/length^2]
+  std::vector<double> emission;     ///< E, exitance without reflection [power/length^2]
   std::vector<double> reflectance;  ///< rho
   std::vector<SheetPassage> passages = {};
   std::vector<double> transmittance = {};  ///< tau, where there are passages
@@ -39,8 +39,8 @@ struct RadiosityEquation {
 struct Bounce {
   int pass = 0;
   std::size_t band = 0;
-  double exitant = 0;   ///< what leaves the walls: emitted in the first pass, reflected in later ones
-  double incident = 0;  ///< what arrives, again where a mirror or a glossy wall has redirected it
+  double exitant = 0;   ///< power that leaves the walls: emitted in the first pass, reflected in later ones
+  double incident = 0;  ///< power that arrives, again where a mirror or a glossy wall has redirected it
   double redirected = 0;
   double deposit = 0;  ///< what of it stays
 };
@@ -56,7 +56,7 @@ struct RadiosityState {
   bool converged = false;
 };
 
-/// Looks at each state on the way; says whether to go on.
+/// Receives each state of the iteration; returns whether to continue.
 using RadiosityObserver = std::function<bool(const RadiosityState&)>;
 
 struct RadiosityLimits {

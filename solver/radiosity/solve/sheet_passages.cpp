@@ -18,7 +18,7 @@ struct Part {
 
 double area_of(const TriangleCorners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2; }
 
-/// Whether the point, which lies in the plane of the triangle, is inside.
+/// Returns whether the point, which lies in the plane of the triangle, is inside.
 bool contains(const TriangleCorners& t, const Vec3& point) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   for (std::size_t i = 0; i < 3; ++i)

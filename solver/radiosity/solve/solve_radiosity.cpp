@@ -72,7 +72,7 @@ RadiosityRoom::RadiosityRoom(const Problem& problem, const RadiosityOptions& opt
   report_.factor_seconds = seconds_since(start);
 }
 
-// What arrives via mirrors and glossy walls has the noise of the rays: patches would be cut for that,
+// Irradiance via mirrors and glossy walls has the noise of the rays: patches would be cut for that,
 // and the smaller they are the more.
 std::vector<double> RadiosityRoom::straight_irradiance(const RadiosityLimits& limits) const {
   const RadiosityEquation now = equation();

@@ -47,7 +47,7 @@ struct RadiosityReport {
   std::vector<std::size_t> rounds;  ///< patches of each round of refinement, the last: of the solution
   std::size_t patches = 0;
   double smallest_area = 0, largest_area = 0;  ///< of a patch [length^2]
-  bool convex = false;                         ///< nothing can stand between patches
+  bool convex = false;                         ///< nothing can be between patches
   bool kept = true;                            ///< the matrix, and not made anew in each pass
   std::size_t links = 0;                       ///< of a hierarchical solution, which has no matrix
   std::vector<std::size_t> link_rounds;        ///< links of each round of their refinement
@@ -76,8 +76,8 @@ class RadiosityRoom {
   const Exchange& exchange() const { return *exchange_; }
   const RadiosityReport& report() const { return report_; }
 
-  /// Solves; the observer gets states on the way, to be made fields of by fields_on_walls(). Then the field
-  /// in the cells is found.
+  /// Solves; the observer gets states of the iteration, to be made fields of by fields_on_walls(). Then the
+  /// field in the cells is found.
   Solution solve(const RadiosityObserver& observer = {}, const FactorProgress& of_cells = {});
   /// The state that was solved last.
   const RadiosityState& solved() const { return solved_; }

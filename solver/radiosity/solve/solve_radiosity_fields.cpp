@@ -12,7 +12,7 @@ namespace etendue {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-// Parts of the cells after each of which progress is told.
+// Parts of the cells after each of which progress is reported.
 constexpr std::size_t progress_steps = 100;
 
 // Four points of degree 2 in a tetrahedron (Keast 1986, rule 2): weights 1/4, this near to a vertex each.

@@ -17,9 +17,9 @@ struct WallLightValue {
   std::vector<double> irradiance;  ///< of the side that a normal points to; empty without one
 };
 
-/// What diffuse walls shine into a domain with a non-participating medium: at a point the sum over patches of
+/// Light of diffuse walls in a domain with a non-participating medium: at a point the sum over patches of
 /// B/pi times their solid angle, its Lambert vector and its form factor, each times the part that is seen;
-/// and what comes by way of mirrors and glossy walls, along rays in all directions.
+/// and the light by way of mirrors and glossy walls, along rays in all directions.
 class WallLightField {
  public:
   /// `exitance` is what is diffuse, [patch][band]; the matrix must outlive it. `rays` look at a patch from a

@@ -8,8 +8,8 @@
 
 namespace etendue {
 
-/// Parallel light falls through a tetrahedron in columns: what comes in by one face and goes out by another,
-/// so that the path length is linear between the three corners of a column.
+/// Parallel light falls through a tetrahedron in columns: the light that enters by one face and leaves by
+/// another, so that the path length is linear between the three corners of a column.
 struct Column {
   std::array<Vec3, 3> entry;     ///< corners, on the face by which light comes in
   std::array<double, 3> length;  ///< of the path from each to the face by which it goes out

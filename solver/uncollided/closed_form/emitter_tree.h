@@ -44,7 +44,7 @@ class EmitterTree {
     std::array<Vec3, 8> points{};
     std::size_t point_count = 0;
     Vec3 middle = Vec3::Zero();     ///< the point of the light that is nearest to its centre
-    bool hollow = false;            ///< a group that cannot be told from points: they would lie beside it
+    bool hollow = false;            ///< a group that points cannot represent: they would lie beside it
     Vec3 normal = Vec3::Zero();     ///< of triangles; zero where they do not lie in one plane
     int part = -1;                  ///< of a leaf
     std::array<int, 2> children{};  ///< of a group

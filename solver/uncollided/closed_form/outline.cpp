@@ -20,7 +20,7 @@ bool in_line(const Side& a, const Side& b) {
   return x.cross(y).norm() < straight * x.norm() * y.norm() && x.dot(y) > 0;
 }
 
-/// Joins sides that go on in one line.
+/// Joins sides that continue in one line.
 void join(std::vector<Side>& sides) {
   for (std::size_t i = 0; i < sides.size();) {
     const auto next = std::find_if(sides.begin(), sides.end(), [&](const Side& side) {

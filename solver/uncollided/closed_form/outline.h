@@ -14,7 +14,7 @@ namespace etendue {
 using Side = std::pair<Vec3, Vec3>;
 
 /// The sides of a flat piece that triangles in one plane make up, in their sense of rotation: those that
-/// only one of the triangles has, joined where they go on in one line. Triangles that share a side have it
+/// only one of the triangles has, joined where they continue in one line. Triangles that share a side have it
 /// turned round, with the same corners.
 std::vector<Side> outline(std::span<const std::array<Vec3, 3>> triangles);
 

@@ -53,7 +53,7 @@ struct Plane {
   std::vector<Triangle> triangles;
 };
 
-/// No more than one above the largest number of edges: such a body is not reckoned with.
+/// No more than one above the largest number of edges: such a body is not taken.
 std::vector<Plane> planes_of(std::span<const Triangle> triangles, double size) {
   std::vector<Plane> planes;
   for (const Triangle& triangle : triangles) {

@@ -44,7 +44,8 @@ std::vector<Vec3> convex_corners(const UniformEmitter& emitter) {
   return corners;
 }
 
-/// Whether the triangles about the first corner cover what the emitter's own cover, and lie as they do.
+/// Returns whether the triangles about the first corner cover what the emitter's own cover, and lie as they
+/// do.
 bool stand_for(const std::vector<Vec3>& corners, const UniformEmitter& emitter) {
   const Vec3& first = corners[0];
   double fan = 0, whole = 0, size = 0, height = 0;

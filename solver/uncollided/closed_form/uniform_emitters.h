@@ -23,7 +23,7 @@ struct UniformEmitter {
 std::optional<std::vector<UniformEmitter>> uniform_emitters(std::span<const EmitterPart> triangles,
                                                             std::size_t most);
 
-/// Whether a triangle shines towards an eye; not where that lies in its plane but for rounding.
+/// Returns whether a triangle shines towards an eye; not where that lies in its plane but for rounding.
 bool shines_to(const EmitterPart& triangle, const Vec3& eye);
 
 /// The same light in as few triangles as the outlines of its emitters need, where these are convex and flat

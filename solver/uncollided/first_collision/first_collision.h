@@ -19,7 +19,7 @@ namespace etendue {
 ///
 /// with the exact phase function p, corrected near its peak so that the scattered power is sigma_s phi_0 and
 /// the net flux g sigma_s F_0 (conserve_moments); in media whose coefficients depend on the direction the
-/// kernel k(w' -> w_m) stands in place of p. The integral runs over the directions w' of CollisionField,
+/// kernel k(w' -> w_m) replaces p. The integral runs over the directions w' of CollisionField,
 /// which the light of each cell has. At walls, the radiance that is diffusely reflected, (diffuse / pi_h) E,
 /// transmitted from the other side of a sheet, (transmittance / pi_h) E(behind), and reflected by f_r
 /// (GlossyReflection).

@@ -10,7 +10,7 @@
 
 namespace etendue {
 
-/// What uncollided light becomes at glossy walls: with beams k of irradiance E_k at a corner of a face it is
+/// Reflection of uncollided light at glossy walls: with beams k of irradiance E_k at a corner of a face it is
 /// reflected into the ordinate m with the radiance
 ///
 ///     u_m = E D_m,    D_m = sum over k of E_k f_r(w_k -> w_m) / sum over k of E_k,

@@ -12,7 +12,7 @@
 namespace etendue {
 namespace {
 
-/// Every triangle by itself: points that stand for a group of them may lie beside it, behind an obstacle.
+/// Every triangle alone: points that represent a group of them may lie beside it, behind an obstacle.
 constexpr LightDetail each_triangle{0, 0, fine_light.thickness, fine_light.largest_side, fine_light.rule};
 
 /// Adds the light of beams, on the side that a normal points to and from all sides, times a factor.

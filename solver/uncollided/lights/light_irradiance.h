@@ -23,7 +23,7 @@ struct UncollidedAtPoint {
 ///     E = L E_polygon - sum over its beams of (1 - T) phi w.n,                                     (1)
 ///
 /// the irradiance of its triangles in empty space, closed (polygon_irradiance), less what media and obstacles
-/// keep of the beams (transmittance T, 0 in the shadow) that it is cut into. Where nothing stands in the way
+/// keep of the beams (transmittance T, 0 in the shadow) that it is cut into. Where nothing is in between
 /// that is exact to rounding; else the error is that of the beams times the part that is lost. The same holds
 /// of the fluence, with solid angles, and of the light's images behind mirrors, of which E_polygon is taken
 /// whole and what the edges of a mirror cut off is lost like that behind an obstacle. Skies are
@@ -37,7 +37,7 @@ class LightIrradiance {
   /// `normal` is a unit vector.
   UncollidedAtPoint at(const PointInCell& point, const Vec3& normal) const;
 
-  /// Adds (1) for one light. `seen` are its beams through what stands in the way, `clear` those of empty
+  /// Adds (1) for one light. `seen` are its beams through media and past obstacles, `clear` those of empty
   /// space at the same detail; without these, as for lights that are not flat, the sum over its beams is
   /// added.
   void add(const LightSource& source, const Vec3& position, const Vec3& normal, const LightBeams& seen,

@@ -57,7 +57,7 @@ class CollisionField {
   std::vector<Cell> cells_;
 };
 
-/// Whether what scatters in a cell goes into other directions when it comes from others, in any band.
+/// Returns whether what scatters in a cell goes into other directions when it comes from others, in any band.
 bool scatters_by_direction(const Problem& problem, const PhaseList& phases, const RayMatter& matter,
                            CellIndex cell);
 

@@ -11,8 +11,8 @@
 namespace etendue {
 namespace {
 
-/// Part of the way to the centroid from which a corner is sampled: what stands on its edges is not in the
-/// way.
+/// Part of the distance to the centroid from which a corner is sampled: obstacles on its edges do not
+/// occlude it.
 constexpr double step_inside = 1e-3;
 
 /// Adds the mean irradiance of a face by a beam with a cross-section, which may lie between its corners.

@@ -20,7 +20,8 @@ class GlossyBeams {
   const std::vector<std::int32_t>& faces() const { return faces_; }  ///< boundary faces that are glossy
   /// The place of a face among faces(), -1 where it is not glossy.
   std::int32_t place_of(FaceIndex face) const { return corners_.empty() ? -1 : place_of_[face.at()]; }
-  /// What arrives at a corner 0, 1, 2 of the face at a place: fluence of each beam is its irradiance there.
+  /// Beams that arrive at a corner 0, 1, 2 of the face at a place: fluence of each beam is its irradiance
+  /// there.
   const LightBeams& arriving(std::size_t place, std::size_t corner) const {
     return corners_[3 * place + corner];
   }

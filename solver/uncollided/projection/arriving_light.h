@@ -9,7 +9,7 @@
 
 namespace etendue {
 
-/// What arrives at a few points, [point][band]: zero in all bands where something stands in between.
+/// Light that arrives at a few points, [point][band]: zero in all bands where something is in between.
 class ArrivingLight {
  public:
   explicit ArrivingLight(std::size_t bands) : bands_(bands) {}
@@ -32,14 +32,14 @@ class ArrivingLight {
     for (std::size_t i = 0; i < size(); ++i) count += is_dark(i) ? 0 : 1;
     return count;
   }
-  /// Whether no point has more than a trifle [band].
+  /// Returns whether no point has more than a trifle [band].
   bool is_trifle(std::span<const double> trifle) const {
     for (std::size_t i = 0; i < values_.size(); ++i)
       if (values_[i] > trifle[i % bands_]) return false;
     return true;
   }
-  /// Whether the points that are not in the dark have as much in each band, within a factor, or not more than
-  /// a trifle [band].
+  /// Returns whether the points that are not in the dark have as much in each band, within a factor, or not
+  /// more than a trifle [band].
   bool is_even(double factor, std::span<const double> trifle) const {
     for (std::size_t b = 0; b < bands_; ++b) {
       double least = std::numeric_limits<double>::infinity(), most = 0;

@@ -13,7 +13,7 @@ namespace etendue {
 namespace {
 
 /// Optical depth in the cell by which the corners of a column may differ in length, and the factor between
-/// what arrives along its rays, for a rule of degree 5 to see it to about 1e-6.
+/// the light along its rays, for a rule of degree 5 to see it to about 1e-6.
 constexpr double even_depth = 1, even_factor = 2.7;
 /// Of the light that is sent; it may vary as it likes.
 constexpr double trifle = 1e-13;
@@ -72,13 +72,13 @@ class BeamInColumns {
     for (const Column& part : column.quarters()) add(direction, part, parted, cuts);
   }
 
-  /// Whether its edges are equally long, or let nothing through.
+  /// Returns whether its edges are equally long, or let nothing through.
   bool is_alike(const Column& column) const {
     const auto [least, most] = std::ranges::minmax(column.length);
     return extinction_ * (most - least) <= even_depth || extinction_ * least >= opaque;
   }
 
-  /// Whether its corners are far from each other along the light.
+  /// Returns whether its corners are far from each other along the light.
   bool is_wide(const Vec3& direction, const Column& column) const {
     std::array<double, 3> begin{};
     for (std::size_t i = 0; i < 3; ++i) begin[i] = direction.dot(column.entry[i]);

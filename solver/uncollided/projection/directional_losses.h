@@ -5,7 +5,7 @@
 
 namespace etendue {
 
-/// What is absorbed and what scatters in a cell of light that comes from many directions, where the medium
+/// Absorption and scattering in a cell of light that comes from many directions, where the medium
 /// attenuates each differently: for each shape function
 ///
 ///     integral over K of shape sum over k of s(w_k) phi_k dV = s_i integral over K of shape phi dV,

@@ -15,12 +15,12 @@ namespace {
 /// Chords of the unit sphere up to which a rule of degree 5 sees a wedge of an empty cell to about 1e-6.
 constexpr double largest_side = 0.35;
 /// Ratio and difference in optical depth of the paths to where the edges of a part come in and go out, and
-/// the factor between what arrives along its rays, up to which the rule sees as much of it.
+/// the factor between the light along its rays, up to which the rule sees as much of it.
 constexpr double even_ratio = 1.5, even_depth = 0.7, even_factor = 2;
 /// Of what would arrive in empty space; it may vary as it likes.
 constexpr double trifle = 1e-13;
 constexpr int most_cuts = 8, most_cuts_in_shadow = 3;
-/// Part of the way from a corner to the middle of a cell.
+/// Part of the distance from a corner to the middle of a cell.
 constexpr double inside_corner = 1e-3;
 
 double longest_side(const SphericalTriangle& t) {
@@ -43,7 +43,7 @@ class PointInWedges {
         transmittance_(paths.bands()),
         trifle_(paths.bands(), trifle) {}
 
-  /// Whether no more than a trifle of the light is left at the corners and in the middle of the cell.
+  /// Returns whether no more than a trifle of the light is left at the corners and in the middle of the cell.
   bool is_dark() {
     transmittance_.clear();
     std::array<Vec3, 5> places{cell_.centroid};
@@ -55,7 +55,7 @@ class PointInWedges {
       const double length = separation.norm();
       const std::span<double> transmittance = transmittance_.add();
       std::ranges::fill(transmittance, 1.0);
-      // Where something opaque stands in between others may see the light.
+      // Where something opaque is in between others may see the light.
       if (!paths_.transmit({cell_.index, place}, -separation / length, length, image_.mirrors, transmittance))
         return false;
     }
@@ -97,7 +97,7 @@ class PointInWedges {
     return !differ(in) && !differ(out);
   }
 
-  /// Leaves zero where something stands in between.
+  /// Leaves zero where something is in between.
   void look(const Wedge& wedge, const Vec3& direction, std::span<double> transmittance) const {
     const double in = wedge.distance_in(direction);
     std::ranges::fill(transmittance, 1.0);

@@ -32,7 +32,7 @@ void add_homogeneous_segment(const RaySegment& segment, const PathCoefficients& 
   add_values(segment, value, coefficients, band, moments);
 }
 
-/// Optical thickness over which five nodes integrate what falls off exponentially to 1e-9.
+/// Optical thickness over which five nodes integrate an exponential decay to 1e-9.
 constexpr double thickness_of_panel = 1;
 
 /// Where coefficients rise from one end to the other the optical depth is a square in the length, and its

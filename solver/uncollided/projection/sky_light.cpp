@@ -27,7 +27,7 @@ constexpr int most_cuts = 9;
 
 /// Optical thickness of a cell from which on fourteen points of it are sampled, else four.
 constexpr double thick = 0.3;
-/// How finely planes are told apart: by their normals, and their places in sizes of the domain.
+/// Resolution at which planes are distinct: by their normals, and their places in sizes of the domain.
 constexpr double same_plane = 1e-6;
 
 /// One beam in one band at the corners of a part of a cell.

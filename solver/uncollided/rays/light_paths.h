@@ -25,7 +25,7 @@ struct WayOut {
   Vec3 point;
 };
 
-/// Ways that uncollided light takes, walked from the point that it reaches back to the light. May be used by
+/// Paths of uncollided light, followed from the point that it reaches back to the light. May be used by
 /// several threads at a time.
 class LightPaths {
  public:
@@ -41,7 +41,7 @@ class LightPaths {
   /// In the mean over directions [1/length].
   double extinction(CellIndex cell, std::size_t band) const { return extinction_[cell.at() * bands_ + band]; }
   double largest_extinction(CellIndex cell) const;
-  /// Of light that travels as a view of matter() says [1/length].
+  /// Extinction for light that travels along a view of matter() [1/length].
   double extinction(CellIndex cell, std::size_t band, const RayMatter::View& light) const {
     return matter_.empty() ? extinction(cell, band) : matter_.at(cell, band, light).extinction();
   }

@@ -45,7 +45,7 @@ double distance(const MirrorPlanes& planes, int a, int b) {
   return after(reflection(planes, a), reflection(planes, b)).shift.norm() / 2;
 }
 
-/// What a pair of parallel mirrors shows: the room moved by twice their distance any number of times, and its
+/// Images of a pair of parallel mirrors: the room moved by twice their distance any number of times, and its
 /// image so.
 std::vector<MirrorCopy> between(const MirrorPlanes& planes, int first, int second, int times) {
   const Vec3 step = after(reflection(planes, first), reflection(planes, second)).shift;

@@ -25,10 +25,10 @@ class MirrorPlanes {
   const Vec3& normal(int plane) const { return planes_[static_cast<std::size_t>(plane)].normal; }
   /// Of the points x of a plane: normal.x [length].
   double offset(int plane) const { return planes_[static_cast<std::size_t>(plane)].offset; }
-  /// Whether two of them show each other again and again.
+  /// Returns whether two of them show each other again and again.
   bool are_parallel(int a, int b) const;
   Vec3 reflected(int plane, const Vec3& direction) const;
-  /// Whether a point lies on all planes of a set to within a distance.
+  /// Returns whether a point lies on all planes of a set to within a distance.
   bool touches(MirrorSet mirrors, const Vec3& point, double distance) const;
   /// Those of a set that a point lies behind by more than a distance.
   MirrorSet behind(MirrorSet mirrors, const Vec3& point, double distance) const;

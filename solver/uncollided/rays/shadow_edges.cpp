@@ -10,7 +10,7 @@
 namespace etendue {
 namespace {
 
-/// Sine of an angle below which surfaces go on straight, and up to which they bend but a little.
+/// Sine of an angle below which surfaces continue straight, and up to which they bend but a little.
 constexpr double straight = 1e-6, hardly = 0.1;
 
 /// A face that light notices, at one of its edges.
@@ -60,7 +60,7 @@ bool part_alike(const ShadowEdge::Surface& a, const ShadowEdge::Surface& b) {
   return a.wall == b.wall && a.regions == b.regions;
 }
 
-/// Whether each of the faces at an edge has one that goes on from it.
+/// Returns whether each of the faces at an edge has one that continues it.
 bool go_on(std::span<const FaceAtEdge> around, double bend) {
   return std::ranges::all_of(around, [&](const FaceAtEdge& face) {
     const ShadowEdge::Surface& here = face.surface;
@@ -107,7 +107,7 @@ bool is_alike(const ShadowEdge& a, const ShadowEdge& b) {
          });
 }
 
-/// Joins edges that go on in one line.
+/// Joins edges that continue in one line.
 class Lines {
  public:
   explicit Lines(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }

@@ -11,7 +11,7 @@ namespace {
 /// A direction that comes back to that of the beam through mirrors does so to rounding.
 constexpr double same_direction = 1e-9;
 
-/// What enters: the irradiance times the area of the walls as the beam sees it.
+/// Power that enters: the irradiance times the area of the walls as the beam sees it.
 std::vector<double> power_of(const BeamLight& light, const TetrahedralMesh& mesh) {
   double area = 0;
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)

@@ -29,7 +29,7 @@ class BeamSource : public LightSource {
   /// Adds the light that comes to a point along direction number `image`.
   void add_beam(std::size_t image, const PointInCell& at, Sight sight, LightBeams& beams) const;
 
-  /// Whether it has a cross-section of its own; else it is as wide as its walls.
+  /// Returns whether it has a cross-section of its own; else it is as wide as its walls.
   bool has_profile() const { return light_.profile.has_value(); }
   /// The parts of a triangle that light along direction number `image` can reach, each small enough for a
   /// rule of degree 5; without a profile all of it.

@@ -33,17 +33,17 @@ class ExtendedSource : public WideSource {
   bool is_near(const Vec3& place, double size) const override;
   std::span<const EmitterPart> flat_parts() const override { return flat_parts_; }
   const ExtendedSource* as_extended() const override { return this; }
-  /// Whether light through a homogeneous medium is summed over many parts of it that emit differently: slow,
-  /// and smooth.
+  /// Returns whether light through a homogeneous medium is summed over many parts of it that emit
+  /// differently: slow, and smooth.
   bool is_in_parts() const { return body_.shapes.empty() && tree_.shape() == EmitterShape::tetrahedra; }
   double diameter() const { return tree_.box().diagonal().norm(); }
   /// In which all of it lies; none of a body or of surfaces in several planes.
   const std::optional<Plane>& plane() const { return plane_; }
   /// The sides of its rim that a place lies on but for a distance.
   std::bitset<32> rim_sides_at(const Vec3& place, double distance) const;
-  /// What would arrive through a homogeneous medium of this extinction [band] and nothing opaque, via mirrors
-  /// too, without the images behind this plane of a mirror: in closed form where the light is made of a few
-  /// uniform flat shapes or bodies. `beams` is room to work in.
+  /// Light that would arrive through a homogeneous medium of this extinction [band] and nothing opaque, via
+  /// mirrors too, without the images behind this plane of a mirror: in closed form where the light is made of
+  /// a few uniform flat shapes or bodies. `beams` is room to work in.
   void evaluate_homogeneous(const Vec3& place, std::span<const double> extinction, std::optional<int> without,
                             LightBeams& beams, HomogeneousLight& light) const;
 

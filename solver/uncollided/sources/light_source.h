@@ -16,7 +16,7 @@ enum class Sight { attenuated, clear };
 
 struct ShadowEdge;
 
-/// How finely a light that is not a point is cut up: parts are taken for four or eight points each where
+/// Subdivision of a light that is not a point: parts are taken for four or eight points each where
 /// their radius is below `opening` times their distance and their own optical thickness below `thickness`,
 /// and for one below `single`; nearer ones are integrated over their solid angle by a rule on triangles with
 /// sides of `largest_side`. With shadow edges each triangle that shines is cut along those that stand before
@@ -46,15 +46,15 @@ class LightSource {
   const std::string& name() const { return name_; }
   const std::vector<double>& power() const { return power_; }  ///< [band] that it sends [power]
 
-  /// Adds what arrives at a point. Without attenuation the light comes as in empty space, from
+  /// Adds the beams that arrive at a point. Without attenuation the light comes as in empty space, from
   /// behind mirrors too: of a light with an extent what they reflect of it.
   virtual void add_beams(const PointInCell& at, Sight sight, LightDetail detail, LightBeams& beams) const = 0;
   /// The light as a point, if it is one.
   virtual const PointSource* as_point() const { return nullptr; }
   /// The light as a beam, if it is one.
   virtual const BeamSource* as_beam() const { return nullptr; }
-  /// Whether it is near enough, or wide enough, for its parts to be sampled one by one from a place of this
-  /// size: suns never are, beams with a cross-section of their own always.
+  /// Returns whether it is near enough, or wide enough, for its parts to be sampled one by one from a place
+  /// of this size: suns never are, beams with a cross-section of their own always.
   virtual bool is_near(const Vec3& place, double size) const = 0;
   /// The light as one that comes from many directions, if it is one.
   virtual const WideSource* as_wide() const { return nullptr; }

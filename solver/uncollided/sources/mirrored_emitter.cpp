@@ -24,7 +24,7 @@ std::vector<char> vertices_of(const LightPaths& paths, int plane) {
   return on_plane;
 }
 
-/// Whether all that meets the plane here comes back.
+/// Returns whether all that meets the plane here comes back.
 bool sends_all_back(const LightPaths& paths, std::int32_t face, int plane) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   if (face >= mesh.boundary_face_count() || paths.mirrors().of(FaceIndex(face)) != plane) return false;
@@ -32,7 +32,8 @@ bool sends_all_back(const LightPaths& paths, std::int32_t face, int plane) {
   return std::ranges::all_of(specular, [](double r) { return r == 1; });
 }
 
-/// Whether the cells have faces in a plane, nothing behind it, and all of those faces send all light back.
+/// Returns whether the cells have faces in a plane, nothing behind it, and all of those faces send all light
+/// back.
 bool touches_whole(const LightPaths& paths, std::span<const EmitterPart> cells, int plane) {
   const MirrorSet mirror = MirrorSet{1} << plane;
   Eigen::AlignedBox3d box;

@@ -20,9 +20,9 @@ constexpr double on_plane = 1e-9;
 /// Planes behind shadow edges of one cell or face that are distinguished, and of an image in all.
 constexpr std::size_t most_planes = 64, most_in_all = 20000;
 
-/// Whether light of this direction meets something abrupt at a shadow edge: passes over an edge, beyond which
-/// there is nothing of the surface, or comes in beside it or through a medium on one of its sides.
-/// `by_mirrors` says that it may come from mirrors.
+/// Returns whether light of this direction meets something abrupt at a shadow edge: passes over an edge,
+/// beyond which there is nothing of the surface, or comes in beside it or through a medium on one of its
+/// sides. `by_mirrors` says that it may come from mirrors.
 bool is_abrupt(const ShadowEdge& edge, const Vec3& direction, std::span<const int> lit_walls,
                bool by_mirrors) {
   const Vec3 across = (edge.end - edge.begin).cross(direction);
@@ -66,7 +66,8 @@ std::optional<ShadowPlane> plane_behind(const Vec3& begin, const Vec3& end, cons
   return plane;
 }
 
-/// Whether a convex body with these points on the plane lies beside the part of the plane that counts.
+/// Returns whether a convex body with these points on the plane lies beside the part of the plane that
+/// counts.
 bool lie_beside(std::span<const Vec3> on, const ShadowPlane& plane, double tolerance) {
   const auto beyond = [&](const ShadowPlane::Half& half) {
     return std::ranges::all_of(on, [&](const Vec3& p) { return half.above(p) <= tolerance; });

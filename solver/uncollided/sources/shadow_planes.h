@@ -41,17 +41,17 @@ class ShadowPlanes {
   ShadowPlanes(const LightPaths& paths, const std::vector<ShadowEdge>& shadow_edges, const Vec3& eye,
                MirrorSet mirrors);
 
-  /// Whether all are known, as they are but where there are very many or parallel mirrors show them too
-  /// often.
+  /// Returns whether all are known, as they are but where there are very many or parallel mirrors show them
+  /// too often.
   bool are_complete() const { return complete_; }
   /// Those that pass through a cell or a face with these corners in the light of an image, as the source
   /// numbers them, about the image's place if it has one. False where they may not be all: without any,
-  /// because they are too many to be told apart, or because parallel mirrors show shadow edges again and
+  /// because they are too many, or because parallel mirrors show shadow edges again and
   /// again.
   bool find(std::size_t image, std::span<const Vec3> corners, std::vector<ShadowPlane>& found) const;
   /// Those of all images, about the origin of space.
   bool find(std::span<const Vec3> corners, std::vector<ShadowPlane>& found) const;
-  /// Whether there are any, too many to be told apart included.
+  /// Returns whether there are any, too many included.
   bool pass_through(std::span<const Vec3> corners) const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace etendue {
 
-/// Light from all over a sky: beams that each stand for a part of it, which enter through the same walls,
+/// Light from all over a sky: beams, each for a part of it, which enter through the same walls,
 /// with their images behind mirrors. Of the lights of a problem beams in a row that have one name are a sky.
 class SkySource : public WideSource {
  public:
@@ -21,7 +21,7 @@ class SkySource : public WideSource {
   const SkySource* as_sky() const override { return this; }
   std::span<const BeamLight> parts() const { return parts_; }
   bool comes_in_by(int wall) const;
-  /// Whether its parts have solid angles: then rays see it.
+  /// Returns whether its parts have solid angles: then rays see it.
   bool shows_radiance() const { return !radiance_.empty(); }
   /// [band] Radiance that comes from where a unit vector points, that of the nearest part.
   std::span<const double> radiance(const Vec3& towards) const;
@@ -50,7 +50,7 @@ class SkySource : public WideSource {
   std::vector<std::size_t> kinds_;              ///< [part] one that is like it
 };
 
-/// Whether a light is a part of the same sky as the one before it.
+/// Returns whether a light is a part of the same sky as the one before it.
 bool continues_sky(std::span<const Light> lights, std::size_t light);
 
 }  // namespace etendue

@@ -112,7 +112,7 @@ void ExtendedSource::cut_body(const LightView& view, LightDetail detail,
   const double size = tree_.root().radius / (view.body->box.center() - view.eye).norm();
   const bool fine = detail.rule == TriangleRule::seven_points;
   detail.largest_side = std::min(detail.largest_side, largest_side_of_body);
-  // What stands in the way may be seen sharply.
+  // Obstacles may cast sharp shadows.
   if (fine) detail.largest_side *= std::min(1.0, 2 * size);
   detail.rule = !fine && size < small_body ? TriangleRule::three_points : TriangleRule::seven_points;
   for (const Wedge& wedge : wedges_of(faces)) cut_wedge(view, detail, tree_.part(0), wedge, patches);

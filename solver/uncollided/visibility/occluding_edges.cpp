@@ -23,8 +23,8 @@ bool is_of_walls(const ShadowEdge& edge) {
   return std::ranges::any_of(edge.surfaces, [](const auto& surface) { return surface.wall >= 0; });
 }
 
-/// Whether two mirrors meet at a right angle with the domain between them: light that they both reflect goes
-/// on as if there were no edge.
+/// Returns whether two mirrors meet at a right angle with the domain between them: light that they both
+/// reflect goes on as if there were no edge.
 bool is_corner_of_mirrors(const ShadowEdge& edge) {
   if (edge.surfaces.size() != 2) return false;
   const ShadowEdge::Surface &one = edge.surfaces[0], &other = edge.surfaces[1];
