@@ -108,16 +108,16 @@ struct DirectionChoice {
 enum class LightKind { point, spot, sun, beam, disc, rectangle, wall, sky };
 
 // What is known of a light, [band]: its power, or its irradiance or radiance per area.
-struct LightPower {
+struct PowerOfLight {
   std::vector<double> values;  ///< [power] of a point, a spot or a beam
 };
-struct LightIrradiance {
+struct IrradianceOfLight {
   std::vector<double> values;  ///< [power/length^2] of a sun across its light, of a sky on a level plane
 };
-struct LightRadiance {
+struct RadianceOfLight {
   std::vector<double> values;  ///< [power/(length^2 sr)] of what has an area; of a sky that of its zenith
 };
-using LightStrength = std::variant<LightPower, LightIrradiance, LightRadiance>;
+using LightStrength = std::variant<PowerOfLight, IrradianceOfLight, RadianceOfLight>;
 
 /// [band] Whatever the quantity is.
 inline const std::vector<double>& values_of(const LightStrength& strength) {

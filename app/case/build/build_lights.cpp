@@ -270,7 +270,7 @@ void shine(const LightCase& light, const std::vector<int>& numbers, std::vector<
     }
     wall.radiance = values_of(light.strength);
     // A uniform sky of radiance L sends pi L to a level plane.
-    if (std::holds_alternative<LightIrradiance>(light.strength))
+    if (std::holds_alternative<IrradianceOfLight>(light.strength))
       for (double& radiance : wall.radiance) radiance /= pi;
     wall.uncollided = light.uncollided == Uncollided::no ? Uncollided::no : Uncollided::yes;
   }

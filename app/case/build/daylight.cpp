@@ -62,7 +62,7 @@ std::vector<double> unobstructed_irradiance(const LightCase& light) {
     scale(std::max(0.0, -light.direction.z()));
   } else if (light.angle.empty()) {
     // Without a table the sky has the same radiance L all over: pi L, unless that is what is given.
-    scale(std::holds_alternative<LightIrradiance>(light.strength) ? 1 : std::numbers::pi);
+    scale(std::holds_alternative<IrradianceOfLight>(light.strength) ? 1 : std::numbers::pi);
   } else {
     std::ranges::fill(sum, 0);
     for (const BeamLight& part : sky_parts(light, {})) {

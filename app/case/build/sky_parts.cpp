@@ -50,7 +50,7 @@ std::vector<BeamLight> sky_parts(const LightCase& light, const std::vector<int>&
       sky.push_back(std::move(beam));
     }
   }
-  if (std::holds_alternative<LightIrradiance>(light.strength))
+  if (std::holds_alternative<IrradianceOfLight>(light.strength))
     for (BeamLight& part : sky)
       for (double& irradiance : part.irradiance) irradiance /= level;
   return sky;

@@ -203,7 +203,7 @@ std::optional<LightCase> read_beam(Section& wall, const std::string& name, const
   beam.of_wall = true;
   beam.walls = {name};
   beam.direction = unit_if(section, "direction").value_or(-Vec3::UnitZ());
-  beam.strength = LightIrradiance{band_numbers_if(section, "irradiance", bands)};
+  beam.strength = IrradianceOfLight{band_numbers_if(section, "irradiance", bands)};
   return beam;
 }
 

@@ -36,8 +36,8 @@ struct StrengthKeys {
 };
 
 std::vector<StrengthKeys> strength_keys(LightKind kind) {
-  const StrengthKeys irradiance{"irradiance", "illuminance", LightIrradiance{}},
-      radiance{"radiance", "luminance", LightRadiance{}};
+  const StrengthKeys irradiance{"irradiance", "illuminance", IrradianceOfLight{}},
+      radiance{"radiance", "luminance", RadianceOfLight{}};
   if (kind == LightKind::sun) return {irradiance};
   if (kind == LightKind::sky) return {radiance, irradiance};
   return {radiance};
@@ -76,14 +76,14 @@ bool take_diffuse(Section& section, const LightContext& context, std::optional<d
   const std::optional<double> diffuse = section.number_if(key);
   if (!diffuse || !are_sound(context.bands)) return true;  // was refused
   const std::optional<SiScale> scale = si_scale(context.units.length, context.units.power);
-  light.strength = LightIrradiance{};
+  light.strength = IrradianceOfLight{};
   if (scale && context.bands.count() == 1 && context.bands.edges.empty()) {
-    light.strength = LightIrradiance{{*diffuse * scale->length * scale->length / scale->power}};
+    light.strength = IrradianceOfLight{{*diffuse * scale->length * scale->length / scale->power}};
     section.unused("color_temperature", "there is one band");
     return true;
   }
   if (!no_lux_reason(context).empty()) return false;
-  if (illuminance) light.strength = LightIrradiance{divided_per_area(section, context, *illuminance)};
+  if (illuminance) light.strength = IrradianceOfLight{divided_per_area(section, context, *illuminance)};
   return true;
 }
 
@@ -101,7 +101,7 @@ void read_lamp_power(Section& section, const LightContext& context, std::optiona
   if (section.has("power")) {
     for (const char* key : {"luminous_flux", "color_temperature"})
       section.unused(key, "`power` is given for each band");
-    light.strength = LightPower{band_numbers_if(section, "power", context.bands)};
+    light.strength = PowerOfLight{band_numbers_if(section, "power", context.bands)};
     return;
   }
   const bool given = section.has("luminous_flux");
@@ -115,7 +115,7 @@ void read_lamp_power(Section& section, const LightContext& context, std::optiona
     return given ? section.fault("luminous_flux", reason)
                  : section.fault("distribution", "is a lamp file with candelas, and " + reason);
   light.keeps_intensity = !given;
-  light.strength = LightPower{
+  light.strength = PowerOfLight{
       divided(section, context, given ? *lumens : *candelas * integral_of_lamp_shape(point_light(light)))};
 }
 

@@ -48,13 +48,13 @@ TEST(ReadDaylight, MakesATableOfACieSky) {
   EXPECT_NEAR(light.intensity.at(at_60), 1.7257 * 1.0413 / 1.4548, 1e-3);
   EXPECT_EQ(light.plane.at(60), 180);
   EXPECT_NEAR(Photometry(input.bands).luminous(values_of(light.strength)), 5000, 1e-9);
-  EXPECT_TRUE(std::holds_alternative<LightRadiance>(light.strength));
+  EXPECT_TRUE(std::holds_alternative<RadianceOfLight>(light.strength));
 }
 
 TEST(ReadDaylight, TakesTwoIrradiancesForASkyOfPerez) {
   const std::string perez = "direct_normal_irradiance = 800\ndiffuse_horizontal_irradiance = 100\n";
   const Case one = case_of(cube + "[units]\nlength = \"cm\"\n" + sky + south + perez);
-  EXPECT_TRUE(std::holds_alternative<LightIrradiance>(one.lights.at(0).strength));
+  EXPECT_TRUE(std::holds_alternative<IrradianceOfLight>(one.lights.at(0).strength));
   EXPECT_NEAR(values_of(one.lights[0].strength).at(0), 0.01, 1e-12) << "W/cm^2";
   EXPECT_TRUE(
       one.lights[0].note.starts_with("Perez, clearness 4.644, brightness 0.1458, 146.1 lm/W, sun at"));
@@ -74,7 +74,7 @@ TEST(ReadDaylight, GivesASkyOfPerezTheIlluminanceOfItsEfficacy) {
   const std::string one = "[bands]\nnames = [\"a\"]\nedges = [380, 780]\n";
   for (const std::string& bands : {seen, one}) {
     const Case input = case_of(cube + bands + sky + south + perez);
-    EXPECT_TRUE(std::holds_alternative<LightIrradiance>(input.lights.at(0).strength));
+    EXPECT_TRUE(std::holds_alternative<IrradianceOfLight>(input.lights.at(0).strength));
     EXPECT_NEAR(Photometry(input.bands).luminous(values_of(input.lights[0].strength)), 14607, 1);
   }
 }
