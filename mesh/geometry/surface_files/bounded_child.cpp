@@ -3,12 +3,10 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <memory>
 #include <new>
 #include <stdexcept>
 
@@ -25,36 +23,22 @@ constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
 constexpr std::size_t kLeastMemory = std::size_t{1} << 30;
 constexpr double kLeastSeconds = 20;
 
-// Sound input takes less than a tenth of these.
+// Far above what sound input takes.
 constexpr std::size_t kBytesPerPolygon = 20'000;
 constexpr double kSecondsPerPolygon = 1e-3;
 constexpr std::size_t kBytesPerFileByte = 200;
 constexpr double kSecondsPerFileByte = 2e-6;
 
-std::size_t mapped_memory() {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> status(std::fopen("/proc/self/statm", "r"),
-                                                               &std::fclose);
-  std::size_t pages = 0;
-  if (!status || std::fscanf(status.get(), "%zu", &pages) != 1) return 0;
-  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-}
-
-/// Lowers a limit of this process; never raises it.
-void lower(int resource, rlim_t most) {
+void limit_seconds(double seconds) {
   rlimit limit{};
-  if (getrlimit(resource, &limit) != 0) return;
-  limit.rlim_cur = std::min(limit.rlim_cur, most);
-  setrlimit(resource, &limit);
-}
-
-void limit_this_process(const ChildLimits& limits) {
-  lower(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(std::max(1.0, limits.seconds))));
-  lower(RLIMIT_AS, mapped_memory() + limits.bytes);
+  if (getrlimit(RLIMIT_CPU, &limit) != 0) return;
+  limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(std::ceil(std::max(1.0, seconds))));
+  setrlimit(RLIMIT_CPU, &limit);
 }
 
 int work_to_file(const std::function<void(std::FILE*)>& work, const ChildLimits& limits,
                  std::FILE* result) try {
-  limit_this_process(limits);
+  limit_seconds(limits.seconds);
   work(result);
   return 0;
 } catch (const std::invalid_argument& problem) {
@@ -79,7 +63,7 @@ ChildLimits limits_for_file(std::size_t bytes) {
 std::string bytes_of_child(const std::string& library, const ChildLimits& limits,
                            const std::function<void(std::FILE*)>& work) {
   ChildOutcome child =
-      run_in_child([&](std::FILE* result) { return work_to_file(work, limits, result); }, {});
+      run_in_child([&](std::FILE* result) { return work_to_file(work, limits, result); }, {}, limits.bytes);
   if (child.signal == SIGXCPU)
     throw std::invalid_argument(fmt::format(
         "{} does not finish within {:.0f} s of computing; is the file damaged?", library, limits.seconds));
