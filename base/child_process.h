@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -19,11 +20,17 @@ struct ChildOutcome {
 /// The memory of this machine [bytes].
 std::size_t physical_memory();
 
+/// Memory that reading a file may take [bytes], beside that of the program: far more than the values of a
+/// sound file of this size, compressed too, and far less than a damaged one asks for.
+std::size_t memory_to_read(const std::filesystem::path& file);
+
 /// Runs work in a child process: a library that may end the process, trip an assertion or run out of memory
-/// cannot take this one along. The work gets no more memory than the machine has. What the work prints on
-/// standard output and standard error is given to on_line, line by line, as it comes. The work writes its
-/// result to the file that it is given. Throws std::runtime_error where the system refuses a process.
+/// cannot take this one along. The work gets no more memory than `memory` [bytes] and the machine have. What
+/// the work prints on standard output and standard error is given to on_line, line by line, as it comes. The
+/// work writes its result to the file that it is given, a pipe. Throws FileError where the system refuses a
+/// process or a pipe.
 ChildOutcome run_in_child(const std::function<int(std::FILE* result)>& work,
-                          const std::function<void(std::string_view)>& on_line);
+                          const std::function<void(std::string_view)>& on_line,
+                          std::size_t memory = physical_memory());
 
 }  // namespace etendue

@@ -28,4 +28,10 @@ if(ETENDUE_SANITIZE)
                          -fno-sanitize=null,object-size,pointer-overflow,alignment,vptr -fno-omit-frame-pointer)
   target_link_options(etendue_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(ETENDUE_FUZZ)
+  # libFuzzer follows the branches of all our code; what its inputs do wrong the other two find.
+  target_compile_options(etendue_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined
+                         -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(etendue_options INTERFACE -fsanitize=address,undefined)
+endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")

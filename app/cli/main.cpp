@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -32,10 +33,14 @@ void let_idle_threads_sleep(int count, char** arguments) {
   execv(self.c_str(), arguments);  // where it fails the threads spin, and all else is the same
 }
 
+// A write beyond the largest size of a file fails like one to a full disk, with a message.
+void report_large_files() { std::signal(SIGXFSZ, SIG_IGN); }
+
 }  // namespace
 
 int main(int count, char** arguments) {
   open_standard_streams();
+  report_large_files();
   let_idle_threads_sleep(count, arguments);
   return static_cast<int>(etendue::run_command({arguments + 1, arguments + count}, std::cout, std::cerr));
 }

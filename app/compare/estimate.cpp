@@ -236,6 +236,8 @@ void write(const ErrorEstimate& estimate, const std::filesystem::path& directory
   Interruption interruption;
   interruption.note_all();  // the files become whole
   OutputFolder folder(directory);
+  folder.lock();
+  if (holds_other_run(directory)) return;  // its numbers are others
   folder.add_text("estimate.csv", estimate_csv(estimate));
   folder.add_text("summary.json", summary_with_estimate(directory, estimate_json(estimate), seconds));
   folder.publish({});

@@ -223,6 +223,7 @@ ExitCode bake_results(const BakeRequest& request, std::ostream& out, std::ostrea
   write_baked(baked, baker.unit(), scene.input, folder.add(name + ".vtp"), directory / (name + ".vtp"));
   if (texture) add_texture(*std::move(texture), name, baked.comment, surface, folder);
   const std::vector<std::string> names = folder.names();
+  folder.lock();
   const std::string summary = summary_with_files(directory, names);
   if (!summary.empty()) folder.add_text("summary.json", summary);
   folder.publish({});

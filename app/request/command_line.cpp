@@ -84,6 +84,7 @@ class Parser {
       app_.exit(error, text, text);
       return ShowText{text.str()};
     }
+    check_output();
     return request();
   }
 
@@ -290,6 +291,15 @@ class Parser {
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     const std::vector<std::string> unknown = command.remaining();
     return unknown.empty() ? "" : suggestion(unknown.front().substr(0, unknown.front().find('=')), names);
+  }
+
+  /// Throws InputError for an empty name.
+  void check_output() const {
+    for (const CLI::App* command : app_.get_subcommands())
+      if (const CLI::Option* output = command->get_option_no_throw("--output"); output && output->count() > 0)
+        if (output->as<std::string>().empty())
+          throw InputError("command line: " + command->get_name() +
+                           ": --output: is empty; name a directory or a file, or leave it out");
   }
 
   std::string message_of(const CLI::ParseError& error) const {

@@ -13,6 +13,7 @@
 #include "app/request/verbose_log.h"
 #include "app/run/check_run.h"
 #include "app/run/memory_forecast.h"
+#include "app/run/output_memory.h"
 #include "app/run/report/field_text.h"
 #include "app/run/report/lamp_text.h"
 #include "app/run/report/phase_text.h"
@@ -77,6 +78,7 @@ ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream
   const Interruption interruption;
   const Case input = read_case(request.file, request.overrides);
   for (const std::string& line : input.deprecations) err << line << '\n';
+  check_output_memory(input);
   if (request.phase) {
     out << phase_values(input);
     return ExitCode::done;

@@ -15,6 +15,7 @@
 #include "app/request/verbose_log.h"
 #include "app/run/methods/visible_solution.h"
 #include "app/run/ordinates_setup.h"
+#include "app/run/output_memory.h"
 #include "app/run/report/field_text.h"
 #include "app/run/report/lamp_text.h"
 #include "app/run/report/phase_text.h"
@@ -74,6 +75,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
   RunSeconds seconds;
   const Case input = case_of(request);
   if (request.traces == RunTraces::all) check_output_directory(input.output.directory);
+  check_output_memory(input);
   if (input.initial) check_initial(*input.initial, input);
   seconds.read = watch.lap();
   out << "etendue " << program_version() << ": "

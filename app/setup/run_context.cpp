@@ -9,6 +9,7 @@
 
 #include "app/case/build/build.h"
 #include "app/write/result/balance_check.h"
+#include "base/parallel/require_threads.h"
 
 namespace etendue {
 namespace {
@@ -46,8 +47,11 @@ Case case_of(const RunRequest& request) {
 }
 
 int thread_count(const Case& input) {
-  return input.solve.threads > 0 ? input.solve.threads
-                                 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int count = input.solve.threads > 0
+                        ? input.solve.threads
+                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  require_threads(count);
+  return count;
 }
 
 void note_left_out(RunResult& result) {

@@ -50,7 +50,7 @@ void write_tables(const StudyRequest& request, const Case& input, const std::vec
   OutputFolder folder(input.output.directory);
   folder.add_text("study.csv", study_csv(rows, request.refinement));
   folder.add_text("study.json", study_json(rows, request.refinement, input, failures, trust));
-  folder.publish({});
+  folder.publish({"study.csv", "study.json", "study.svg"});
 }
 
 /// A level's bands, in order.

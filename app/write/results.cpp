@@ -66,6 +66,7 @@ WrittenResults write_results(const RunResult& result) {
   std::vector<std::string> names = folder.names();
   names.push_back("summary.json");
   folder.add_text("summary.json", summary_json(result, names, seconds()));
+  folder.lock();
   folder.publish(files_of_earlier_run(directory));
   return {directory, names, seconds()};
 }

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "base/errors.h"
 
 namespace etendue {
 namespace {
@@ -46,6 +50,85 @@ TEST(ChildProcess, GetsNoMoreMemoryThanThereIs) {
       },
       {});
   EXPECT_NE(outcome.exit_code, 0);
+}
+
+TEST(ChildProcess, MayBeGivenLessMemory) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the address sanitizer takes more address space than these limits";
+#endif
+  const ChildOutcome outcome = run_in_child(
+      [](std::FILE*) {
+        void* volatile block = std::malloc(std::size_t{1} << 28);
+        return block == nullptr ? 1 : 0;
+      },
+      {}, std::size_t{1} << 26);
+  EXPECT_EQ(outcome.exit_code, 1);
+}
+
+TEST(ChildProcess, GivesBackLargeResultsBesideLines) {
+  const std::string block(1 << 20, 'x');
+  int lines = 0;
+  const ChildOutcome outcome = run_in_child(
+      [&](std::FILE* result) {
+        for (int i = 0; i < 8; ++i) {
+          std::fwrite(block.data(), 1, block.size(), result);
+          for (int line = 0; line < 1000; ++line) std::puts("a line that is long enough to fill a pipe soon");
+        }
+        return 0;
+      },
+      [&](std::string_view) { ++lines; });
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.result.size(), 8 * block.size());
+  EXPECT_EQ(lines, 8000);
+}
+
+/// Lowers a limit of this process for a while.
+class LoweredLimit {
+ public:
+  LoweredLimit(__rlimit_resource kind, rlim_t value) : kind_(kind) {
+    getrlimit(kind, &before_);
+    const rlimit lowered{value, before_.rlim_max};
+    setrlimit(kind, &lowered);
+  }
+  ~LoweredLimit() { setrlimit(kind_, &before_); }
+  LoweredLimit(const LoweredLimit&) = delete;
+  LoweredLimit& operator=(const LoweredLimit&) = delete;
+
+ private:
+  __rlimit_resource kind_;
+  rlimit before_{};
+};
+
+TEST(ChildProcess, NeedsNoTemporaryFile) {
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const ChildOutcome outcome = [] {
+    const LoweredLimit no_files(RLIMIT_FSIZE, 0);
+    return run_in_child([](std::FILE* result) { return std::fputs("bytes", result) < 0 ? 1 : 0; }, {});
+  }();
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.result, "bytes");
+}
+
+TEST(ChildProcess, SaysThatThereAreNoHandles) {
+  std::string message;
+  {
+    const LoweredLimit few_handles(RLIMIT_NOFILE, 3);
+    try {
+      run_in_child([](std::FILE*) { return 0; }, {});
+    } catch (const FileError& error) {
+      message = error.what();
+    }
+  }
+  EXPECT_NE(message.find("child process: cannot get a pipe (Too many open files)"), std::string::npos)
+      << message;
+}
+
+TEST(MemoryToRead, GrowsWithTheFileUpToThatOfTheMachine) {
+  EXPECT_EQ(memory_to_read("/nowhere"), physical_memory());
+  const std::size_t small = memory_to_read("/proc/self/exe");
+  EXPECT_GT(small, std::size_t{1} << 30);
+  EXPECT_LE(small, physical_memory());
 }
 
 TEST(ChildProcess, ReportsAnExceptionOfTheWork) {

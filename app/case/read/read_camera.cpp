@@ -2,6 +2,7 @@
 #include "app/case/read/read_camera.h"
 
 #include "app/case/keys/case_tables.h"
+#include "app/case/read/file_name.h"
 #include "app/case/read/read_false_color.h"
 
 #include <algorithm>
@@ -65,9 +66,7 @@ void check_pixels(Section& section) {
 CameraCase read_camera(Section& section) {
   CameraCase result;
   result.origin = section.origin();
-  result.name = section.text_if("name").value_or("");
-  if (result.name.find('/') != std::string::npos || result.name.starts_with('.'))
-    section.fault("name", "cannot name a file; use letters, digits, - and _");
+  result.name = file_name(section, "name");
   camera_table().read(section, result);
   check_view(section, result.camera);
   read_lens(section, result.camera);

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "app/case/read/file_name.h"
 #include "solver/uncollided/closed_form/outline.h"
 
 namespace etendue {
@@ -186,9 +187,7 @@ void read_glare(Section& section, Sensor& sensor) {
 SensorCase read_sensor(Section& section) {
   SensorCase result;
   result.origin = section.origin();
-  result.name = section.text_if("name").value_or("");
-  if (result.name.find('/') != std::string::npos || result.name.starts_with('.'))
-    section.fault("name", "cannot name a file; use letters, digits, - and _");
+  result.name = file_name(section, "name");
   Sensor& sensor = result.sensor;
   const std::string kind = section.text("kind");
   sensor.rays = section.integer("rays");

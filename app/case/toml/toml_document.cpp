@@ -4,10 +4,10 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "app/case/toml/toml_fault.h"
@@ -15,6 +15,9 @@
 
 namespace etendue {
 namespace {
+
+/// Of a case file [bytes]. Meshes, tables and images have files of their own.
+constexpr std::size_t largest_file = 64'000'000;
 
 int line_of(const toml::source_region& source) { return static_cast<int>(source.begin.line); }
 
@@ -140,8 +143,13 @@ TomlNode read_toml(const std::filesystem::path& file) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw FileError(name, std::string("cannot be opened (") + std::strerror(errno) + ")");
-  const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  std::string text;
+  std::array<char, 1 << 16> part{};
+  while (text.size() <= largest_file && (stream.read(part.data(), part.size()), stream.gcount() > 0))
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
   if (stream.bad()) throw FileError(name, "cannot be read");
+  if (text.size() > largest_file)
+    throw FileError(name, "is larger than 64 MB, which no case file is; give the case file");
   return parse_toml(text, name);
 }
 

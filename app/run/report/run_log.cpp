@@ -30,13 +30,12 @@ RunLog::RunLog(const RunRecord& record)
 void RunLog::save() const {
   if (!directory_) return;
   OutputFolder folder(*directory_);
+  folder.lock();
+  if (holds_other_run(*directory_)) return;
   folder.add_text(run_log_name, text_);
-  folder.publish({failed_log_name});
-  // A file that is alone is replaced in one step: at no time are the results without their summary.
   const std::string summary = summary_with_files(*directory_, {run_log_name}, {});
-  if (summary.empty()) return;
-  folder.add_text("summary.json", summary);
-  folder.publish({});
+  if (!summary.empty()) folder.add_text("summary.json", summary);
+  folder.publish({failed_log_name});
 }
 
 void RunLog::save_failed(std::string_view fault) const {
@@ -51,11 +50,13 @@ void RunLog::save_failed(std::string_view fault) const {
 }
 
 void append_to_log(const std::filesystem::path& directory, std::string_view text) {
+  OutputFolder folder(directory);
+  folder.lock();
+  if (holds_other_run(directory)) return;
   std::ifstream file(directory / run_log_name, std::ios::binary);
   if (!file) return;
   std::string log{std::istreambuf_iterator<char>(file), {}};
   log += text;
-  OutputFolder folder(directory);
   folder.add_text(run_log_name, log);
   folder.publish({});
 }

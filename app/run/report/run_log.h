@@ -25,7 +25,7 @@ class RunLog {
   /// The directory of the results, once it is known.
   void belongs_in(const std::filesystem::path& directory) { directory_ = directory; }
 
-  /// Writes log.txt, and names it in summary.json. Throws FileError.
+  /// Writes log.txt, and names it in summary.json. Results of another run keep their log. Throws FileError.
   void save() const;
   /// Writes log-failed.txt with `fault` as the last line: the results of an earlier run keep their log. A
   /// directory that is not known, or cannot be written, gets none.
@@ -36,7 +36,7 @@ class RunLog {
   std::optional<std::filesystem::path> directory_ = {};
 };
 
-/// Adds text to the log of a run that is over. Throws FileError.
+/// Adds text to the log of a run of this process that is over. Throws FileError.
 void append_to_log(const std::filesystem::path& directory, std::string_view text);
 
 /// Prints to another stream, and copies whole lines into the log. A drawing, from a carriage return to the

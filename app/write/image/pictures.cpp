@@ -14,6 +14,7 @@
 #include "app/write/json/summary.h"
 #include "app/write/result/output_folder.h"
 #include "app/write/result/unit_labels.h"
+#include "base/errors.h"
 #include "solver/observe/color/photometric_units.h"
 
 namespace etendue {
@@ -103,6 +104,12 @@ std::vector<std::string> add_pictures(const std::filesystem::path& directory, co
     if (camera.false_color) folder.add_text(camera.name + ".false.png", false_colors_of(input, named));
   }
   const std::vector<std::string> names = folder.names();
+  folder.lock();
+  if (seconds && holds_other_run(directory))
+    throw FileError(
+        directory.string(),
+        "holds the results of another run that ended meanwhile, so these pictures are not written; "
+        "give each run a directory of its own with output.directory or --output");
   const std::string summary = summary_with_files(directory, names, seconds);
   if (!summary.empty()) folder.add_text("summary.json", summary);
   folder.publish({});

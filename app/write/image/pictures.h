@@ -28,7 +28,7 @@ struct NamedPicture {
 /// `error.cells.BAND`, `error.directions.BAND` of each band. NAME.png went through exposure and tone curve;
 /// NAME.false.png is in false colors, where the camera asks for them.
 /// Returns the names of the files. The summary counts the seconds that the pictures of a run took where they
-/// are given. Throws FileError.
+/// are given; then the results must be of this process. Throws FileError.
 std::vector<std::string> add_pictures(const std::filesystem::path& directory, const Case& input,
                                       const std::vector<NamedPicture>& pictures,
                                       std::optional<double> seconds = {});

@@ -2,6 +2,7 @@
 #include "app/write/json/summary.h"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -186,6 +187,7 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["commit"] = program_commit();
   summary["date"] = iso_date(result.record.begun);
   summary["host"] = host_name();
+  summary["process"] = getpid();
   summary["command_line"] = result.record.command_line;
   summary["method"] = solution.method;
   summary["cells"] = result.problem.mesh().cell_count();
@@ -265,6 +267,12 @@ std::string summary_with_estimate(const std::filesystem::path& directory, const 
   add_stage("estimate", seconds, summary);
   summary["estimate"] = Json::parse(estimate);
   return text_of(summary);
+}
+
+bool holds_other_run(const std::filesystem::path& directory) {
+  const Json summary = summary_in(directory);
+  return !summary.empty() &&
+         (summary.value("host", Json()) != host_name() || summary.value("process", Json()) != getpid());
 }
 
 std::optional<SavedCase> case_of_earlier_run(const std::filesystem::path& directory) {

@@ -28,6 +28,10 @@ std::string summary_with_files(const std::filesystem::path& directory, const std
 std::string summary_with_estimate(const std::filesystem::path& directory, const std::string& estimate,
                                   double seconds);
 
+/// Whether the summary.json in this directory is of a run by another process: files of two runs do not belong
+/// into one directory.
+bool holds_other_run(const std::filesystem::path& directory);
+
 /// The case that a summary.json holds, resolved, and the file that it was read from; empty where there is
 /// none.
 struct SavedCase {

@@ -15,6 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Names of the files that are being replaced one by one, in their directory.
+constexpr const char* replacement_list = ".replaced-files";
+
 std::string last_reason() { return std::generic_category().message(errno == 0 ? EIO : errno); }
 
 /// Makes the directory with its parents and says which of them were new, the innermost last.
@@ -40,6 +43,10 @@ void remove_file(const fs::path& path) {
   if (error) throw FileError(path.string(), "cannot be removed (" + error.message() + ")");
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 void write_text(const fs::path& path, const fs::path& shown, std::string_view text) {
   errno = 0;
   std::ofstream stream(path, std::ios::binary | std::ios::trunc);
@@ -54,19 +61,10 @@ OutputFolder::OutputFolder(fs::path directory) : directory_(std::move(directory)
   make_directories(directory_);
 }
 
-OutputFolder::~OutputFolder() {
-  std::error_code ignored;
-  for (const std::string& name : names_) fs::remove(temporary(name), ignored);
-}
-
-fs::path OutputFolder::temporary(const std::string& name) const {
-  // With the process in the name, two runs into one directory do not write into each other's files.
-  return directory_ / ("." + name + "." + std::to_string(getpid()) + ".part");
-}
-
 fs::path OutputFolder::add(const std::string& name) {
+  if (!staging_) staging_.emplace(directory_);
   names_.push_back(name);
-  return temporary(name);
+  return staging_->path() / name;
 }
 
 void OutputFolder::add_text(const std::string& name, std::string_view text) {
@@ -79,24 +77,59 @@ void OutputFolder::refuse_folders_in_the_way() const {
       throw FileError((directory_ / name).string(), "cannot be replaced (it is a directory)");
 }
 
+void OutputFolder::lock() {
+  if (!lock_) lock_ = DirectoryLock::wait_for(directory_);
+}
+
+std::vector<std::string> OutputFolder::half_replaced() const {
+  std::vector<std::string> names;
+  std::ifstream list(directory_ / replacement_list);
+  for (std::string name; std::getline(list, name);)
+    if (name.find('/') == std::string::npos && name != "." && name != "..") names.push_back(name);
+  return names;
+}
+
+/// The last file vouches for the others: the earlier one goes first. A list tells the next run what belongs
+/// to this one if it is killed meanwhile.
+void OutputFolder::replace_one_by_one(const std::vector<std::string>& outdated) {
+  std::string list;
+  for (const std::string& name : outdated) list += name + "\n";
+  for (const std::string& name : names_) list += name + "\n";
+  write_text(staging_->path() / replacement_list, directory_, list);
+  staging_->give(replacement_list);
+  if (contains(outdated, names_.back())) remove_file(directory_ / names_.back());
+  for (const std::string& name : outdated) remove_file(directory_ / name);
+  for (const std::string& name : names_) staging_->give(name);
+  remove_file(directory_ / replacement_list);
+}
+
 void OutputFolder::publish(const std::vector<std::string>& outdated) {
+  if (names_.empty()) return;
   refuse_folders_in_the_way();
-  for (const std::string& name : outdated)
-    if (std::find(names_.begin(), names_.end(), name) == names_.end()) remove_file(directory_ / name);
-  // The last file vouches for the others, so the earlier one goes before anything is replaced. A file that is
-  // alone is replaced in one step.
-  if (names_.size() > 1) remove_file(directory_ / names_.back());
-  for (const std::string& name : names_) {
-    std::error_code error;
-    fs::rename(temporary(name), directory_ / name, error);
-    if (error) throw FileError((directory_ / name).string(), "cannot be replaced (" + error.message() + ")");
+  lock();
+  std::vector<std::string> replaced = half_replaced();
+  const bool was_killed = !replaced.empty();
+  replaced.insert(replaced.end(), outdated.begin(), outdated.end());
+  std::erase_if(replaced,
+                [&](const std::string& name) { return !fs::exists(fs::symlink_status(directory_ / name)); });
+  std::vector<std::string> gone = names_;
+  for (const std::string& name : replaced)
+    if (!contains(gone, name)) gone.push_back(name);
+  if (was_killed) gone.emplace_back(replacement_list);
+  if (gone.size() == 1) {
+    staging_->give(names_.front());
+  } else if (!staging_->exchange(gone, names_)) {
+    replace_one_by_one(replaced);
   }
   names_.clear();
+  staging_.reset();
+  lock_.reset();
 }
 
 void make_output_directory(const fs::path& directory) { make_directories(directory); }
 
 void check_output_directory(const fs::path& directory) {
+  remove_abandoned_staging(directory);
   const std::vector<fs::path> made = make_directories(directory);
   const fs::path trial = directory / (".trial." + std::to_string(getpid()) + ".part");
   std::error_code ignored;

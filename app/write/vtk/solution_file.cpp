@@ -127,7 +127,8 @@ SavedSolution take_solution(std::string_view bytes) {
 SavedSolution read_solution(const std::filesystem::path& path) {
   if (!std::ifstream(path) || std::filesystem::is_directory(path))
     throw FileError(path.string(), "cannot be opened; name the solution.vtu of an earlier run");
-  const ChildOutcome child = run_in_child([&](std::FILE* file) { return read_to_file(path, file); }, {});
+  const ChildOutcome child =
+      run_in_child([&](std::FILE* file) { return read_to_file(path, file); }, {}, memory_to_read(path));
   std::string_view bytes = child.result;
   const bool whole = child.signal == 0 && child.exit_code == 0;
   if (!whole || take_lines(bytes) != std::vector<std::string>{format})
@@ -215,6 +216,7 @@ void write_checkpoint(const Case& input, const Problem& problem, const SavedStat
   const std::filesystem::path& directory = input.output.directory;
   OutputFolder folder(directory);
   write_solution(input, problem, state, {}, folder.add(file_name), directory / file_name);
+  folder.lock();
   folder.publish(files_of_earlier_run(directory));
 }
 

@@ -29,7 +29,8 @@ int read_to_file(const FieldRequest& request, std::FILE* file) try {
 FieldData read_field(const FieldRequest& request) {
   if (!std::filesystem::is_directory(request.path) && !std::ifstream(request.path))
     throw FileError(request.path.string(), "cannot be opened");
-  const ChildOutcome child = run_in_child([&](std::FILE* file) { return read_to_file(request, file); }, {});
+  const ChildOutcome child = run_in_child([&](std::FILE* file) { return read_to_file(request, file); }, {},
+                                          memory_to_read(request.path));
   const auto fail = [&request](const std::string& problem) {
     throw InputError(Fault{request.path.string(), 0, problem});
   };

@@ -65,7 +65,8 @@ int read_to_file(const std::filesystem::path& path, std::FILE* file) try {
 
 RawMesh read_vtu_file(const std::filesystem::path& path) {
   check_header(path);
-  const ChildOutcome child = run_in_child([&](std::FILE* file) { return read_to_file(path, file); }, {});
+  const ChildOutcome child =
+      run_in_child([&](std::FILE* file) { return read_to_file(path, file); }, {}, memory_to_read(path));
   if (child.signal == 0 && child.exit_code == kRejected) fail(path, child.result);
   if (child.signal != 0 || child.exit_code != 0) fail(path, "VTK breaks down on it; is it corrupt?");
   RawMesh mesh = take_raw_mesh(child.result);

@@ -71,10 +71,10 @@ DiffusionAcceleration::DiffusionAcceleration(const Problem& problem, TransportSw
       sweep_(sweep),
       nodes_(static_cast<std::size_t>(sweep.cells().nodes())),
       vertices_(problem.mesh()),
-      media_(
-          diffusive_media(problem, sweep.directions(), sweep.scattering_plan(), sweep.scattering_matrices())),
-      extinction_(
-          effective_extinction(problem, extinction, sweep.scattering_plan(), sweep.scattering_matrices())),
+      media_(diffusive_media(problem, sweep.directions(), sweep.discretization().scattering.plan,
+                             sweep.discretization().scattering.groups)),
+      extinction_(effective_extinction(problem, extinction, sweep.discretization().scattering.plan,
+                                       sweep.discretization().scattering.groups)),
       caution_(static_cast<std::size_t>(problem.band_count()), 1),
       free_paths_(extinction_.size()),
       longest_free_path_(longest_chords * mean_chord(problem.mesh())) {
@@ -96,7 +96,8 @@ DiffusionAcceleration::DiffusionAcceleration(const Problem& problem, TransportSw
     for (std::size_t band = 0; band < wall.transmittance.size(); ++band)
       caution_[band] = std::max(caution_[band], 1 / std::max(1 - wall.transmittance[band], least_kept));
   const auto start = Clock::now();
-  const double accuracy = sweep.scattering().row_count() > 0 ? accuracy_with_moments : accuracy_of_fluence;
+  const double accuracy =
+      sweep.discretization().moments.row_count() > 0 ? accuracy_with_moments : accuracy_of_fluence;
   std::vector<DiffusionCoefficients> known;
   for (std::size_t band = 0; band < static_cast<std::size_t>(problem.band_count()); ++band) {
     DiffusionCoefficients wanted = coefficients(band, path.get());
@@ -204,7 +205,7 @@ Eigen::Vector3d DiffusionAcceleration::slope(CellIndex cell, std::size_t band,
 // Moment 0 is the fluence; 1, 2, 3 are those of sqrt(dimension) x, y, z.
 void DiffusionAcceleration::correct_moments(std::size_t band, const NodalVector& correction,
                                             TransportState& corrected) const {
-  const ScatteringMoments& scattering = sweep_.scattering();
+  const ScatteringMoments& scattering = sweep_.discretization().moments;
   const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
   const auto moments = static_cast<std::size_t>(scattering.moment_count());
   const int axes = dimension(problem_.space());
@@ -224,7 +225,7 @@ void DiffusionAcceleration::correct_moments(std::size_t band, const NodalVector&
 // Where scattering is by a matrix it takes its light from the radiance.
 void DiffusionAcceleration::correct_radiance(std::size_t band, const NodalVector& correction,
                                              TransportState& corrected) const {
-  const DenseScattering& dense = sweep_.dense_scattering();
+  const DenseScattering& dense = sweep_.discretization().dense;
   const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
   const double share = 1 / full_range(problem_.space());
   const std::size_t rows = dense.cells().size();
@@ -248,7 +249,7 @@ NodalVector DiffusionAcceleration::scattered(std::size_t band, const TransportSt
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] = medium(CellIndex(static_cast<std::int64_t>(i / 4)), band).scattered *
                 residual.fluence()[at_corner(i / 4, i % 4, band)];
-  const DenseScattering& dense = sweep_.dense_scattering();
+  const DenseScattering& dense = sweep_.discretization().dense;
   const std::size_t rows = dense.cells().size();
   for (std::size_t row = 0; row < rows; ++row) {
     const auto cell = static_cast<std::size_t>(dense.cells()[row]);

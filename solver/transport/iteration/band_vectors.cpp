@@ -32,21 +32,21 @@ BandVectors::BandVectors(const TetrahedralMesh& mesh, const TransportSweep& swee
   weights_.reserve(layout.total() / stride_);
   for (const double cell : mesh.volumes())
     append(weights_, nodes, cell / volume / static_cast<double>(nodes));
-  for (const std::int32_t cell : sweep.scattering().angular_cells())
-    append(weights_, nodes * static_cast<std::size_t>(sweep.scattering().moment_count()),
+  for (const std::int32_t cell : sweep.discretization().moments.angular_cells())
+    append(weights_, nodes * static_cast<std::size_t>(sweep.discretization().moments.moment_count()),
            mesh.volume(CellIndex(cell)) / volume / static_cast<double>(nodes));
   // Radiances weigh what the moments that they make would weigh all together: full range times w.
-  const DenseScattering& dense = sweep.dense_scattering();
+  const DenseScattering& dense = sweep.discretization().dense;
   for (std::int32_t m = 0; !dense.empty() && m < sweep.directions().count(); ++m)
     for (const std::int32_t cell : dense.cells())
       append(weights_, nodes,
-             full_range(sweep.space()) * sweep.directions().weight(OrdinateIndex(m)) *
+             full_range(sweep.problem().space()) * sweep.directions().weight(OrdinateIndex(m)) *
                  mesh.volume(CellIndex(cell)) / volume / static_cast<double>(nodes));
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     append(weights_, face_nodes, mesh.area(FaceIndex(f)) / area / static_cast<double>(face_nodes));
   // Radiance on mirrors and lagged faces: as large as the fluence it makes, shared out evenly.
   const std::size_t traces = (layout.mirrors + layout.lagged) / stride_;
-  const double range = full_range(sweep.space());
+  const double range = full_range(sweep.problem().space());
   append(weights_, traces, range * range / static_cast<double>(std::max<std::size_t>(traces, 1)));
 }
 

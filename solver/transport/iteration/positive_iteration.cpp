@@ -3,18 +3,14 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <chrono>
 #include <deque>
 #include <utility>
 
-#include "solver/solution/solve_observer.h"
 #include "solver/transport/acceleration/diffusion_acceleration.h"
-#include "solver/transport/iteration/band_vectors.h"
 #include "solver/transport/iteration/gmres.h"
+#include "solver/transport/iteration/iteration_run.h"
 #include "solver/transport/iteration/residual.h"
 #include "solver/transport/state/safe_squares.h"
-#include "solver/transport/state/state_copy.h"
-#include "solver/transport/sweep/finite_check.h"
 
 namespace etendue {
 namespace {
@@ -35,78 +31,68 @@ struct Change {
   TransportState image;
 };
 
-class Run {
+/// One run of the iteration that keeps values positive.
+class Run : public IterationRun {
  public:
   Run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
       const SolveObserver& observer)
-      : sweep_(sweep),
-        state_(state),
-        options_(options),
-        observer_(observer),
-        vectors_(sweep.mesh(), sweep),
-        bands_(static_cast<std::size_t>(sweep.cells().bands())),
+      : IterationRun(sweep, state, options, observer),
         memory_(anderson_memory(static_cast<double>(state.layout().total()))),
         image_(state.layout()),
         smallest_(bands_, 1),
         largest_(bands_, 1) {
-    result_.bands.resize(bands_);
-  }
-
-  IterationResult run() try {
     clip(state_);
-    for (int count = 1; count <= options_.max_sweeps; ++count) {
-      TransportState last_image = image_;
-      sweep_.apply(state_, image_);
-      check_finite(sweep_, count, image_);
-      TransportState residual = difference(image_, state_);
-      if (options_.acceleration != nullptr) precondition(residual);
-      const std::vector<double> relative = relative_residual(sweep_.mesh(), sweep_, state_, image_);
-      check_finite(sweep_, count, "residual", relative);
-      if (count > 1) remember(residual, last_image);
-      result_.sweeps = count;
-      for (std::size_t b = 0; b < bands_; ++b) {
-        const double error =
-            relative[b] / smallest_[b] * (accelerated(b) ? options_.acceleration->caution(b) : 1);
-        // One residual says nothing of the rate, unless it is zero or P has taken the rate out.
-        result_.bands[b] = {count, error,
-                            error <= options_.tolerance && (count > 1 || accelerated(b) || error == 0)};
-        result_.history.push_back({count, static_cast<int>(b), error});
-      }
-      const bool done = std::all_of(result_.bands.begin(), result_.bands.end(),
-                                    [](const BandConvergence& band) { return band.converged; });
-      residual_ = std::move(residual);
-      keep_if_best();
-      if (done) {
-        state_ = image_;
-        clip(state_);
-      } else {
-        step();
-      }
-      if (stopped(count)) {
-        result_.interrupted = !done;
-        break;
-      }
-      if (done) return std::move(result_);
-    }
-    // Steps may lead away: what is left is the best that was seen.
-    state_ = best_;
-    for (std::size_t b = 0; b < bands_; ++b) result_.bands[b].residual = best_errors_[b];
-    return std::move(result_);
-  } catch (const SweepStopped&) {
-    if (!best_errors_.empty()) state_ = best_;
-    throw;
   }
 
  private:
-  /// Of the states whose errors are known.
+  void step() override {
+    TransportState last_image = image_;
+    sweep_.apply(state_, image_);
+    ++result_.sweeps;
+    check(image_);
+    TransportState residual = difference(image_, state_);
+    if (options_.acceleration != nullptr) precondition(residual);
+    const std::vector<double> relative = relative_residual(sweep_.mesh(), sweep_, state_, image_);
+    check("residual", relative);
+    const bool is_first = result_.sweeps == 1;
+    if (!is_first) remember(residual, last_image);
+    for (std::size_t b = 0; b < bands_; ++b) {
+      const double error =
+          relative[b] / smallest_[b] * (accelerated(b) ? options_.acceleration->caution(b) : 1);
+      // One residual tells nothing of the rate, unless it is zero or P has taken the rate out.
+      const bool is_known = !is_first || accelerated(b) || error == 0;
+      record(b, {result_.sweeps, error, error <= options_.tolerance && is_known});
+    }
+    residual_ = std::move(residual);
+    keep_if_best();
+    if (all_converged()) {
+      state_ = image_;
+      clip(state_);
+    } else {
+      extrapolate();
+    }
+    report();
+  }
+
+  // Steps may lead away, so the best state that was seen is the result.
+  void finish() override {
+    if (all_converged() || best_errors_.empty()) return;
+    state_ = best_;
+    for (std::size_t b = 0; b < bands_; ++b) result_.bands[b].residual = best_errors_[b];
+  }
+
+  void abandon() override {
+    if (!best_errors_.empty()) state_ = best_;
+  }
+
+  double seconds_left(double) override { return -1; }
+
+  /// Keeps the best of the states whose errors are known.
   void keep_if_best() {
-    std::vector<double> errors;
-    for (const BandConvergence& band : result_.bands) errors.push_back(band.residual);
-    if (!best_errors_.empty() && *std::max_element(errors.begin(), errors.end()) >=
-                                     *std::max_element(best_errors_.begin(), best_errors_.end()))
-      return;
+    std::vector<double> now = errors();
+    if (!best_errors_.empty() && std::ranges::max(now) >= std::ranges::max(best_errors_)) return;
     best_ = state_;
-    best_errors_ = std::move(errors);
+    best_errors_ = std::move(now);
   }
 
   bool accelerated(std::size_t band) const {
@@ -146,7 +132,7 @@ class Run {
   /// state = image - sum of gamma_j change of image j, gamma the least squares of the residual, of which only
   /// the part `mixed` is taken: with diffusion P (I - F) may have large eigenvalues, since in thick cells
   /// values that are kept positive diffuse faster than the linear ones.
-  void step() {
+  void extrapolate() {
     TransportState rest = residual_;
     state_ = image_;
     if (!changes_.empty()) {
@@ -191,22 +177,6 @@ class Run {
     return gamma;
   }
 
-  bool stopped(int count) {
-    std::vector<double> errors;
-    for (const BandConvergence& band : result_.bands) errors.push_back(band.residual);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const SweepProgress progress{count, options_.max_sweeps, errors, options_.tolerance, seconds, -1, [this] {
-                                   return saved(state_, static_cast<int>(bands_));
-                                 }};
-    return observer_ && observer_(progress) == SolveControl::stop;
-  }
-
-  TransportSweep& sweep_;
-  TransportState& state_;
-  const IterationOptions& options_;
-  const SolveObserver& observer_;
-  BandVectors vectors_;
-  std::size_t bands_;
   std::size_t memory_;                ///< steps
   TransportState image_;              ///< the state and its residual
   TransportState residual_ = image_;  ///< P (F(x) - x) of the state x
@@ -215,8 +185,6 @@ class Run {
   std::deque<Change> changes_;        ///< the oldest first
   std::vector<double> smallest_;      ///< [band] |change of residual| / |change of state| seen so far
   std::vector<double> largest_;       ///< [band] the same
-  IterationResult result_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace

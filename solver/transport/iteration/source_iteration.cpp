@@ -4,18 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
-#include <utility>
 
-#include "solver/solution/solve_observer.h"
 #include "solver/transport/acceleration/diffusion_acceleration.h"
 #include "solver/transport/iteration/band_vectors.h"
+#include "solver/transport/iteration/iteration_run.h"
 #include "solver/transport/iteration/residual.h"
 #include "solver/transport/kernel/sweep_kernel.h"
-#include "solver/transport/state/state_copy.h"
-#include "solver/transport/sweep/finite_check.h"
 
 namespace etendue {
 namespace {
@@ -73,45 +69,35 @@ class Image {
   std::optional<TransportState> of_darkness_;  ///< F(0), where it is known
 };
 
-/// One run: what its steps share.
-class Run {
+/// One run of source iteration.
+class Run : public IterationRun {
  public:
   Run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
       const SolveObserver& observer)
-      : sweep_(sweep),
-        state_(state),
-        options_(options),
-        observer_(observer),
-        vectors_(sweep.mesh(), sweep),
+      : IterationRun(sweep, state, options, observer),
         image_(sweep, state),
         next_(state.layout()),
         judge_(options.acceleration != nullptr ? options.acceleration : options.judge),
         corrected_(judge_ != nullptr ? state.layout() : StateLayout{}),
-        bands_(static_cast<std::size_t>(sweep.cells().bands())),
         rates_(bands_),
         sizes_(bands_),
         active_(bands_, 1),
         accelerated_(bands_, 0) {
     for (std::size_t b = 0; b < bands_; ++b)
       accelerated_[b] = options.acceleration != nullptr && options.acceleration->acts_on(b);
-    result_.bands.resize(bands_);
-  }
-
-  IterationResult run() {
-    while (result_.sweeps < options_.max_sweeps && !result_.interrupted &&
-           std::count(active_.begin(), active_.end(), 0) < static_cast<std::ptrdiff_t>(bands_)) {
-      judge(advance());
-      report();
-    }
-    return std::move(result_);
   }
 
  private:
-  /// state <- F(state), or state + P (F(state) - state) in bands that are accelerated. Gives the relative
+  void step() override {
+    judge(advance());
+    report();
+  }
+
+  /// state <- F(state), or state + P (F(state) - state) in bands that are accelerated. Returns the relative
   /// size of the change.
   std::vector<double> advance() {
-    result_.sweeps += image_.form(state_, next_, active_, options_.max_sweeps - result_.sweeps);
-    check_finite(sweep_, result_.sweeps, next_);
+    result_.sweeps += image_.form(state_, next_, active_, sweeps_left());
+    check(next_);
     vectors_.add(next_, BandScalars(bands_, -1), state_);
     vectors_.scale(next_, BandScalars(active_.begin(), active_.end()));
     std::vector<double> change;
@@ -123,7 +109,7 @@ class Run {
       change = relative_change(sweep_.mesh(), sweep_, state_, next_);
     }
     vectors_.add(state_, BandScalars(bands_, 1), next_);
-    check_finite(sweep_, result_.sweeps, "residual", change);
+    check("residual", change);
     return change;
   }
 
@@ -136,17 +122,17 @@ class Run {
     vectors_.add(next_, BandScalars(bands_, 1), corrected_);
   }
 
+  /// Estimates the errors by equation (14), or as |P r| / |phi|.
   void judge(const std::vector<double>& residual) {
     const BandScalars size = vectors_.norm(next_);
     for (std::size_t b = 0; b < bands_; ++b) {
       if (!active_[b]) continue;
-      if (diverges(b, size[b])) go_on_plain(b);
+      if (diverges(b, size[b])) continue_plainly(b);
       // Asked in any case, for the sweeps that are left. |P r| is an estimate of the error itself.
       const double from_rate = rates_[b].error(residual[b]);
       const double error = sweep_.is_direct() ? 0 : judged(b) ? residual[b] * judge_->caution(b) : from_rate;
       const bool converged = error <= options_.tolerance;
-      result_.bands[b] = {result_.sweeps, error, converged};
-      result_.history.push_back({result_.sweeps, static_cast<int>(b), error});
+      record(b, {result_.sweeps, error, converged});
       active_[b] = !converged;
       accelerated_[b] = accelerated_[b] && !converged;
     }
@@ -160,47 +146,30 @@ class Run {
     return accelerated_[b] && count > divergence_window && size >= sizes_[b][count - 1 - divergence_window];
   }
 
-  void go_on_plain(std::size_t b) {
+  void continue_plainly(std::size_t b) {
     accelerated_[b] = 0;
     result_.notes.push_back(
         fmt::format("source iteration with diffusion diverges in band {}: plain from sweep {} on",
                     sweep_.problem().bands().names[b], result_.sweeps + 1));
   }
 
-  void report() {
-    std::vector<double> errors;
+  double seconds_left(double seconds) override {
     double left = 0;
     for (std::size_t b = 0; b < bands_; ++b) {
-      errors.push_back(result_.bands[b].residual);
       const double band_left = active_[b] ? rates_[b].sweeps_left(options_.tolerance) : 0;
       left = left < 0 || band_left < 0 ? -1 : std::max(left, band_left);
     }
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const double seconds_left = left < 0 ? -1 : left * seconds / result_.sweeps;
-    const SweepProgress progress{
-        result_.sweeps, options_.max_sweeps, errors, options_.tolerance, seconds, seconds_left, [this] {
-          return saved(state_, static_cast<int>(bands_));
-        }};
-    if (!observer_ || observer_(progress) == SolveControl::proceed) return;
-    result_.interrupted = std::count(active_.begin(), active_.end(), 1) > 0;
+    return left < 0 ? -1 : left * seconds / result_.sweeps;
   }
 
-  TransportSweep& sweep_;
-  TransportState& state_;
-  const IterationOptions& options_;
-  const SolveObserver& observer_;
-  BandVectors vectors_;
   Image image_;
   TransportState next_;
   DiffusionAcceleration* judge_;  ///< |P r| is an estimate of the error; null: there is none
   TransportState corrected_;      ///< P r
-  std::size_t bands_;
   std::vector<RateEstimate> rates_;
   std::vector<std::vector<double>> sizes_;  ///< [band][step] norm of the step
   std::vector<char> active_;                ///< [band]
   std::vector<char> accelerated_;           ///< [band] of those that are active
-  IterationResult result_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace

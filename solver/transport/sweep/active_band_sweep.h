@@ -1,34 +1,45 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <utility>
-#include <vector>
+#include <memory>
+#include <span>
 
-#include "solver/problem/band_selection.h"
-#include "solver/transport/sweep/transport_sweep.h"
+#include "solver/transport/state/transport_state.h"
+#include "solver/transport/sweep/discretization.h"
+#include "solver/transport/sweep/sweep_cost.h"
 
-// Part of TransportSweep, for its source files alone.
 namespace etendue {
 
-/// Sweep of a subset of the bands, with its states.
+/// Linear sweep of those bands alone that are still iterated, once they fit into fewer lanes.
 template <class Real>
-struct TransportSweepOf<Real>::ActiveBandSweep {
-  ActiveBandSweep(const TransportSweepOf& wide, std::vector<int> wanted)
-      : bands(std::move(wanted)),
-        problem(wide.problem_.of_bands(bands)),
-        extinction(select_bands(wide.extinction_, static_cast<std::size_t>(wide.cells_.bands()), bands)),
-        sweep(wide, problem, extinction, bands),
-        last(sweep.layout()),
-        next(sweep.layout()) {}
+class ActiveBandSweep {
+ public:
+  /// The sweep of all bands is of `discretization`, which must outlive it.
+  ActiveBandSweep(const Discretization& discretization, int threads);
+  ~ActiveBandSweep();
 
-  std::size_t stride() const { return static_cast<std::size_t>(sweep.cells_.stride()); }
+  /// next = T last in the active bands, [band], and zero in the others; adds to `cost`. Returns false, and
+  /// does nothing, where a sweep of all bands needs no more lanes.
+  bool apply_linear(const TransportState& last, TransportState& next, std::span<const char> active,
+                    SweepCost& cost);
+  /// Lanes of the last such sweep; those of all bands where there is none.
+  int lanes() const;
+  /// Forgets the last active bands.
+  void reset();
 
-  std::vector<int> bands;  ///< of the wide sweep
-  Problem problem;
-  std::vector<double> extinction;
-  TransportSweepOf sweep;
-  TransportState last;
-  TransportState next;
+ private:
+  struct Subset;
+
+  /// Returns the sweep of the active bands; null where it would not need fewer lanes.
+  Subset* subset_of(std::span<const char> active);
+
+  const Discretization& d_;
+  int threads_;
+  std::unique_ptr<Subset> subset_;  ///< of the last active bands; null: all bands
+  bool is_possible_ = true;         ///< false where a subset has other rows in its state
 };
+
+extern template class ActiveBandSweep<double>;
+extern template class ActiveBandSweep<float>;
 
 }  // namespace etendue

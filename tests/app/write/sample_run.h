@@ -47,5 +47,7 @@ class ScratchFolder {
 
 std::string text_of(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);
+/// Changes the process in summary.json, as if another process had written these results.
+void make_of_another_process(const std::filesystem::path& directory);
 
 }  // namespace etendue::test

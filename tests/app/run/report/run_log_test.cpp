@@ -57,6 +57,20 @@ TEST(RunLog, IsNamedInTheSummaryAndReplacedByTheNextRun) {
   EXPECT_EQ(std::ranges::count(summary["files"], "log.txt"), 1);
 }
 
+TEST(RunLog, DoesNotJoinTheResultsOfAnotherRun) {
+  const CaseFolder folder;
+  const std::filesystem::path results = folder.results();
+  ASSERT_EQ(etendue_says({"run", folder.file()}).code, ExitCode::done);
+  test::make_of_another_process(results);
+  const std::string before = text_of(results / "log.txt");
+  RunLog log({});
+  log.add("of this run\n");
+  log.belongs_in(results);
+  log.save();
+  append_to_log(results, "and its estimate");
+  EXPECT_EQ(text_of(results / "log.txt"), before);
+}
+
 TEST(RunLog, OfAFailedRunEndsWithTheFaultAndLeavesTheLogOfTheResults) {
   const CaseFolder folder;
   const std::filesystem::path results = folder.results();

@@ -6,6 +6,7 @@
 
 #include "app/write/json/summary.h"
 #include "app/write/results.h"
+#include "base/errors.h"
 #include "tests/app/write/sample_run.h"
 
 namespace etendue {
@@ -37,6 +38,18 @@ TEST(Pictures, JoinTheFilesOfARun) {
   ASSERT_TRUE(saved);
   EXPECT_EQ(saved->toml, "title = \"a\"\n");
   EXPECT_EQ(saved->file, std::filesystem::absolute("case.toml"));
+}
+
+TEST(Pictures, DoNotJoinTheFilesOfAnotherRun) {
+  const ScratchFolder folder;
+  SampleRun run({"grey"});
+  run.input.output.directory = folder.path();
+  write_results(run.result());
+  test::make_of_another_process(folder.path());
+  const std::vector<std::string> before = ScratchFolder::names_in(folder.path());
+  const CameraCase camera{"front", {}, 1.0, Tone::linear, {}, {}};
+  EXPECT_THROW(add_pictures(folder.path(), run.input, {{camera, small_picture()}}, 1.0), FileError);
+  EXPECT_EQ(ScratchFolder::names_in(folder.path()), before);
 }
 
 TEST(Pictures, NeedNoRunBesideThem) {

@@ -59,6 +59,35 @@ TEST(OutputFolder, RemovesOutdatedFilesAndKeepsForeignOnes) {
   EXPECT_EQ(text_of(scratch.path() / "both.csv"), "after");
 }
 
+TEST(OutputFolder, BesideADirectoryOfTheUserFilesAreReplacedOneByOne) {
+  const ScratchFolder scratch;
+  std::filesystem::create_directory(scratch.path() / "mine");
+  write_text(scratch.path() / "mine" / "notes.txt", "before");
+  for (const char* name : {"old.csv", "both.csv", "summary.json"})
+    write_text(scratch.path() / name, "before");
+  OutputFolder folder(scratch.path());
+  folder.add_text("both.csv", "after");
+  folder.add_text("summary.json", "after");
+  folder.publish({"old.csv", "both.csv", "summary.json"});
+  EXPECT_EQ(ScratchFolder::names_in(scratch.path()), (Names{"both.csv", "mine", "summary.json"}));
+  EXPECT_EQ(text_of(scratch.path() / "both.csv"), "after");
+  EXPECT_EQ(text_of(scratch.path() / "summary.json"), "after");
+  EXPECT_EQ(text_of(scratch.path() / "mine" / "notes.txt"), "before");
+}
+
+TEST(OutputFolder, RemovesWhatARunHasLeftThatWasKilledWhileItReplacedFiles) {
+  const ScratchFolder scratch;
+  std::filesystem::create_directory(scratch.path() / "mine");
+  for (const char* name : {"old.csv", "both.csv", "notes.txt"}) write_text(scratch.path() / name, "before");
+  write_text(scratch.path() / ".replaced-files", "old.csv\nboth.csv\n../notes.txt\nsummary.json\n");
+  OutputFolder folder(scratch.path());
+  folder.add_text("both.csv", "after");
+  folder.add_text("summary.json", "after");
+  folder.publish({});
+  EXPECT_EQ(ScratchFolder::names_in(scratch.path()),
+            (Names{"both.csv", "mine", "notes.txt", "summary.json"}));
+}
+
 TEST(OutputFolder, RefusesToReplaceADirectoryAndChangesNothing) {
   const ScratchFolder scratch;
   std::filesystem::create_directory(scratch.path() / "two.csv");

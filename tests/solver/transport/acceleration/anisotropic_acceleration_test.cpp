@@ -96,8 +96,8 @@ TEST(AnisotropicAcceleration, UnitSourceGivesTheFreePathBesideVoids) {
   TransportSweep sweep(problem, directions, extinction, options_of(Method::gmres, Acceleration::diffusion));
   TransportState path(sweep.layout());
   sweep.apply_to_unit_source(path);
-  const std::vector<double> seen =
-      effective_extinction(problem, extinction, sweep.scattering_plan(), sweep.scattering_matrices());
+  const std::vector<double> seen = effective_extinction(
+      problem, extinction, sweep.discretization().scattering.plan, sweep.discretization().scattering.groups);
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     double mean = 0;
     for (std::size_t i = 0; i < 4; ++i) mean += path.fluence()[4 * static_cast<std::size_t>(c) + i] / 4;

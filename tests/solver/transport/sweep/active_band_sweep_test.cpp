@@ -100,7 +100,7 @@ TEST(ActiveBandSweep, GivesTheSameAcrossLaggedFaces) {
     return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), directions.direction(OrdinateIndex(0))) * p;
   });
   const Problem problem = varied_problem(mesh, std::vector<PhaseFunction>(bands, PhaseIsotropic{}), {}, 0);
-  ASSERT_GT(Swept(mesh, problem, directions).sweep.orders().lagged_total(), 0u);
+  ASSERT_GT(Swept(mesh, problem, directions).sweep.discretization().orders->lagged_total(), 0u);
   expect_fewer_lanes_and_the_same_values(problem);
 }
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/transport/solve/acceleration_policy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "solver/problem/mirror.h"
+
+namespace etendue {
+namespace {
+
+/// Where cells and walls return less, plain iteration is quick: with half of the light scattered, Kobayashi's
+/// first problem takes 11 sweeps and with acceleration 10, which cost more than one.
+constexpr double little_return = 0.5;
+
+/// Scatterings on a mean chord below which diffusion saves less than it costs, unless walls are brighter than
+/// `bright_wall`: the smoke room, with 0.2 of them, takes 13 sweeps and with acceleration 12.
+constexpr double few_scatterings = 1;
+constexpr double bright_wall = 0.8;
+
+/// The largest reflectance or transmittance of a wall, mirrors left out.
+double brightest_wall(const Problem& problem) {
+  double brightest = 0;
+  for (const Wall& wall : problem.walls())
+    for (std::size_t b = 0; b < wall.diffuse.size(); ++b)
+      brightest = std::max(brightest, wall.mean_reflectance(b) - wall.specular[b] + wall.transmitted(b));
+  return brightest;
+}
+
+/// The largest albedo of a cell.
+double largest_albedo(const Problem& problem) {
+  double largest = 0;
+  for (std::size_t i = 0; i < problem.scattering().size(); ++i)
+    if (problem.scattering()[i] > 0)
+      largest =
+          std::max(largest, problem.scattering()[i] / (problem.scattering()[i] + problem.absorption()[i]));
+  return largest;
+}
+
+/// Scatterings on a mean chord 4 V/S of the domain, in the band where they are most. Mirrors do not end a
+/// chord.
+double scatterings_on_a_chord(const Problem& problem) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  double most = 0;
+  for (std::size_t band = 0; band < bands; ++band) {
+    double scattered = 0, surface = 0;
+    for (std::size_t c = 0; c < mesh.volumes().size(); ++c)
+      scattered += problem.scattering()[c * bands + band] * mesh.volumes()[c];
+    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+      surface += mesh.area(FaceIndex(f)) *
+                 (1 - mirrored_part_of_isotropic(problem.wall(mesh.wall(FaceIndex(f))), band));
+    if (scattered > 0) most = std::max(most, 4 * scattered / surface);
+  }
+  return most;
+}
+
+/// Returns the reason why diffusion would not pay; empty where it does.
+std::string reason_to_do_without(const Problem& problem) {
+  const double wall = brightest_wall(problem);
+  if (const double part = std::max(wall, largest_albedo(problem)); part <= little_return)
+    return fmt::format("cells and walls send back at most {:.2g} of the light", part);
+  if (const double scatterings = scatterings_on_a_chord(problem);
+      wall <= bright_wall && scatterings < few_scatterings)
+    return fmt::format("light scatters only {:.2g} times on its way through", scatterings);
+  return "";
+}
+
+/// Returns the reason why a run is not accelerated; empty where it is.
+std::string reason_against_acceleration(const Problem& problem, const SolveOptions& options) {
+  if (options.acceleration == Acceleration::diffusion) return "";
+  if (options.acceleration == Acceleration::none) return "as asked";
+  if (options.method == Method::source_iteration)
+    return "source iteration is plain unless diffusion is asked for";
+  return reason_to_do_without(problem);
+}
+
+}  // namespace
+
+LowOrder choose_low_order(const Problem& problem, TransportSweep& sweep, std::span<const double> extinction,
+                          const SolveOptions& options, std::vector<std::string>& notes) {
+  if (sweep.is_direct() || options.max_sweeps <= 2) return {};
+  const std::string reason = reason_against_acceleration(problem, options);
+  if (!reason.empty()) notes.push_back("not accelerated: " + reason);
+  // Where acceleration would pay, residuals alone are a poor estimate of the error.
+  if (!reason.empty() && !reason_to_do_without(problem).empty()) return {};
+  return {std::make_unique<DiffusionAcceleration>(problem, sweep, extinction, options.diffusion_length),
+          reason.empty()};
+}
+
+}  // namespace etendue

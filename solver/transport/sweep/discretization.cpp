@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/transport/sweep/discretization.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "solver/problem/band_selection.h"
+#include "solver/solution/angular_input.h"
+
+namespace etendue {
+namespace {
+
+/// Visits of cells in a batch from which on threads share the batches. With fewer, one thread is faster than
+/// several that wait for each other.
+constexpr std::int64_t smallest_shared_batch = 4096;
+
+/// From this degree on products of moments cost more than groups of neighbors save in the visits.
+constexpr int smallest_degree_of_images = 4;
+
+Batches batches_for(int degree) {
+  return degree < smallest_degree_of_images ? Batches::of_neighbours : Batches::of_images;
+}
+
+Basis basis_of(const SolveOptions& options) {
+  return options.order == SpaceOrder::linear ? Basis::linear : Basis::constant;
+}
+
+int threads_of(const SolveOptions& options) {
+  return options.threads > 0 ? options.threads : omp_get_num_procs();
+}
+
+ScatteringTreatments treat_scattering(const Problem& problem, const DirectionSet& directions) {
+  ScatteringTreatments treatments{plan_scattering(problem, directions), {}};
+  treatments.groups = dense_groups(problem, directions, treatments.plan);
+  return treatments;
+}
+
+/// Cells whose radiance is needed direction by direction: those with a directional source or a meter.
+std::vector<CellIndex> observed_cells(const TetrahedralMesh& mesh, const SolveOptions& options) {
+  std::vector<CellIndex> cells;
+  for (std::int32_t c = 0; options.angular_input != nullptr && c < mesh.cell_count(); ++c)
+    if (options.angular_input->depends_on_direction(CellIndex(c))) cells.push_back(CellIndex(c));
+  for (const IrradianceMeter& meter : options.meters)
+    for (const CellPoint& point : meter.cells) cells.push_back(point.cell);
+  return cells;
+}
+
+std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, const DirectionSet& directions,
+                                                const CellCoefficients& cells, const SolveOptions& options,
+                                                double& seconds) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::size_t cell_bytes = (cells.layout().length + cells.cell_length()) * sizeof(double);
+  const auto cell_count = static_cast<std::size_t>(mesh.cell_count());
+  auto orders = std::make_shared<const SweepOrders>(
+      mesh, directions, cells_per_tile(cell_count, cell_bytes, options.cache_bytes),
+      skips_faces(cells.stride()) ? LevelOrder::alike : LevelOrder::neighbours, options.order_memory,
+      threads_of(options), options.stops);
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return orders;
+}
+
+}  // namespace
+
+Discretization::Discretization(const Problem& given, const DirectionSet& set,
+                               std::span<const double> extinction_of_cells, const SolveOptions& wanted,
+                               Scalar scalar)
+    : Discretization(given, set, extinction_of_cells, wanted, scalar, treat_scattering(given, set), nullptr) {
+}
+
+Discretization::Discretization(const Discretization& other, Scalar scalar)
+    : Discretization(other.problem, other.directions, other.extinction, other.options, scalar,
+                     other.scattering, other.orders) {}
+
+Discretization::Discretization(const Discretization& wide, const Problem& given,
+                               std::span<const double> extinction_of_cells, std::span<const int> bands,
+                               Scalar scalar)
+    : Discretization(given, wide.directions, extinction_of_cells, wide.options, scalar,
+                     {select_bands(std::span<const ScatteringTreatment>(wide.scattering.plan),
+                                   static_cast<std::size_t>(wide.cells.bands()), bands),
+                      of_bands(wide.scattering.groups, bands)},
+                     wide.orders) {}
+
+Discretization::Discretization(const Problem& given, const DirectionSet& set,
+                               std::span<const double> extinction_of_cells, const SolveOptions& wanted,
+                               Scalar scalar, ScatteringTreatments treatments,
+                               std::shared_ptr<const SweepOrders> known_orders)
+    : problem(given),
+      directions(set),
+      extinction(extinction_of_cells),
+      options(wanted),
+      scattering(std::move(treatments)),
+      cells(problem.mesh(), effective_extinction(problem, extinction, scattering.plan, scattering.groups),
+            problem.band_count(), basis_of(options), options.lumping, scalar),
+      schedule(problem, directions, batches_for(highest_degree(scattering.plan))),
+      moments(problem, directions, cells, scattering.plan, schedule, observed_cells(problem.mesh(), options)),
+      dense(problem, directions, cells, extinction, scattering.plan, scattering.groups),
+      orders(known_orders ? std::move(known_orders)
+                          : timed_orders(problem.mesh(), directions, cells, options, order_seconds)),
+      walls(problem, directions, schedule, orders->walls(), cells.stride(), cells.face_nodes()) {}
+
+std::size_t Discretization::fluence_size() const {
+  return static_cast<std::size_t>(problem.mesh().cell_count()) * cells.cell_length();
+}
+
+StateLayout Discretization::layout() const {
+  return {fluence_size(),          moments.moments_size(), dense.radiance_size(),
+          walls.irradiance_size(), walls.mirror_size(),    2 * orders->lagged_total() * cells.trace_length()};
+}
+
+bool Discretization::is_direct() const {
+  return !walls.feeds_back() && orders->lagged_total() == 0 &&
+         std::ranges::all_of(problem.scattering(), [](double s) { return s == 0; });
+}
+
+int Discretization::sweep_threads() const {
+  if (std::int64_t{problem.mesh().cell_count()} * schedule.batch() < smallest_shared_batch) return 1;
+  return std::min(threads_of(options), schedule.batch_count());
+}
+
+}  // namespace etendue
