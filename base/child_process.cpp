@@ -140,10 +140,13 @@ std::size_t physical_memory() {
 }
 
 std::size_t memory_to_read(const std::filesystem::path& file) {
-  constexpr std::size_t least = std::size_t{1} << 30, times_its_size = 64;
+  // Zlib compresses 1,032 times at most, and bytes may become doubles.
+  constexpr std::size_t least = std::size_t{1} << 30, times_its_size = 8 * 1032;
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(file, unknown);
   const std::size_t most = physical_memory();
+  // These name a case of many files.
+  if (file.extension() == ".foam" || file.filename() == "controlDict") return most;
   if (unknown || size > most / times_its_size) return most;
   return std::min(most, least + times_its_size * static_cast<std::size_t>(size));
 }

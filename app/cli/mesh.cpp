@@ -26,6 +26,7 @@ ExitCode mesh_case(const MeshRequest& request, std::ostream& out, std::ostream& 
   check_ending(request.output);
   const std::filesystem::path folder = std::filesystem::absolute(request.output).parent_path();
   const Case input = read_case(request.file, request.overrides);
+  for (const std::string& line : input.deprecations) err << line << '\n';
   check_output_directory(folder);
   const TetrahedralMesh mesh = mesh_visibly(input, verbose_log(request, err),
                                             {resolved_style(ProgressStyle::automatic, out), out, {}});

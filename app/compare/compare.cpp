@@ -58,6 +58,7 @@ void write_comparison(const Comparison& comparison, const Case& input, const Pro
 
 ExitCode compare_case(const CompareRequest& request, std::ostream& out, std::ostream& err) {
   const Case input = read_case(request.run.file, request.run.overrides);
+  for (const std::string& line : input.deprecations) err << line << '\n';
   const std::filesystem::path directory = std::filesystem::absolute(input.output.directory);
   check_output_directory(directory);
   const TetrahedralMesh mesh = mesh_visibly(input, verbose_log(request.run, err),

@@ -8,6 +8,9 @@
 
 namespace etendue {
 
+/// Whether no medium emits differently in different directions.
+bool emits_isotropically(const Problem& problem);
+
 /// Divergence of the net flux in the mean over each cell, summed over the bands [cell] [power/length^3]: what
 /// the medium emits less what it absorbs, 4 pi q - sigma_a phi (Modest, Radiative Heat Transfer, eq.
 /// (10.59)). Media must not emit differently in different directions.

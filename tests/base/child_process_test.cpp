@@ -129,6 +129,7 @@ TEST(MemoryToRead, GrowsWithTheFileUpToThatOfTheMachine) {
   const std::size_t small = memory_to_read("/proc/self/exe");
   EXPECT_GT(small, std::size_t{1} << 30);
   EXPECT_LE(small, physical_memory());
+  EXPECT_EQ(memory_to_read("/nowhere/case.foam"), physical_memory());
 }
 
 TEST(ChildProcess, ReportsAnExceptionOfTheWork) {

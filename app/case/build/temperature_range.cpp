@@ -15,10 +15,16 @@
 namespace etendue {
 namespace {
 
-/// A point of a region or wall and its part of the volume or area.
+/// A cell of a region or a face of a wall, and its volume or area.
 struct Sample {
-  Vec3 point;
+  std::vector<Vec3> corners;
   double weight;
+
+  Vec3 centroid() const {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& corner : corners) sum += corner;
+    return sum / static_cast<double>(corners.size());
+  }
 };
 
 class TemperatureAt {
@@ -38,14 +44,19 @@ class TemperatureAt {
   std::optional<Expression> formula_;
 };
 
+template <class Vertices>
+std::vector<Vec3> points_of(const TetrahedralMesh& mesh, const Vertices& vertices) {
+  std::vector<Vec3> points;
+  for (const std::int32_t v : vertices) points.push_back(mesh.point(VertexIndex(v)));
+  return points;
+}
+
 std::vector<Sample> samples_of_region(const TetrahedralMesh& mesh, int region) {
   std::vector<Sample> samples;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
     if (mesh.region(cell) != region) continue;
-    Vec3 sum = Vec3::Zero();
-    for (const std::int32_t v : mesh.vertices(cell)) sum += mesh.point(VertexIndex(v));
-    samples.push_back({sum / 4, mesh.volume(cell)});
+    samples.push_back({points_of(mesh, mesh.vertices(cell)), mesh.volume(cell)});
   }
   return samples;
 }
@@ -55,9 +66,7 @@ std::vector<Sample> samples_of_wall(const TetrahedralMesh& mesh, int wall) {
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     if (mesh.wall(face) != wall) continue;
-    Vec3 sum = Vec3::Zero();
-    for (const std::int32_t v : mesh.vertices(face)) sum += mesh.point(VertexIndex(v));
-    samples.push_back({sum / 3, mesh.area(face)});
+    samples.push_back({points_of(mesh, mesh.vertices(face)), mesh.area(face)});
   }
   return samples;
 }
@@ -71,15 +80,20 @@ void add_range(const BandValues& temperature, const std::string& place, const st
   TemperatureRange range{place, infinity, -infinity, 0};
   double sum = 0;
   for (const Sample& sample : samples) {
-    const double kelvin = at(sample.point);
-    if (!(kelvin >= 0) || !std::isfinite(kelvin))
-      return faults.push_back(fault_at(
-          temperature.origin, "",
-          fmt::format("the temperature is {:.6g} at ({:.6g}, {:.6g}, {:.6g}) in {}; use kelvin, at least 0",
-                      kelvin, sample.point.x(), sample.point.y(), sample.point.z(), place)));
-    range.lowest = std::min(range.lowest, kelvin);
-    range.highest = std::max(range.highest, kelvin);
-    range.mean += kelvin * sample.weight;
+    const double mean = at(sample.centroid());
+    std::vector<Vec3> points = sample.corners;
+    points.push_back(sample.centroid());
+    for (const Vec3& point : points) {
+      const double kelvin = at(point);
+      if (!(kelvin >= 0) || !std::isfinite(kelvin))
+        return faults.push_back(fault_at(
+            temperature.origin, "",
+            fmt::format("the temperature is {:.6g} at ({:.6g}, {:.6g}, {:.6g}) in {}; use kelvin, at least 0",
+                        kelvin, point.x(), point.y(), point.z(), place)));
+      range.lowest = std::min(range.lowest, kelvin);
+      range.highest = std::max(range.highest, kelvin);
+    }
+    range.mean += mean * sample.weight;
     sum += sample.weight;
   }
   range.mean /= sum;

@@ -9,7 +9,8 @@
 
 namespace etendue {
 
-/// Temperatures [K] of a region at the centroids of its cells, or of a wall at those of its faces.
+/// Temperatures [K] of a region at the vertices and centroids of its cells, or of a wall at those of its
+/// faces.
 struct TemperatureRange {
   std::string place;  ///< the region or wall
   double lowest = 0;

@@ -49,6 +49,9 @@ std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const Visible
   };
   SolveOptions options = solving.options;
   options.stops = [&] { return interruption.is_overdue(); };
+  options.sweep_share = [&, show = first_sweep->observer()](double share) {
+    if (first_sweep) show(share);
+  };
   try {
     Solution solution = solve_rotated(uncollided, solving.directions.sets, options, observe,
                                       solving.directions.first_collided, reader);

@@ -58,6 +58,11 @@ std::optional<DirectoryLock> DirectoryLock::try_take(const fs::path& directory) 
   return lock;
 }
 
+bool DirectoryLock::is_held(const fs::path& directory) {
+  const DirectoryLock lock(open_directory(directory));
+  return lock.file_ >= 0 && flock(lock.file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
 DirectoryLock::DirectoryLock(DirectoryLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
 
 DirectoryLock& DirectoryLock::operator=(DirectoryLock&& other) noexcept {

@@ -14,6 +14,8 @@ class DirectoryLock {
   static DirectoryLock wait_for(const std::filesystem::path& directory);
   /// The lock, if it is free and the file system has locks.
   static std::optional<DirectoryLock> try_take(const std::filesystem::path& directory);
+  /// Whether another process holds the lock.
+  static bool is_held(const std::filesystem::path& directory);
 
   DirectoryLock(DirectoryLock&& other) noexcept;
   DirectoryLock& operator=(DirectoryLock&& other) noexcept;

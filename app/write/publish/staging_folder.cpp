@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,10 +37,14 @@ fs::path resolved(const fs::path& target) {
   return error ? fs::absolute(target) : path;
 }
 
-bool on_one_file_system(const fs::path& a, const fs::path& b) {
-  struct stat of_a {
-  }, of_b{};
-  return stat(a.c_str(), &of_a) == 0 && stat(b.c_str(), &of_b) == 0 && of_a.st_dev == of_b.st_dev;
+/// Whether files that are made beside the target are like files that are made in it: on its file system, and
+/// of no other group or access list.
+bool is_like_beside(const fs::path& target, const fs::path& above) {
+  struct stat of_target {
+  }, of_above{};
+  return stat(target.c_str(), &of_target) == 0 && stat(above.c_str(), &of_above) == 0 &&
+         of_target.st_dev == of_above.st_dev && (of_target.st_mode & S_ISGID) == 0 &&
+         getxattr(target.c_str(), "system.posix_acl_default", nullptr, 0) <= 0;
 }
 
 std::string prefix_of(const fs::path& target) { return "." + target.filename().string() + "."; }
@@ -95,11 +100,37 @@ bool exchange_paths(const fs::path& a, const fs::path& b) {
   return renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
 }
 
+/// Whether a file can be renamed from one directory into another: not where that is a mount point, even of
+/// the same file system.
+bool can_rename_into(const fs::path& from, const fs::path& target) {
+  const std::string name = fmt::format("{}{}{}", prefix_of(target), getpid(), ending);
+  const int file = open((from / name).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  if (file < 0) return false;
+  close(file);
+  const bool renamed = rename((from / name).c_str(), (target / name).c_str()) == 0;
+  unlink(((renamed ? target : from) / name).c_str());
+  return renamed;
+}
+
+/// Moves files that have their only name here to the target, where they were meant for it while it was
+/// exchanged.
+void rescue_strangers(const fs::path& from, const fs::path& target) {
+  std::error_code error;
+  std::vector<std::string> strangers;
+  for (fs::directory_iterator entry(from, error), end; !error && entry != end; entry.increment(error)) {
+    struct stat file {};
+    if (lstat(entry->path().c_str(), &file) == 0 && file.st_nlink == 1)
+      strangers.push_back(entry->path().filename().string());
+  }
+  for (const std::string& name : strangers)
+    renameat2(AT_FDCWD, (from / name).c_str(), AT_FDCWD, (target / name).c_str(), RENAME_NOREPLACE);
+}
+
 }  // namespace
 
 StagingFolder::StagingFolder(const fs::path& target) : target_(resolved(target)) {
   const fs::path above = target_.parent_path();
-  const bool can_be_beside = target_.has_filename() && on_one_file_system(target_, above);
+  const bool can_be_beside = target_.has_filename() && is_like_beside(target_, above);
   int reason = EEXIST;
   for (const bool beside : {true, false}) {
     if (beside && !can_be_beside) continue;
@@ -107,9 +138,14 @@ StagingFolder::StagingFolder(const fs::path& target) : target_(resolved(target))
       path_ =
           (beside ? above : target_) / fmt::format("{}{}.{}{}", prefix_of(target_), getpid(), number, ending);
       beside_ = beside;
-      if (mkdir(path_.c_str(), 0777) == 0) {
-        // Another process may remove it before it is locked; then the next number is tried.
-        if ((lock_ = DirectoryLock::try_take(path_)) || fs::exists(path_)) return;
+      if (mkdir(path_.c_str(), 0700) == 0) {
+        lock_ = DirectoryLock::try_take(path_);
+        // Another process may hold it to remove it; then the next number is tried.
+        if (!lock_ && (DirectoryLock::is_held(path_) || !fs::exists(path_))) continue;
+        if (!beside || can_rename_into(path_, target_)) return;
+        lock_.reset();
+        rmdir(path_.c_str());
+        break;
       } else if (errno != EEXIST) {
         reason = errno;
         break;
@@ -146,8 +182,12 @@ bool StagingFolder::exchange(const std::vector<std::string>& gone, const std::ve
   // The target's name is now at the new set; path_ is the directory that was there.
   for (const std::string& name : gone) unlink((path_ / name).c_str());
   for (const std::string& name : added)
-    if (link((target_ / name).c_str(), (path_ / name).c_str()) != 0) return true;  // the new set stays there
+    if (link((target_ / name).c_str(), (path_ / name).c_str()) != 0) {
+      rescue_strangers(path_, target_);
+      return true;  // the new set stays there
+    }
   exchange_paths(target_, path_);
+  rescue_strangers(path_, target_);
   return true;
 }
 

@@ -6,17 +6,25 @@
 namespace etendue {
 namespace {
 
+/// Power that a wall absorbs. What leaves one side of a sheet comes through from the other side too.
+double absorbed_by(const Wall& wall, std::size_t band, const WallPower& power) {
+  if (wall.transmitted(band) > 0)
+    return (1 - wall.mean_reflectance(band) - wall.transmitted(band)) * power.incoming;
+  return power.incoming - power.outgoing + power.emitted;
+}
+
 HeatRow wall_row(const RunResult& result, std::size_t wall) {
-  HeatRow row{.is_wall = true, .name = result.problem.walls()[wall].name};
+  const Wall& behind = result.problem.walls()[wall];
+  HeatRow row{.is_wall = true, .name = behind.name};
   double variance = 0;
   for (std::size_t band = 0; band < result.walls[wall].size(); ++band) {
     const WallPower& power = result.walls[wall][band];
     row.extent = power.area;
     row.emitted += power.emitted;
-    row.net += power.incoming - power.outgoing;
+    row.absorbed += absorbed_by(behind, band, power);
     if (result.errors) variance += std::pow(result.errors->net[wall][band], 2);
   }
-  row.absorbed = row.net + row.emitted;
+  row.net = row.absorbed - row.emitted;
   row.error = std::sqrt(variance);
   return row;
 }

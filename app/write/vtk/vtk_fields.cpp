@@ -65,7 +65,7 @@ class FieldsOfCells {
     for (const OrdinateRadiance& kept : result_.solution.radiance)
       if (std::ranges::count(ordinates, kept.ordinate) > 0) add_radiance(kept);
     if (asked("media")) add_media();
-    if (has_temperatures(result_.input)) add_divergence();
+    if (has_temperatures(result_.input) && emits_isotropically(result_.problem)) add_divergence();
     if (const auto& error = result_.solution.direction_error; !error.empty())
       grid_->GetCellData()->AddArray(
           vtk_array({"fluence_direction_error", bands_, units_.flux}, band_count(), error));

@@ -77,7 +77,7 @@ double asked_cells(const SurfaceComplex& surface, const TetrahedraOptions& optio
   for (const double bound : options.max_volume)
     if (bound > 0) smallest = std::min(smallest, bound);
   const double at_most = kBoundInMeans * extent_of(surface).volume() / smallest;
-  if (at_most <= kManyCells) return at_most;
+  if (at_most <= kManyCells && (options.max_cells <= 0 || at_most <= options.max_cells)) return at_most;
   const TetGenOutcome coarse = call_tetgen(surface, {}, "pzA", {});
   // Where TetGen fails, it will fail again and say why.
   if (coarse.end != TetGenEnd::done) return 0;
@@ -103,24 +103,26 @@ void check_cell_count(double cells, const TetrahedraOptions& options) {
 
 int most_added_points(const SurfaceComplex& surface, const TetrahedraOptions& options, double asked_cells) {
   const double details = kDetailCells + kDetailCellsPerPoint * static_cast<double>(surface.points.size());
-  const double cells = options.max_cells > 0 ? options.max_cells : 2 * asked_cells + details;
-  return static_cast<int>(
-      std::clamp(cells / kCellsPerPoint, 1.0, static_cast<double>(std::numeric_limits<int>::max())));
+  // Meshes of few cells have more points for them; check_details() counts the cells.
+  const double points =
+      options.max_cells > 0 ? options.max_cells / 2.0 : (2 * asked_cells + details) / kCellsPerPoint;
+  return static_cast<int>(std::clamp(points, 1.0, static_cast<double>(std::numeric_limits<int>::max())));
 }
 
 void check_details(const TetGenMesh& mesh, const SurfaceComplex& surface, const TetrahedraOptions& options,
                    int most_added) {
-  const std::size_t points = mesh.coordinates.size() / 3;
-  if (points < surface.points.size() + static_cast<std::size_t>(most_added)) return;
+  const std::size_t points = mesh.coordinates.size() / 3, cells = mesh.cells.size() / 4;
+  const bool too_many = options.max_cells > 0 && cells > static_cast<std::size_t>(options.max_cells);
+  if (!too_many && points < surface.points.size() + static_cast<std::size_t>(most_added)) return;
   const Edge finest = shortest_edge(mesh);
   throw InputError(fault_at(
       options.origin, "",
-      fmt::format(
-          "the geometry has details so fine that it needs more than about {:.2g} cells (edges near {} "
-          "are {:.2g} long, and the geometry is {:.3g}); widen the gap or the part there, make "
-          "coordinates equal, or allow more by max_cells",
-          kCellsPerPoint * most_added, to_text(finest.middle), finest.length,
-          extent_of(surface).diagonal().norm())));
+      fmt::format("the geometry has details so fine that it needs more than {} cells (edges near {} "
+                  "are {:.2g} long, and the geometry is {:.3g}); widen the gap or the part there, make "
+                  "coordinates equal, or allow more by max_cells",
+                  options.max_cells > 0 ? fmt::to_string(options.max_cells)
+                                        : fmt::format("about {:.2g}", kCellsPerPoint * most_added),
+                  to_text(finest.middle), finest.length, extent_of(surface).diagonal().norm())));
 }
 
 }  // namespace etendue

@@ -160,6 +160,8 @@ void TransportSweepOf<Real>::march_batches(const SweepPass& pass) {
     }
     if (stop_.is_set()) throw SweepStopped{};
     reduction.add(first, std::span(workspaces_).first(static_cast<std::size_t>(batches)), pass);
+    if (const auto& told = discretization_.options.sweep_share)
+      told(static_cast<double>(first + batches) / batch_count);
   }
 }
 

@@ -3,6 +3,7 @@
 // A solution that is ended within a sweep.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -65,6 +66,21 @@ TEST_P(SweepStop, LeavesTheStateOfTheLastWholeSweepToGoOnFrom) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, SweepStop, testing::Values(Method::gmres, Method::source_iteration));
+
+// A black absorbing cube takes one sweep.
+TEST(SweepShare, RisesToOneInASweep) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 1, 0, 0.2), uniform_wall(1, 0.3, 0, 0));
+  SolveOptions options;
+  options.threads = 2;
+  std::vector<double> shares;
+  options.sweep_share = [&](double share) { shares.push_back(share); };
+  ASSERT_EQ(solve(problem, directions_product(8), options).convergence.at(0).sweeps, 1);
+  ASSERT_GT(shares.size(), 1u);
+  EXPECT_GT(shares.front(), 0);
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_EQ(shares.back(), 1);
+}
 
 TEST(SolveStopped, EndsTheSweepThatMeasures) {
   const TetrahedralMesh mesh = cube_mesh(0.02);

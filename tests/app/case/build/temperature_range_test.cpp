@@ -21,8 +21,8 @@ TEST(TemperatureRange, IsThatOfRegionsAndWalls) {
   ASSERT_EQ(ranges.size(), 2u);
   EXPECT_EQ(ranges[0].place, "air");
   EXPECT_NEAR(ranges[0].mean, 450, 1e-9);  // exact: linear, and the centroids carry the volumes
-  EXPECT_GT(ranges[0].lowest, 400);
-  EXPECT_LT(ranges[0].highest, 500);
+  EXPECT_EQ(ranges[0].lowest, 400);
+  EXPECT_EQ(ranges[0].highest, 500);
   EXPECT_EQ(ranges[1].place, "zmin");
   EXPECT_EQ(ranges[1].lowest, 300);
   EXPECT_EQ(ranges[1].highest, 300);
@@ -39,6 +39,12 @@ TEST(TemperatureRange, RefusesNegativeTemperaturesWithTheirPlace) {
     EXPECT_NE(error.faults().front().text.find("in air; use kelvin, at least 0"), std::string::npos);
     EXPECT_EQ(error.faults().front().line, 9);
   }
+}
+
+// Above 0 at the centroids of coarse cells, not at their vertices.
+TEST(TemperatureRange, RefusesNegativeTemperaturesOfVertices) {
+  const Case input = case_of(hot_air("\"300 - 301*x\""));
+  EXPECT_THROW(temperature_ranges(input, build_mesh(input)), InputError);
 }
 
 TEST(TemperatureRange, IsThereWhereTheCaseHasTemperatures) {

@@ -140,10 +140,23 @@ TEST(Tetrahedralize, RefusesDetailsThatNeedMoreCellsThanAllowedWithTheirPlace) {
   options.origin = {"room.toml", 7, "mesh"};
   options.max_cells = 20'000;
   const std::string message = message_of(surface, options);
-  EXPECT_EQ(message.find("room.toml:7: mesh: the geometry has details so fine that it needs more than about "
-                         "2e+04 cells (edges near (0.5"),
+  EXPECT_EQ(message.find("room.toml:7: mesh: the geometry has details so fine that it needs more than "
+                         "20000 cells (edges near (0.5"),
             0u)
       << message;
+}
+
+TEST(Tetrahedralize, AllowsAsManyCellsAsMaxCellsAndNoMore) {
+  TetrahedraOptions options;
+  options.max_volume = {0.01, 1e-4};  // small cells in an eighth of the whole
+  const std::int32_t cells = TetrahedralMesh(tetrahedralize(two_region_surface(), options)).cell_count();
+  ASSERT_GT(cells, 1000);
+  options.max_cells = cells;
+  EXPECT_EQ(TetrahedralMesh(tetrahedralize(two_region_surface(), options)).cell_count(), cells);
+  options.max_cells = cells - 1;
+  EXPECT_NE(
+      message_of(two_region_surface(), options).find("more than " + std::to_string(cells - 1) + " cells"),
+      std::string::npos);
 }
 
 TEST(Tetrahedralize, SendsChatterToTheLogAndNotToStandardOutput) {
