@@ -29,11 +29,13 @@ RunMemory run_memory(const Case& input, const Problem& problem) {
 
 RunMemory photon_run_memory(const Case& input, const Problem& problem) {
   const int threads = thread_count(input);
-  return {estimate_photon_memory(problem, threads) + estimate_photon_map_memory(input, problem, threads), ""};
+  const std::size_t bytes =
+      estimate_photon_memory(problem, threads) + estimate_photon_map_memory(input, problem, threads);
+  return {bytes, bytes};
 }
 
 std::string memory_text(const RunMemory& memory, const Problem& problem) {
-  return check_memory(memory.solving, problem.mesh(), problem.band_count(), memory.matrices);
+  return check_memory(memory.solving, problem.mesh(), problem.band_count(), memory.matrices, memory.expected);
 }
 
 std::string expected_memory_text(const RunMemory& memory, const Case& input, const Problem& coarse,

@@ -13,6 +13,7 @@
 #include "app/readings/sensors.h"
 #include "app/render/pictures.h"
 #include "app/request/verbose_log.h"
+#include "app/run/memory_forecast.h"
 #include "app/run/methods/visible_solution.h"
 #include "app/run/ordinates_setup.h"
 #include "app/run/output_memory.h"
@@ -23,7 +24,6 @@
 #include "app/run/report/run_log.h"
 #include "app/run/report/run_report.h"
 #include "app/setup/fault_report.h"
-#include "app/setup/memory.h"
 #include "app/setup/run_context.h"
 #include "app/write/csv/sensor_files.h"
 #include "app/write/result/output_folder.h"
@@ -124,7 +124,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
     out << "starts from " << input.initial->path.string() << std::endl;
   }
   const RunMemory expected = setup.memory();
-  const std::string memory = check_memory(expected.solving, mesh, problem.band_count(), expected.matrices);
+  const std::string memory = memory_text(expected, problem);
   const Resolution resolution = setup.resolution(problem);
   out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions), problem.band_count(),
                      options.threads)

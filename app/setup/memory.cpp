@@ -18,6 +18,7 @@ constexpr double program_itself = 36e6;
 
 /// How the cells are counted and the memory is bounded.
 struct Precision {
+  double expected;  ///< to solve [bytes]; 0: as much as at most
   std::string cells;
   std::string bound;
   std::string rest;  ///< what is said behind the memory
@@ -27,10 +28,15 @@ std::string checked(double solving, const Precision& precision, double cells, in
                     const std::string& matrices) {
   // The files hold four values of the fluence and of three components of the net flux in each cell and band.
   const double writing = 4.0 * (1 + 3) * sizeof(double) * bands * cells;
-  const double needed = program_itself + solving + writing;
-  if (needed <= installed_memory())
-    return fmt::format("memory: {} {:.3g} GiB{}{}\n", precision.bound, needed / gibibyte, matrices,
-                       precision.rest);
+  const double besides = program_itself + writing, needed = besides + solving;
+  if (needed <= installed_memory()) {
+    const std::string expected =
+        precision.expected > 0 && precision.expected < solving
+            ? fmt::format("about {:.3g} GiB, ", (besides + precision.expected) / gibibyte)
+            : "";
+    return fmt::format("memory: {}{} {:.3g} GiB{}{}\n", expected, precision.bound, needed / gibibyte,
+                       matrices, precision.rest);
+  }
   throw InputError(fmt::format(
       "mesh: {} cells and {} bands with these directions and phase functions may need {:.3g} GiB{} "
       "and this machine has "
@@ -63,14 +69,15 @@ std::string matrix_memory_text(const Problem& problem, const DirectionSet& direc
 }
 
 std::string check_memory(std::size_t solving, const TetrahedralMesh& mesh, int bands,
-                         const std::string& matrices) {
-  return checked(static_cast<double>(solving), {fmt::to_string(mesh.cell_count()), "at most", ""},
+                         const std::string& matrices, std::size_t expected) {
+  return checked(static_cast<double>(solving),
+                 {static_cast<double>(expected), fmt::to_string(mesh.cell_count()), "at most", ""},
                  mesh.cell_count(), bands, matrices);
 }
 
 std::string check_expected_memory(double solving, double cells, int bands, const std::string& matrices) {
   const std::string about = fmt::format("about {:.2g}", cells);
-  return checked(solving, {about, "about", fmt::format(" for {} cells (check --mesh counts them)", about)},
+  return checked(solving, {0, about, "about", fmt::format(" for {} cells (check --mesh counts them)", about)},
                  cells, bands, matrices);
 }
 

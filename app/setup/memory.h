@@ -22,9 +22,10 @@ std::string matrix_memory_text(const Problem& problem, const DirectionSet& direc
 
 /// What solving and writing will take, as a line. Throws InputError with the figures where that may be more
 /// than the memory of this machine: without this the system would kill the program hours later, or others.
-/// `solving` is estimate_memory's answer [bytes], `matrices` matrix_memory_text's.
+/// `solving` is an upper estimate and `expected` the likely peak [bytes], where it is another; `matrices` is
+/// matrix_memory_text's answer.
 std::string check_memory(std::size_t solving, const TetrahedralMesh& mesh, int bands,
-                         const std::string& matrices = "");
+                         const std::string& matrices = "", std::size_t expected = 0);
 
 /// The same of a mesh that is not made yet: `solving` [bytes] and `cells` are expected.
 std::string check_expected_memory(double solving, double cells, int bands, const std::string& matrices = "");

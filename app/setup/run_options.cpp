@@ -27,6 +27,8 @@ SolveOptions run_options(const Case& input, const DirectionSet& directions,
 
 RunMemory memory_of(const LightSetup& lights, const RunDirections& directions, const SolveOptions& options) {
   return {estimate_rotated_memory(lights, directions.sets, options, directions.first_collided),
+          estimate_rotated_memory(lights, directions.sets, options, directions.first_collided,
+                                  KrylovVectors::typical),
           matrix_memory_text(lights.problem(), directions.sets.front())};
 }
 

@@ -19,8 +19,9 @@ SolveOptions run_options(const Case& input, const DirectionSet& directions,
 
 /// Memory that a run needs to solve its case.
 struct RunMemory {
-  std::size_t solving = 0;  ///< [bytes]
-  std::string matrices;     ///< matrix_memory_text()
+  std::size_t solving = 0;    ///< [bytes], at most
+  std::size_t expected = 0;   ///< [bytes]
+  std::string matrices = {};  ///< matrix_memory_text()
 };
 
 RunMemory memory_of(const LightSetup& lights, const RunDirections& directions, const SolveOptions& options);

@@ -103,7 +103,7 @@ const BoundTable<MeshCase>& mesh_table() {
           "Largest ratio of a cell's circumradius to its shortest edge.");
     t.key("snap", number, {.default_value = "1e-9", .range = {.lowest = 0, .highest = 1e-3}},
           "Coordinates and radii of bodies, patches and sheets that differ by less than this part of the "
-          "geometry's longest side are made equal; the log tells.");
+          "geometry's longest side are made equal; --verbose tells.");
     t.key("max_cells", integer, {.range = {.lowest = 1, .highest = 1e9}},
           "Refuse a geometry that needs more cells; without it a million beyond those that the bounds ask "
           "for.");

@@ -63,6 +63,18 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   return result;
 }
 
+/// Media that emit by their temperature have the refractive index of vacuum.
+void check_refracting_walls(const Case& input, Faults& faults) {
+  const bool has_hot_medium = std::ranges::any_of(
+      input.media, [](const auto& entry) { return entry.second.temperature.has_value(); });
+  for (const auto& [name, wall] : input.walls)
+    if (has_hot_medium && wall.refractive_index != 1)
+      faults.push_back(
+          fault_at(wall.origin, "",
+                   "has a refractive_index in a case with a temperature of media, which would emit n^2 times "
+                   "as much (not in this version); use emission, or no refractive_index"));
+}
+
 /// Adds the files of the mesh that are not there to other faults, unless those are of the mesh too.
 void check_mesh_files(const MeshCase& mesh, Faults& faults) {
   const auto is_of_mesh = [](const Fault& fault) { return fault.text.starts_with("mesh"); };
@@ -94,6 +106,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
     check_first_collided(top.section("directions"), result);
     check_possible_names(result, faults);
     check_daylight_factors(result, faults);
+    check_refracting_walls(result, faults);
     check_seen_by_eye(result, faults);
     check_sensors_see_lights(result, faults);
   }

@@ -35,6 +35,9 @@ std::vector<TemperatureRange> joined_places(const std::vector<TemperatureRange>&
   return joined;
 }
 
+/// Of the power of a blackbody; bands that hold less are likely in another unit, or of visible light alone.
+constexpr double sufficient_fraction = 0.9;
+
 std::string temperature_text(const TemperatureRange& range, const Bands& bands) {
   std::string text = fmt::format("temperature of {}: ", range.place);
   text += range.lowest == range.highest
@@ -43,6 +46,8 @@ std::string temperature_text(const TemperatureRange& range, const Bands& bands) 
   if (range.mean > 0 && !bands.edges.empty())
     text += fmt::format("; the bands hold {:.3g} % of the power of a blackbody of {:.4g} K",
                         100 * range.fraction_in_bands, range.mean);
+  if (range.mean > 0 && range.fraction_in_bands < sufficient_fraction)
+    text += "; caution: the rest is emitted by nothing; use wider bands.edges [nm]";
   return text;
 }
 

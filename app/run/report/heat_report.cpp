@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "app/case/build/entry_of.h"
 #include "app/case/temperatures.h"
 #include "app/progress/text_table.h"
 #include "app/run/report/run_report.h"
@@ -11,6 +15,9 @@ namespace {
 
 /// Rows beyond which the table is left to heat.csv.
 constexpr std::size_t longest_table = 40;
+/// Width of a cell in absorption lengths up to which a constant emission does: the flux at a wall of a slab
+/// with a linear temperature is then off by a few percent.
+constexpr double thin_cell = 0.5;
 
 void add(TextTable& table, const HeatRow& row) {
   table.add_row({row.name, number(row.extent), number(row.emitted), number(row.absorbed),
@@ -25,6 +32,42 @@ TextTable table_of(const char* kind, const char* extent, const char* net, const 
 
 }  // namespace
 
+/// Power of lights: of all that enters from walls and lights what walls do not emit.
+double power_of_lights(const RunResult& result, const std::vector<HeatRow>& rows) {
+  double power = 0;
+  for (const Balance& balance : result.balances) power += balance.inflow;
+  for (const HeatRow& row : rows)
+    if (row.is_wall) power -= row.emitted;
+  return power;
+}
+
+/// Largest optical thickness of cells by absorption, in regions whose temperature changes with the place.
+double thickest_cell(const RunResult& result) {
+  const Problem& problem = result.problem;
+  std::vector<char> changes;
+  for (const std::string& name : problem.mesh().region_names()) {
+    const std::optional<BandValues> temperature = entry_of(result.input.media, name).temperature;
+    changes.push_back(temperature && std::holds_alternative<Formula>(temperature->values.front()));
+  }
+  double thickest = 0;
+  for (std::int32_t c = 0; c < problem.mesh().cell_count(); ++c) {
+    const CellIndex cell(c);
+    if (changes[static_cast<std::size_t>(problem.mesh().region(cell))] == 0) continue;
+    for (int band = 0; band < problem.band_count(); ++band)
+      thickest = std::max(thickest, problem.absorption(cell, band) * std::cbrt(problem.mesh().volume(cell)));
+  }
+  return thickest;
+}
+
+std::string caution_of(const RunResult& result) {
+  const double thickest = thickest_cell(result);
+  if (thickest <= thin_cell) return "";
+  return fmt::format(
+      "caution: emission is constant in each cell, and cells with a temperature gradient are up to {:.2g} "
+      "absorption lengths wide; heat fluxes there are too large; use finer cells, below {} of a length\n",
+      thickest, thin_cell);
+}
+
 std::string heat_text(const RunResult& result) {
   if (!has_temperatures(result.input)) return "";
   const std::vector<HeatRow> rows = heat_rows(result);
@@ -36,8 +79,13 @@ std::string heat_text(const RunResult& result) {
     add(row.is_wall ? walls : regions, row);
     (row.is_wall ? into_walls : out_of_regions) += row.net;
   }
-  return fmt::format("\nradiative heat\n{}{}  {:.6g} W leave the media and {:.6g} W enter the walls\n",
-                     walls.text(), regions.text(), out_of_regions, into_walls);
+  const double lights = power_of_lights(result, rows);
+  const std::string from_lights = std::abs(lights) > 1e-6 * std::abs(into_walls)
+                                      ? fmt::format("{:.6g} W come from lights, ", lights)
+                                      : "";
+  return fmt::format("\nradiative heat\n{}{}  {:.6g} W leave the media, {}and {:.6g} W enter the walls\n{}",
+                     walls.text(), regions.text(), out_of_regions, from_lights, into_walls,
+                     caution_of(result));
 }
 
 }  // namespace etendue

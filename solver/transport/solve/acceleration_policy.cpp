@@ -78,13 +78,18 @@ std::string reason_against_acceleration(const Problem& problem, const SolveOptio
 
 }  // namespace
 
+bool needs_low_order(const Problem& problem, const SolveOptions& options) {
+  // Where acceleration would pay, residuals alone are a poor estimate of the error.
+  return options.max_sweeps > 2 &&
+         (reason_against_acceleration(problem, options).empty() || reason_to_do_without(problem).empty());
+}
+
 LowOrder choose_low_order(const Problem& problem, TransportSweep& sweep, std::span<const double> extinction,
                           const SolveOptions& options, std::vector<std::string>& notes) {
   if (sweep.is_direct() || options.max_sweeps <= 2) return {};
   const std::string reason = reason_against_acceleration(problem, options);
   if (!reason.empty()) notes.push_back("not accelerated: " + reason);
-  // Where acceleration would pay, residuals alone are a poor estimate of the error.
-  if (!reason.empty() && !reason_to_do_without(problem).empty()) return {};
+  if (!needs_low_order(problem, options)) return {};
   return {std::make_unique<DiffusionAcceleration>(problem, sweep, extinction, options.diffusion_length),
           reason.empty()};
 }

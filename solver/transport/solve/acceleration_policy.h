@@ -23,6 +23,9 @@ struct LowOrder {
   DiffusionAcceleration* judge() const { return accelerates ? nullptr : diffusion.get(); }
 };
 
+/// Whether diffusion accelerates or judges a run that iterates.
+bool needs_low_order(const Problem& problem, const SolveOptions& options);
+
 /// Chooses whether diffusion accelerates a run, judges it or is not needed (docs/theory/iteration.md).
 /// `extinction` is [cell][band]. Adds the reason to `notes` where nothing is accelerated. The arguments but
 /// for `notes` must outlive the result.

@@ -10,12 +10,16 @@
 #include "solver/transport/iteration/gmres.h"
 #include "solver/transport/iteration/positive_iteration.h"
 #include "solver/transport/scattering/scattering_plan.h"
+#include "solver/transport/solve/acceleration_policy.h"
 #include "solver/transport/solve/solve.h"
 #include "solver/transport/source/directional_emission.h"
 #include "solver/transport/sweep/transport_sweep.h"
 
 namespace etendue {
 namespace {
+
+/// Runs of cases/ take 6 to 20 sweeps.
+constexpr double typical_krylov_basis = 15;
 
 /// Numbers of things, as doubles: products of them overflow integers exactly where the answer matters.
 struct Sizes {
@@ -48,6 +52,16 @@ double matrices_of(const Problem& problem, std::size_t of_plan) {
   const auto places = kernel_places(problem, region, static_cast<int>(of_plan % bands)).size();
   if (places == 0) return 1;
   return of_plan % bands == 0 ? static_cast<double>(places) : 0;
+}
+
+/// Whether light comes back to where it was, but for orders with cycles.
+bool may_iterate(const Problem& problem) {
+  return std::ranges::any_of(problem.scattering(), [](double s) { return s > 0; }) ||
+         std::ranges::any_of(problem.walls(), [&](const Wall& wall) {
+           for (std::size_t band = 0; band < wall.diffuse.size(); ++band)
+             if (wall.mean_reflectance(band) + wall.transmitted(band) > 0) return true;
+           return wall.refractive_index != 1;
+         });
 }
 
 Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const SolveOptions& options) {
@@ -94,7 +108,7 @@ Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const Sol
 }  // namespace
 
 std::size_t estimate_memory(const Problem& problem, const DirectionSet& directions,
-                            const SolveOptions& options) {
+                            const SolveOptions& options, KrylovVectors vectors) {
   const Sizes s = sizes_of(problem, directions, options);
   const double fields = s.cells * s.cell_length;
   const double moments = s.angular_cells * s.moments * s.cell_length;
@@ -105,11 +119,13 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double positive =
       options.positivity == Positivity::none ? 0 : 2.0 * static_cast<double>(anderson_memory(state)) + 7;
   // Source iteration: what is corrected, those bands that are left, and F(0).
-  const double basis = options.method == Method::source_iteration
-                           ? 3
-                           : std::clamp(static_cast<double>(krylov_memory) / (8 * state),
-                                        static_cast<double>(shortest_krylov_basis),
-                                        static_cast<double>(longest_krylov_basis) + 1);
+  const bool is_typical = vectors == KrylovVectors::typical, iterates = may_iterate(problem);
+  double basis = options.method == Method::source_iteration
+                     ? 3
+                     : std::clamp(static_cast<double>(krylov_memory) / (8 * state),
+                                  static_cast<double>(shortest_krylov_basis),
+                                  static_cast<double>(longest_krylov_basis) + 1);
+  if (is_typical) basis = iterates ? std::min(basis, typical_krylov_basis) : 0;
   const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
   // Cells at the boundary keep their slots; besides, a front through the mesh is live at a time.
   const double slots = (2 * s.faces + 8 * std::pow(s.cells, 2.0 / 3)) * s.cell_length;
@@ -123,24 +139,28 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
       s.cells * static_cast<double>(s.record_length) * (s.dense_cells > 0 ? 1 + threads : 1) +
       2 * s.matrices * s.ordinates * s.ordinates + DirectionalEmission::table_size(problem, directions) +
       s.absorptions * s.ordinates + s.glossy.matrices + s.glossy.faces * s.ordinates / 2 * s.trace_length;
-  // Sources of moments and matrices, the record of the last sweep, and the solution: fluence, three
-  // components of flux, the state.
-  const double results = moments + radiance + 3 * fields + 16 * s.cells * s.stride + state;
+  // The record of the last sweep, and the solution: fluence, three components of flux, the state.
+  const double results = 3 * fields + 16 * s.cells * s.stride + state;
   const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
   // Five blocks of 16 and an inverse for each cell and band, the levels on vertices and a few vectors.
   // They judge even where they do not accelerate.
-  const double low_order = s.cells * problem.band_count() * 150;
-  // A sweep of fewer bands, once others are done: half the lanes at most, and two states.
+  const bool has_low_order = !is_typical || (iterates && needs_low_order(problem, options));
+  const double low_order = has_low_order ? s.cells * problem.band_count() * 150 : 0;
+  // A sweep of fewer bands, once others are done: half the lanes at most, and two states. Most bands converge
+  // together.
   const double of_active_bands =
-      problem.band_count() > 1 ? (workspaces + records + moments + radiance) / 2 + state : 0;
+      problem.band_count() > 1 && !is_typical ? (workspaces + records + moments + radiance) / 2 + state : 0;
   // The same sweep in single precision, but for what its matrices scatter.
   const double single =
       options.precision == Precision::mixed ? (workspaces + records) / 2 + moments + radiance : 0;
   const double orders =
       std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * sizeof(SweepVisit));
-  return static_cast<std::size_t>(8 * ((2 + std::max(basis, positive)) * state + workspaces + records +
-                                       results + kept + low_order + of_active_bands + single) +
-                                  orders);
+  // Sources of moments and matrices too.
+  const double always = 2 * state + workspaces + records + moments + radiance + low_order;
+  const double iteration = std::max(basis, positive) * state + of_active_bands + single;
+  // The vectors of the iteration are given back before the solution is read out.
+  const double besides = is_typical ? std::max(iteration, results + kept) : iteration + results + kept;
+  return static_cast<std::size_t>(8 * (always + besides) + orders);
 }
 
 }  // namespace etendue

@@ -11,9 +11,15 @@
 
 namespace etendue {
 
-/// Bytes that solve() may take at its peak, the solution and all Krylov vectors included: an upper estimate.
+/// How many vectors of GMRES an estimate of memory counts.
+enum class KrylovVectors {
+  typical,  ///< as many as most runs need: the expected peak
+  all       ///< as many as one cycle may have: an upper estimate
+};
+
+/// Bytes that solve() takes at its peak, the solution included.
 std::size_t estimate_memory(const Problem& problem, const DirectionSet& directions,
-                            const SolveOptions& options);
+                            const SolveOptions& options, KrylovVectors vectors = KrylovVectors::all);
 
 /// Solves by discrete ordinates with upwind discontinuous Galerkin elements. Not converging is a result,
 /// marked in the solution. Throws InputError where a mirror has no partner ordinates.

@@ -29,9 +29,9 @@ double relative_direction_error(const TetrahedralMesh& mesh, const Solution& sol
 
 std::size_t estimate_rotated_memory(const LightSetup& lights, const std::vector<DirectionSet>& sets,
                                     const SolveOptions& options,
-                                    const std::vector<DirectionSet>& first_collided) {
-  const std::size_t one = estimate_split_memory(lights, sets.front(), options,
-                                                first_collided.empty() ? nullptr : &first_collided.front());
+                                    const std::vector<DirectionSet>& first_collided, KrylovVectors vectors) {
+  const std::size_t one = estimate_split_memory(
+      lights, sets.front(), options, first_collided.empty() ? nullptr : &first_collided.front(), vectors);
   if (sets.size() == 1) return one;
   // Fluence, net flux and state of the mean and of the state to start from, means of cells and deviations.
   const auto values = static_cast<std::size_t>(lights.problem().mesh().cell_count()) * lights.paths().bands();

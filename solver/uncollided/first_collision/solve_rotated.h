@@ -28,9 +28,10 @@ Solution solve_rotated(UncollidedLight& uncollided, const std::vector<DirectionS
 /// most.
 double relative_direction_error(const TetrahedralMesh& mesh, const Solution& solution);
 
-/// Bytes that solve_rotated() may take at its peak: an upper estimate.
+/// Bytes that solve_rotated() takes at its peak.
 std::size_t estimate_rotated_memory(const LightSetup& lights, const std::vector<DirectionSet>& sets,
                                     const SolveOptions& options,
-                                    const std::vector<DirectionSet>& first_collided = {});
+                                    const std::vector<DirectionSet>& first_collided = {},
+                                    KrylovVectors vectors = KrylovVectors::all);
 
 }  // namespace etendue

@@ -229,8 +229,9 @@ Solution solve_split(const LightSetup& lights, const DirectionSet& directions, c
 }
 
 std::size_t estimate_split_memory(const LightSetup& lights, const DirectionSet& directions,
-                                  const SolveOptions& options, const DirectionSet* first_collided) {
-  const std::size_t rest = estimate_memory(lights.problem(), directions, options);
+                                  const SolveOptions& options, const DirectionSet* first_collided,
+                                  KrylovVectors vectors) {
+  const std::size_t rest = estimate_memory(lights.problem(), directions, options, vectors);
   if (lights.empty()) return rest;
   if (first_collided == nullptr) return rest + FirstCollision::memory(lights, directions);
   SolveOptions one_sweep = options;
@@ -239,7 +240,7 @@ std::size_t estimate_split_memory(const LightSetup& lights, const DirectionSet& 
   const std::size_t field = FirstCollision::memory(lights, *first_collided);
   return std::max(
              rest + FirstCollidedSolution::memory(lights.problem(), directions, *first_collided, options),
-             estimate_memory(lights.problem(), *first_collided, one_sweep)) +
+             estimate_memory(lights.problem(), *first_collided, one_sweep, vectors)) +
          field;
 }
 

@@ -8,6 +8,7 @@
 #include "solver/solution/solution.h"
 #include "solver/solution/solve_observer.h"
 #include "solver/solution/solve_options.h"
+#include "solver/transport/solve/solve.h"
 #include "solver/uncollided/first_collision/first_collisions.h"
 #include "solver/uncollided/lights/light_setup.h"
 
@@ -52,8 +53,9 @@ Solution solve_split(const LightSetup& lights, const DirectionSet& directions, c
                      const SolveObserver& observer = {}, const DirectionSet* first_collided = nullptr,
                      const DirectionSetObserver& reader = {});
 
-/// Bytes that solve_split() may take at its peak: an upper estimate.
+/// Bytes that solve_split() takes at its peak.
 std::size_t estimate_split_memory(const LightSetup& lights, const DirectionSet& directions,
-                                  const SolveOptions& options, const DirectionSet* first_collided = nullptr);
+                                  const SolveOptions& options, const DirectionSet* first_collided = nullptr,
+                                  KrylovVectors vectors = KrylovVectors::all);
 
 }  // namespace etendue

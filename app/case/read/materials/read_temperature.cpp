@@ -27,8 +27,8 @@ std::string temperature_problem(const ThermalContext& context) {
     return "not in flatland (the radiance of a blackbody is that of space); use emission or radiance";
   if (context.units.length != "m" || context.units.power != "W")
     return fmt::format(
-        "needs meters and watts (the case has {} and {}); use units.length = \"m\" with "
-        "mesh.scale, and units.power = \"W\"",
+        "needs meters and watts (the case has {} and {}); write coordinates in meters (mesh.scale "
+        "multiplies those of files) with units.length = \"m\", and units.power = \"W\"",
         context.units.length, context.units.power);
   if (context.bands.count() > 1 && context.bands.edges.empty())
     return fmt::format(
@@ -127,14 +127,17 @@ void read_thermal_wall(Section& section, const ThermalContext& context, WallCase
   read_emissivity(section, context.bands, wall);
   wall.temperature = read_temperature(section, context, {"radiance"});
   if (!wall.temperature) return;
+  if (wall.refractive_index != 1)
+    return section.fault(
+        "temperature",
+        "not beside refractive_index (media emit n^2 times as much as in vacuum; not in this "
+        "version); use radiance");
   if (!wall.glossy.empty())
     return section.fault("temperature",
                          "not beside glossy (its emissivity depends on the direction; not in this version); "
                          "use radiance");
-  // Behind a refracting wall the radiance is that of what is there.
-  wall.radiance = thermal_radiance(*wall.temperature, context.bands, [&](int band) {
-    return Value(wall.refractive_index == 1 ? absorptivity(wall, band) : 1.0);
-  });
+  wall.radiance = thermal_radiance(*wall.temperature, context.bands,
+                                   [&](int band) { return Value(absorptivity(wall, band)); });
 }
 
 }  // namespace etendue

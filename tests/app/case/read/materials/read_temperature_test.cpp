@@ -83,8 +83,10 @@ TEST(ReadTemperature, RefusesWhatCannotBeARadiance) {
       "slab.toml:8: media.air.temperature = 900: needs the edges of the 2 bands, which divide the power of a "
       "blackbody; add bands.edges [nm], or use one band");
   EXPECT_EQ(faults_of(air("temperature = 900\n[units]\nlength = \"mm\"\n")),
-            "slab.toml:8: media.air.temperature = 900: needs meters and watts (the case has mm and W); use "
-            "units.length = \"m\" with mesh.scale, and units.power = \"W\"");
+            "slab.toml:8: media.air.temperature = 900: needs meters and watts (the case has mm and W); write "
+            "coordinates in meters (mesh.scale multiplies those of files) with units.length = \"m\", and "
+            "units.power = "
+            "\"W\"");
   EXPECT_EQ(faults_of(air("temperature = 900\npower = 3\n")),
             "slab.toml:8: media.air.temperature = 900: power is given too, and both say what is emitted; use "
             "one of "
@@ -104,6 +106,15 @@ TEST(ReadTemperature, LeavesFaultyBandsToTheirOwnFault) {
       faults_of(air("temperature = 900\n[bands]\nnames = [\"a\", \"b\"]\nedges = [1, 2]\n"));
   EXPECT_EQ(std::ranges::count(faults, '\n'), 0) << faults;
   EXPECT_NE(faults.find("edges"), std::string::npos) << faults;
+}
+
+TEST(ReadTemperature, RefusesRefractionWhichWouldChangeWhatIsEmitted) {
+  EXPECT_NE(faults_of(floor_wall("refractive_index = 1.5\ntemperature = 500\n"))
+                .find("not beside refractive_index"),
+            std::string::npos);
+  EXPECT_NE(faults_of(floor_wall("refractive_index = 1.5\n[media.air]\ntemperature = 500\n"))
+                .find("has a refractive_index in a case with a temperature of media"),
+            std::string::npos);
 }
 
 TEST(ReadTemperature, RefusesAWallThatBreaksKirchhoffsLaw) {
