@@ -4,8 +4,8 @@
 #include "app/api/solved_case.h"
 #include "app/readings/probes.h"
 #include "app/readings/sensors.h"
+#include "app/run/memory_forecast.h"
 #include "app/run/report/resolution_text.h"
-#include "app/setup/memory.h"
 #include "app/write/vtk/solution_file.h"
 #include "solver/exact/exact_balance.h"
 #include "solver/uncollided/first_collision/solve_rotated.h"
@@ -17,11 +17,6 @@ namespace {
 std::optional<SavedState> initial_state(const SolvedCase& solved) {
   if (!solved.input.initial) return std::nullopt;
   return read_initial(*solved.input.initial, solved.input, *solved.mesh);
-}
-
-void check_memory_of(const SolvedCase& solved) {
-  const RunMemory memory = solved.ordinates->memory();
-  check_memory(memory.solving, *solved.mesh, solved.problem.band_count(), memory.matrices);
 }
 
 /// Sweeps until the iteration has converged or was ended.
@@ -67,7 +62,7 @@ void solve_by_ordinates(SolvedCase& solved, const SolveHooks& hooks) {
   hooks.begins("setting up");
   solved.ordinates = std::make_unique<OrdinatesSetup>(solved.input, solved.problem);
   const OrdinatesSetup& setup = *solved.ordinates;
-  check_memory_of(solved);
+  memory_text(setup.memory(), solved.problem);  // throws where there is not as much
   OrdinateSensorTally tally(solved.input.sensors, setup.lights, setup.locator);
   sweep(solved, hooks, tally);
   RunResult& result = solved.result.emplace(measured(solved));

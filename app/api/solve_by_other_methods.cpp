@@ -8,6 +8,7 @@
 #include "app/readings/probes.h"
 #include "app/readings/sensors.h"
 #include "app/render/photon_pictures.h"
+#include "app/run/memory_forecast.h"
 #include "app/run/methods/run_photons.h"
 #include "app/run/methods/run_radiosity.h"
 #include "app/run/report/unreached.h"
@@ -42,9 +43,8 @@ void solve_by_photons(SolvedCase& solved, const SolveHooks& hooks) {
   check_for_photons(solved.input, solved.problem);
   check_photon_cameras(solved.input.cameras, solved.problem);
   place_probes(solved.input.probes, *solved.mesh, solved.locator);
-  check_memory(estimate_photon_memory(solved.problem, solved.threads()) +
-                   estimate_photon_map_memory(solved.input, solved.problem, solved.threads()),
-               *solved.mesh, solved.problem.band_count());
+  memory_text(photon_run_memory(solved.input, solved.problem),
+              solved.problem);  // throws where there is not as much
   hooks.begins("photons");
   QuietRun quiet(hooks);
   PhotonRun found = run_photons(

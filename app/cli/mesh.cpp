@@ -4,6 +4,7 @@
 #include "app/progress/progress.h"
 #include "app/request/commands.h"
 #include "app/request/verbose_log.h"
+#include "app/setup/deprecation_notes.h"
 #include "app/setup/run_context.h"
 #include "app/write/result/output_folder.h"
 #include "app/write/vtk/vtk_files.h"
@@ -26,7 +27,7 @@ ExitCode mesh_case(const MeshRequest& request, std::ostream& out, std::ostream& 
   check_ending(request.output);
   const std::filesystem::path folder = std::filesystem::absolute(request.output).parent_path();
   const Case input = read_case(request.file, request.overrides);
-  for (const std::string& line : input.deprecations) err << line << '\n';
+  write_deprecations(input, err);
   check_output_directory(folder);
   const TetrahedralMesh mesh = mesh_visibly(input, verbose_log(request, err),
                                             {resolved_style(ProgressStyle::automatic, out), out, {}});

@@ -7,6 +7,7 @@
 #include "app/progress/progress.h"
 #include "app/request/commands.h"
 #include "app/request/verbose_log.h"
+#include "app/setup/deprecation_notes.h"
 #include "app/setup/run_context.h"
 #include "app/write/result/output_folder.h"
 #include "app/write/result/unit_labels.h"
@@ -58,7 +59,7 @@ void write_comparison(const Comparison& comparison, const Case& input, const Pro
 
 ExitCode compare_case(const CompareRequest& request, std::ostream& out, std::ostream& err) {
   const Case input = read_case(request.run.file, request.run.overrides);
-  for (const std::string& line : input.deprecations) err << line << '\n';
+  write_deprecations(input, err);
   const std::filesystem::path directory = std::filesystem::absolute(input.output.directory);
   check_output_directory(directory);
   const TetrahedralMesh mesh = mesh_visibly(input, verbose_log(request.run, err),

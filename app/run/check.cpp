@@ -18,6 +18,7 @@
 #include "app/run/report/lamp_text.h"
 #include "app/run/report/phase_text.h"
 #include "app/run/report/resolution_text.h"
+#include "app/setup/deprecation_notes.h"
 #include "app/setup/run_context.h"
 #include "app/write/vtk/solution_file.h"
 #include "mesh/tetrahedra/mesh_report.h"
@@ -78,7 +79,7 @@ ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream
   const Interruption interruption;
   const Case input = read_case(request.file, request.overrides);
   check_output_memory(input);
-  for (const std::string& line : input.deprecations) err << line << '\n';
+  write_deprecations(input, err);
   if (request.phase) {
     out << phase_values(input);
     return ExitCode::done;

@@ -23,6 +23,7 @@
 #include "app/run/report/resolution_text.h"
 #include "app/run/report/run_log.h"
 #include "app/run/report/run_report.h"
+#include "app/setup/deprecation_notes.h"
 #include "app/setup/fault_report.h"
 #include "app/setup/run_context.h"
 #include "app/write/csv/sensor_files.h"
@@ -80,7 +81,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
   seconds.read = watch.lap();
   out << "etendue " << program_version() << ": "
       << (input.title.empty() ? request.file.string() : input.title) << std::endl;
-  for (const std::string& line : input.deprecations) out << line << std::endl;
+  write_deprecations(input, out);
 
   const ProgressStyle style = request.progress;
   const std::function<bool()> interrupted = [&] { return interruption.noted(); };

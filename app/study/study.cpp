@@ -9,6 +9,7 @@
 
 #include "app/progress/interruption.h"
 #include "app/request/commands.h"
+#include "app/setup/deprecation_notes.h"
 #include "app/setup/memory.h"
 #include "app/study/study_forecast.h"
 #include "app/study/study_level.h"
@@ -182,7 +183,7 @@ std::string interrupted_text(const StudyRequest& request, const Case& input, con
 
 ExitCode study_case(const StudyRequest& request, std::ostream& out, std::ostream& err) {
   const Case input = read_case(request.run.file, request.run.overrides);
-  for (const std::string& line : input.deprecations) err << line << '\n';
+  write_deprecations(input, err);
   check_output_directory(input.output.directory);
   const std::vector<Level> levels = read_levels(request, input);
   Study study(request, out, err);

@@ -7,6 +7,7 @@
 #include "app/case/build/temperature_range.h"
 #include "app/case/values/band_values.h"
 #include "app/case/values/medium_coefficients.h"
+#include "app/case/values/value_algebra.h"
 #include "solver/angular/kernels/kernel_coefficient.h"
 
 #include <fmt/format.h>
@@ -17,11 +18,6 @@
 
 namespace etendue {
 namespace {
-
-Coefficient coefficient(const Value& value) {
-  if (const double* number = std::get_if<double>(&value)) return *number;
-  return Coefficient(Expression(std::get<Formula>(value), {"x", "y", "z"}));
-}
 
 std::vector<double> region_volumes(const TetrahedralMesh& mesh) {
   std::vector<double> volumes(mesh.region_names().size());
@@ -41,14 +37,14 @@ void add_absorption(Medium& medium, const Value& value, AngularSpace space) {
   medium.absorption_by_direction.push_back(by_direction(value));
   medium.absorption.push_back(
       medium.absorption_by_direction.back()
-          ? coefficient(mean_over_directions(std::get<Formula>(value), space == AngularSpace::plane))
-          : coefficient(value));
+          ? coefficient_of(mean_over_directions(std::get<Formula>(value), space == AngularSpace::plane))
+          : coefficient_of(value));
 }
 
 // Emission that depends on the direction stands beside an isotropic one of 0.
 void add_emission(Medium& medium, const Value& value) {
   medium.emission_by_direction.push_back(by_direction(value));
-  medium.emission.push_back(medium.emission_by_direction.back() ? Coefficient(0.0) : coefficient(value));
+  medium.emission.push_back(medium.emission_by_direction.back() ? Coefficient(0.0) : coefficient_of(value));
 }
 
 /// Light of another direction set is handed on by its moments: scattering that may choose takes these.
@@ -68,7 +64,7 @@ Medium medium_of(const MediumCase& entry, const std::string& region, double volu
   for (int band = 0; band < bands; ++band) {
     const MatterValues matter = matter_values(entry, band);
     add_absorption(medium, matter.absorption, entry.space);
-    medium.scattering.push_back(coefficient(matter.scattering));
+    medium.scattering.push_back(coefficient_of(matter.scattering));
     // q = P / (4 pi V), in the plane P / (2 pi V), with the volume that is meshed, so that the power comes
     // out whatever the facets.
     if (entry.power)
@@ -117,7 +113,7 @@ void add_kernel(Medium& medium, const BandValues& extinctions, const DirectionSe
       medium.absorption_by_direction[band].emplace(extinction);
       Formula absorption = mean_over_directions(extinction, false);
       absorption.text += fmt::format("-({})", medium.scattering[band].text());
-      medium.absorption[band] = coefficient(absorption);
+      medium.absorption[band] = coefficient_of(absorption);
     }
   } catch (const InputError& error) {
     fail_kernel(medium.origin, error);

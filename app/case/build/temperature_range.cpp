@@ -10,7 +10,8 @@
 
 #include "app/case/build/entry_of.h"
 #include "app/case/values/blackbody_values.h"
-#include "base/expression/expression.h"
+#include "app/case/values/value_algebra.h"
+#include "mesh/tetrahedra/corners.h"
 
 namespace etendue {
 namespace {
@@ -27,36 +28,13 @@ struct Sample {
   }
 };
 
-class TemperatureAt {
- public:
-  explicit TemperatureAt(const Value& value) {
-    if (const double* number = std::get_if<double>(&value))
-      number_ = *number;
-    else
-      formula_.emplace(std::get<Formula>(value), std::vector<std::string>{"x", "y", "z"});
-  }
-  double operator()(const Vec3& p) const {
-    return formula_ ? (*formula_)(std::array{p.x(), p.y(), p.z()}) : number_;
-  }
-
- private:
-  double number_ = 0;
-  std::optional<Expression> formula_;
-};
-
-template <class Vertices>
-std::vector<Vec3> points_of(const TetrahedralMesh& mesh, const Vertices& vertices) {
-  std::vector<Vec3> points;
-  for (const std::int32_t v : vertices) points.push_back(mesh.point(VertexIndex(v)));
-  return points;
-}
-
 std::vector<Sample> samples_of_region(const TetrahedralMesh& mesh, int region) {
   std::vector<Sample> samples;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
     if (mesh.region(cell) != region) continue;
-    samples.push_back({points_of(mesh, mesh.vertices(cell)), mesh.volume(cell)});
+    const auto corners = corners_of(mesh, cell);
+    samples.push_back({{corners.begin(), corners.end()}, mesh.volume(cell)});
   }
   return samples;
 }
@@ -66,7 +44,8 @@ std::vector<Sample> samples_of_wall(const TetrahedralMesh& mesh, int wall) {
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     if (mesh.wall(face) != wall) continue;
-    samples.push_back({points_of(mesh, mesh.vertices(face)), mesh.area(face)});
+    const auto corners = corners_of(mesh, face);
+    samples.push_back({{corners.begin(), corners.end()}, mesh.area(face)});
   }
   return samples;
 }
@@ -75,16 +54,16 @@ std::vector<Sample> samples_of_wall(const TetrahedralMesh& mesh, int wall) {
 void add_range(const BandValues& temperature, const std::string& place, const std::vector<Sample>& samples,
                const Bands& bands, std::vector<TemperatureRange>& ranges, std::vector<Fault>& faults) {
   if (samples.empty()) return;
-  const TemperatureAt at(temperature.values.front());
+  const Coefficient kelvin_at = coefficient_of(temperature.values.front());
   constexpr double infinity = std::numeric_limits<double>::infinity();
   TemperatureRange range{place, infinity, -infinity, 0};
   double sum = 0;
   for (const Sample& sample : samples) {
-    const double mean = at(sample.centroid());
+    const double mean = kelvin_at.at(sample.centroid());
     std::vector<Vec3> points = sample.corners;
     points.push_back(sample.centroid());
     for (const Vec3& point : points) {
-      const double kelvin = at(point);
+      const double kelvin = kelvin_at.at(point);
       if (!(kelvin >= 0) || !std::isfinite(kelvin))
         return faults.push_back(fault_at(
             temperature.origin, "",

@@ -26,4 +26,9 @@ Value product(const Value& a, const Value& b) {
   return joined(a, "*", b);
 }
 
+Coefficient coefficient_of(const Value& value) {
+  if (const double* number = std::get_if<double>(&value)) return *number;
+  return Coefficient(Expression(std::get<Formula>(value), {"x", "y", "z"}));
+}
+
 }  // namespace etendue

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/case/case.h"
+#include "solver/materials/media/coefficient.h"
 
 namespace etendue {
 
@@ -15,5 +16,8 @@ Formula joined(const Value& a, const char* sign, const Value& b);
 
 /// A number where both are numbers.
 Value product(const Value& a, const Value& b);
+
+/// The value as a coefficient that depends on the place.
+Coefficient coefficient_of(const Value& value);
 
 }  // namespace etendue

@@ -30,8 +30,6 @@ TextTable table_of(const char* kind, const char* extent, const char* net, const 
                    {Align::left, Align::right, Align::right, Align::right, Align::right, Align::right});
 }
 
-}  // namespace
-
 /// Power of lights: of all that enters from walls and lights what walls do not emit.
 double power_of_lights(const RunResult& result, const std::vector<HeatRow>& rows) {
   double power = 0;
@@ -67,6 +65,8 @@ std::string caution_of(const RunResult& result) {
       "absorption lengths wide; heat fluxes there are too large; use finer cells, below {} of a length\n",
       thickest, thin_cell);
 }
+
+}  // namespace
 
 std::string heat_text(const RunResult& result) {
   if (!has_temperatures(result.input)) return "";

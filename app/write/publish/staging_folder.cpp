@@ -37,8 +37,8 @@ fs::path resolved(const fs::path& target) {
   return error ? fs::absolute(target) : path;
 }
 
-/// Whether files that are made beside the target are like files that are made in it: on its file system, and
-/// of no other group or access list.
+/// Returns whether files that are made beside the target are like files that are made in it: on its file
+/// system, and of no other group or access list.
 bool is_like_beside(const fs::path& target, const fs::path& above) {
   struct stat of_target {
   }, of_above{};
@@ -100,8 +100,8 @@ bool exchange_paths(const fs::path& a, const fs::path& b) {
   return renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
 }
 
-/// Whether a file can be renamed from one directory into another: not where that is a mount point, even of
-/// the same file system.
+/// Returns whether a file can be renamed from one directory into another: not where that is a mount point,
+/// even of the same file system.
 bool can_rename_into(const fs::path& from, const fs::path& target) {
   const std::string name = fmt::format("{}{}{}", prefix_of(target), getpid(), ending);
   const int file = open((from / name).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);

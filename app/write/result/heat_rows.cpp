@@ -6,7 +6,8 @@
 namespace etendue {
 namespace {
 
-/// Power that a wall absorbs. What leaves one side of a sheet comes through from the other side too.
+/// Power that a wall absorbs. The outgoing power of one side of a sheet includes the power transmitted from
+/// the other side.
 double absorbed_by(const Wall& wall, std::size_t band, const WallPower& power) {
   if (wall.transmitted(band) > 0)
     return (1 - wall.mean_reflectance(band) - wall.transmitted(band)) * power.incoming;

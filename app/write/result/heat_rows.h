@@ -13,7 +13,7 @@ struct HeatRow {
   bool is_wall = false;
   std::string name;
   double extent = 0;    ///< area of a wall [m^2], volume of a region [m^3]
-  double emitted = 0;   ///< by itself [W]
+  double emitted = 0;   ///< without what is reflected [W]
   double absorbed = 0;  ///< [W]
   double net = 0;       ///< into a wall: absorbed - emitted; out of a region: emitted - absorbed [W]
   double error = 0;     ///< standard error of `net` by photons [W]

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/wall_clock.h"
 #include "solver/problem/mirror.h"
 #include "solver/transport/sweep/finite_check.h"
 
@@ -28,11 +29,6 @@ constexpr double least_kept = 0.05;
 /// How far the low-order solve goes. Beside sweeps with moments it costs next to nothing.
 constexpr double accuracy_of_fluence = 0.5;
 constexpr double accuracy_with_moments = 0.05;
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Of isotropic light of fluence 1 through a plane, one way: 1/4; in the plane 1/pi.
 double partial_current(AngularSpace space) { return half_range(space) / full_range(space); }
@@ -95,7 +91,7 @@ DiffusionAcceleration::DiffusionAcceleration(const Problem& problem, TransportSw
   for (const Wall& wall : problem.walls())
     for (std::size_t band = 0; band < wall.transmittance.size(); ++band)
       caution_[band] = std::max(caution_[band], 1 / std::max(1 - wall.transmittance[band], least_kept));
-  const auto start = Clock::now();
+  const auto start = WallClock::now();
   const double accuracy =
       sweep.discretization().moments.row_count() > 0 ? accuracy_with_moments : accuracy_of_fluence;
   std::vector<DiffusionCoefficients> known;
@@ -168,7 +164,7 @@ DiffusionCoefficients DiffusionAcceleration::coefficients(std::size_t band, cons
 
 void DiffusionAcceleration::apply(const TransportState& residual, TransportState& corrected,
                                   const std::vector<char>& active) {
-  const auto start = Clock::now();
+  const auto start = WallClock::now();
   std::copy(residual.values().begin(), residual.values().end(), corrected.values().begin());
   for (std::size_t band = 0; band < solver_of_.size(); ++band)
     if (active[band] && acts_on(band)) correct_band(band, residual, corrected);

@@ -78,20 +78,21 @@ std::string reason_against_acceleration(const Problem& problem, const SolveOptio
 
 }  // namespace
 
-bool needs_low_order(const Problem& problem, const SolveOptions& options) {
+LowOrderPlan plan_low_order(const Problem& problem, const SolveOptions& options) {
+  if (options.max_sweeps <= 2) return {};
+  const std::string reason = reason_against_acceleration(problem, options);
   // Where acceleration would pay, residuals alone are a poor estimate of the error.
-  return options.max_sweeps > 2 &&
-         (reason_against_acceleration(problem, options).empty() || reason_to_do_without(problem).empty());
+  return {reason.empty() || reason_to_do_without(problem).empty(), reason};
 }
 
 LowOrder choose_low_order(const Problem& problem, TransportSweep& sweep, std::span<const double> extinction,
                           const SolveOptions& options, std::vector<std::string>& notes) {
-  if (sweep.is_direct() || options.max_sweeps <= 2) return {};
-  const std::string reason = reason_against_acceleration(problem, options);
-  if (!reason.empty()) notes.push_back("not accelerated: " + reason);
-  if (!needs_low_order(problem, options)) return {};
+  if (sweep.is_direct()) return {};
+  const LowOrderPlan plan = plan_low_order(problem, options);
+  if (!plan.reason.empty()) notes.push_back("not accelerated: " + plan.reason);
+  if (!plan.is_needed) return {};
   return {std::make_unique<DiffusionAcceleration>(problem, sweep, extinction, options.diffusion_length),
-          reason.empty()};
+          plan.reason.empty()};
 }
 
 }  // namespace etendue

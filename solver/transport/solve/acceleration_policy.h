@@ -23,8 +23,12 @@ struct LowOrder {
   DiffusionAcceleration* judge() const { return accelerates ? nullptr : diffusion.get(); }
 };
 
-/// Whether diffusion accelerates or judges a run that iterates.
-bool needs_low_order(const Problem& problem, const SolveOptions& options);
+/// What is known of the low-order solve before there is a sweep.
+struct LowOrderPlan {
+  bool is_needed = false;  ///< of a run that iterates, to accelerate or to judge it
+  std::string reason;      ///< why it does not accelerate; empty where it does
+};
+LowOrderPlan plan_low_order(const Problem& problem, const SolveOptions& options);
 
 /// Chooses whether diffusion accelerates a run, judges it or is not needed (docs/theory/iteration.md).
 /// `extinction` is [cell][band]. Adds the reason to `notes` where nothing is accelerated. The arguments but

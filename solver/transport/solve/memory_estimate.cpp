@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel/thread_count.h"
 #include "solver/angular/harmonics/spherical_harmonics.h"
 #include "solver/angular/kernels/kernel_places.h"
 #include "solver/problem/mirror.h"
@@ -126,7 +125,7 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
                                   static_cast<double>(shortest_krylov_basis),
                                   static_cast<double>(longest_krylov_basis) + 1);
   if (is_typical) basis = iterates ? std::min(basis, typical_krylov_basis) : 0;
-  const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
+  const int threads = thread_count(options.threads);
   // Cells at the boundary keep their slots; besides, a front through the mesh is live at a time.
   const double slots = (2 * s.faces + 8 * std::pow(s.cells, 2.0 / 3)) * s.cell_length;
   const double batch = OrdinateSchedule(problem, directions, Batches::of_neighbours).batch();
@@ -144,7 +143,7 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
   // Five blocks of 16 and an inverse for each cell and band, the levels on vertices and a few vectors.
   // They judge even where they do not accelerate.
-  const bool has_low_order = !is_typical || (iterates && needs_low_order(problem, options));
+  const bool has_low_order = !is_typical || (iterates && plan_low_order(problem, options).is_needed);
   const double low_order = has_low_order ? s.cells * problem.band_count() * 150 : 0;
   // A sweep of fewer bands, once others are done: half the lanes at most, and two states. Most bands converge
   // together.

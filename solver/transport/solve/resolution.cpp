@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "base/order_statistics.h"
 #include "solver/transport/cells/cell_coefficients.h"
 #include "solver/transport/scattering/scattering_plan.h"
 
@@ -14,13 +15,6 @@ namespace {
 
 /// Angles at which a phase function is sampled, from 1e-4 rad on, each larger by this factor.
 constexpr double first_angle = 1e-4, ratio = 1.02;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 bool shines(const Wall& wall) {
   const auto positive = [](double value) { return value > 0; };

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "base/parallel/thread_count.h"
 #include "solver/problem/band_selection.h"
 #include "solver/solution/angular_input.h"
 
@@ -26,10 +27,6 @@ Batches batches_for(int degree) {
 
 Basis basis_of(const SolveOptions& options) {
   return options.order == SpaceOrder::linear ? Basis::linear : Basis::constant;
-}
-
-int threads_of(const SolveOptions& options) {
-  return options.threads > 0 ? options.threads : omp_get_num_procs();
 }
 
 ScatteringTreatments treat_scattering(const Problem& problem, const DirectionSet& directions) {
@@ -57,7 +54,7 @@ std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, con
   auto orders = std::make_shared<const SweepOrders>(
       mesh, directions, cells_per_tile(cell_count, cell_bytes, options.cache_bytes),
       skips_faces(cells.stride()) ? LevelOrder::alike : LevelOrder::neighbours, options.order_memory,
-      threads_of(options), options.stops);
+      thread_count(options.threads), options.stops);
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return orders;
 }
@@ -117,7 +114,7 @@ bool Discretization::is_direct() const {
 
 int Discretization::sweep_threads() const {
   if (std::int64_t{problem.mesh().cell_count()} * schedule.batch() < smallest_shared_batch) return 1;
-  return std::min(threads_of(options), schedule.batch_count());
+  return std::min(thread_count(options.threads), schedule.batch_count());
 }
 
 }  // namespace etendue
