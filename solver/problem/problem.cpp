@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/problem/problem.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -30,26 +27,14 @@ void require_sizes(const TetrahedralMesh& mesh, const Bands& bands, const std::v
   bool good = media.size() == mesh.region_names().size() && walls.size() == mesh.wall_names().size();
   for (const Medium& medium : media)
     good = good && medium.absorption.size() == n && medium.scattering.size() == n &&
-           medium.emission.size() == n && medium.phase.size() == n;
+           medium.emission.size() == n && medium.phase.size() == n &&
+           (medium.blackbody.empty() || medium.blackbody.size() == n);
   for (const Wall& wall : walls)
     good = good && wall.radiance.size() == n && wall.diffuse.size() == n && wall.specular.size() == n &&
            (wall.glossy.empty() || wall.glossy.size() == n) &&
            (wall.transmittance.empty() || wall.transmittance.size() == n);
   if (!good)
     throw std::invalid_argument("a problem needs a medium per region, a wall per wall, a value per band");
-}
-
-Fault bad_coefficient(const Origin& origin, const Coefficient& coefficient, const CellSample& sample,
-                      const std::string& band) {
-  const std::string where =
-      coefficient.is_constant()
-          ? ""
-          : fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", sample.where.x(), sample.where.y(), sample.where.z());
-  const char* what =
-      sample.smallest < 0 && std::isfinite(sample.smallest) ? "negative" : "not a finite number";
-  return fault_at(origin, fmt::format("{:.6g}", sample.smallest),
-                  fmt::format("{}{} (band {}); must be a finite number of at least 0 in the whole region",
-                              what, where, band));
 }
 
 /// A list of coefficients of media, and its key in the case.
@@ -69,11 +54,9 @@ std::vector<double> cell_means(const TetrahedralMesh& mesh, const CellsByRegion&
       const Coefficient& coefficient = (media[region].*kind.list)[band];
       for (const CellIndex cell : cells[region]) {
         const CellSample sample = coefficient.sample(corners_of(mesh, cell));
-        if (!(sample.smallest >= 0 && std::isfinite(sample.smallest))) {
-          faults.push_back(
-              bad_coefficient(origin_of(media[region], kind.key), coefficient, sample, bands.names[band]));
+        if (!check_sample({origin_of(media[region], kind.key), bands.names[band]}, coefficient, sample,
+                          faults))
           break;
-        }
         means[cell.at() * band_count + band] = sample.mean;
       }
     }
@@ -81,6 +64,30 @@ std::vector<double> cell_means(const TetrahedralMesh& mesh, const CellsByRegion&
 }
 
 }  // namespace
+
+void Problem::find_emission(std::vector<Fault>& faults) {
+  emission_ = CellEmission(static_cast<std::size_t>(mesh_.cell_count()), bands_.names.size());
+  // What a coefficient emits, `factor` [cell][band] times as much; empty: 1.
+  const auto add = [&](const std::vector<Coefficient>& list, std::size_t region, std::size_t band,
+                       const std::vector<CellIndex>& cells, const std::vector<double>& factor) {
+    if (list.empty()) return;
+    for (const CellIndex cell : cells) {
+      CellSample sample = list[band].sample(corners_of(mesh_, cell));
+      if (!check_sample({origin_of(media_[region], "emission"), bands_.names[band]}, list[band], sample,
+                        faults))
+        return;
+      const double times = factor.empty() ? 1 : factor[cell.at() * bands_.names.size() + band];
+      for (double& value : sample.slope) value *= times;
+      emission_.add(cell, band, times * sample.mean, sample.slope);
+    }
+  };
+  const CellsByRegion cells = cells_by_region(mesh_);
+  for (std::size_t region = 0; region < media_.size(); ++region)
+    for (std::size_t band = 0; band < bands_.names.size(); ++band) {
+      add(media_[region].emission, region, band, cells[region], {});
+      add(media_[region].blackbody, region, band, cells[region], absorption_);
+    }
+}
 
 Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls,
                  AngularSpace space, std::vector<Light> lights)
@@ -101,7 +108,7 @@ Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> m
   };
   absorption_ = means({&Medium::absorption, "absorption"});
   scattering_ = means({&Medium::scattering, "scattering"});
-  emission_ = means({&Medium::emission, "emission"});
+  find_emission(faults);
   for (const Medium& medium : media_) check_phase(medium, bands_, faults);
   for (const Wall& wall : walls_) check_wall(wall, bands_, faults);
   check_sheets(*this, faults);

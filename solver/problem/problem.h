@@ -16,6 +16,7 @@
 #include "solver/materials/phase/phase_function.h"
 #include "solver/materials/surfaces/reflectance.h"
 #include "solver/problem/bands.h"
+#include "solver/problem/cell_emission.h"
 #include "solver/problem/lights/light.h"
 #include "solver/problem/scattering_choice.h"
 
@@ -40,6 +41,12 @@ struct Medium {
   bool extinction_by_direction = false;
   /// [band] q(x, w), beside `emission`; empty: none
   std::vector<std::optional<AngularFormula>> emission_by_direction = {};
+  /// [band] radiance I_b of a blackbody of the medium's temperature [power/(length^2 sr)]: beside `emission`
+  /// the cell's mean absorption times I_b is emitted (Kirchhoff's law); empty: none
+  std::vector<Coefficient> blackbody = {};
+  /// [band] the part of `scattering` [1/length] that is absorbed and sent out again as heat, of a gray medium
+  /// whose temperature follows (radiative equilibrium); empty: none
+  std::vector<Coefficient> reradiation = {};
 
   bool is_directional(int band) const {
     return !directional.empty() && directional[static_cast<std::size_t>(band)].index() != 0;
@@ -74,6 +81,9 @@ struct Wall {
   std::vector<std::shared_ptr<const Reflectance>> glossy = {};
   /// [band] of a sheet: what arrives here and leaves diffusely on its other side; empty: none
   std::vector<double> transmittance = {};
+  /// [band] the part of `diffuse` that is absorbed and sent out again as heat, of a gray wall whose
+  /// temperature follows; empty: none
+  std::vector<double> reradiation = {};
 
   const Reflectance* glossy_in(std::size_t band) const {
     return band < glossy.size() ? glossy[band].get() : nullptr;
@@ -110,12 +120,14 @@ class Problem {
   AngularSpace space() const { return space_; }
 
   // Cell means, [cell][band].
-  std::span<const double> absorption() const { return absorption_; }  ///< [1/length]
-  std::span<const double> scattering() const { return scattering_; }  ///< [1/length]
-  std::span<const double> emission() const { return emission_; }      ///< [power/(length^3 sr)]
+  std::span<const double> absorption() const { return absorption_; }      ///< [1/length]
+  std::span<const double> scattering() const { return scattering_; }      ///< [1/length]
+  std::span<const double> emission() const { return emission_.means(); }  ///< [power/(length^3 sr)]
   double absorption(CellIndex c, int band) const { return absorption_[at(c, band)]; }
   double scattering(CellIndex c, int band) const { return scattering_[at(c, band)]; }
-  double emission(CellIndex c, int band) const { return emission_[at(c, band)]; }
+  double emission(CellIndex c, int band) const { return emission_.mean(c, static_cast<std::size_t>(band)); }
+  /// Emission within the cells, of which emission() is the mean.
+  const CellEmission& cell_emission() const { return emission_; }
 
   const Medium& medium(int region) const { return media_[static_cast<std::size_t>(region)]; }
   const Wall& wall(int wall) const { return walls_[static_cast<std::size_t>(wall)]; }
@@ -125,6 +137,7 @@ class Problem {
   std::span<const Light> lights() const { return lights_; }
 
  private:
+  void find_emission(std::vector<Fault>& faults);
   std::size_t at(CellIndex c, int band) const {
     return c.at() * static_cast<std::size_t>(bands_.count()) + static_cast<std::size_t>(band);
   }
@@ -137,7 +150,7 @@ class Problem {
   std::vector<Light> lights_;
   std::vector<double> absorption_;
   std::vector<double> scattering_;
-  std::vector<double> emission_;
+  CellEmission emission_;
 };
 
 }  // namespace etendue

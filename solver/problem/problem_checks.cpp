@@ -79,6 +79,22 @@ Origin origin_of(const Wall& wall, const std::string& what) {
   return with_key(wall.origin, "walls", wall.name, what);
 }
 
+bool check_sample(const CoefficientPlace& place, const Coefficient& coefficient, const CellSample& sample,
+                  std::vector<Fault>& faults) {
+  if (sample.smallest >= 0 && std::isfinite(sample.smallest)) return true;
+  const std::string where =
+      coefficient.is_constant()
+          ? ""
+          : fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", sample.where.x(), sample.where.y(), sample.where.z());
+  const char* what =
+      sample.smallest < 0 && std::isfinite(sample.smallest) ? "negative" : "not a finite number";
+  faults.push_back(
+      fault_at(place.origin, fmt::format("{:.6g}", sample.smallest),
+               fmt::format("{}{} (band {}); must be a finite number of at least 0 in the whole region", what,
+                           where, place.band)));
+  return false;
+}
+
 void check_phase(const Medium& medium, const Bands& bands, std::vector<Fault>& faults) {
   for (std::size_t band = 0; band < bands.names.size(); ++band) {
     const double g = phase_asymmetry(medium.phase[band]);

@@ -12,6 +12,15 @@ namespace etendue {
 Origin origin_of(const Medium& medium, const std::string& what);
 Origin origin_of(const Wall& wall, const std::string& what);
 
+/// Where a coefficient came from, and its band.
+struct CoefficientPlace {
+  Origin origin;
+  std::string band;
+};
+/// Returns whether a coefficient is finite and not negative in a cell, else adds the fault.
+bool check_sample(const CoefficientPlace& place, const Coefficient& coefficient, const CellSample& sample,
+                  std::vector<Fault>& faults);
+
 /// Faults of the asymmetries: -1 < g < 1.
 void check_phase(const Medium& medium, const Bands& bands, std::vector<Fault>& faults);
 

@@ -20,11 +20,12 @@ class Selection {
 
   void cut(Medium& medium) const {
     cut(medium.absorption, medium.scattering, medium.emission, medium.phase, medium.choice,
-        medium.directional, medium.absorption_by_direction, medium.emission_by_direction);
+        medium.directional, medium.absorption_by_direction, medium.emission_by_direction, medium.blackbody,
+        medium.reradiation);
   }
   void cut(Wall& wall) const {
     cut(wall.radiance, wall.diffuse, wall.specular, wall.radiance_by_direction, wall.glossy,
-        wall.transmittance);
+        wall.transmittance, wall.reradiation);
   }
   void cut(PointLight& light) const { cut(light.power); }
   void cut(BeamLight& light) const { cut(light.irradiance); }
@@ -51,7 +52,8 @@ Problem Problem::of_bands(std::span<const int> bands) const {
   for (Medium& medium : result.media_) selection.cut(medium);
   for (Wall& wall : result.walls_) selection.cut(wall);
   for (Light& light : result.lights_) std::visit([&](auto& kind) { selection.cut(kind); }, light.kind);
-  selection.cut(result.absorption_, result.scattering_, result.emission_);
+  selection.cut(result.absorption_, result.scattering_);
+  result.emission_ = emission_.of_bands(bands);
   return result;
 }
 

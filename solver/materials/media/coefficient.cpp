@@ -31,6 +31,18 @@ double smooth_length(const PlaceFunction& function, const std::array<Vec3, 4>& v
   return length;
 }
 
+/// Values at the vertices less the mean: with the moments m_i, means of the coefficient times barycentric
+/// coordinate i: M^-1 m with the mass matrix M_ij = (1 + delta_ij)/20 is 20 m_i - 4 sum m_j, and the sum is
+/// the mean.
+std::array<double, 4> closest_slope(const std::array<double, 4>& moments, double mean) {
+  std::array<double, 4> slope;
+  for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = 20 * moments[i] - 5 * mean;
+  const double lowest = std::ranges::min(slope);
+  if (mean + lowest >= 0) return slope;
+  for (double& value : slope) value *= mean / -lowest;
+  return slope;
+}
+
 }  // namespace
 
 double Coefficient::at(const Vec3& point) const {
@@ -55,16 +67,19 @@ std::span<const CellRulePoint> Coefficient::rule(const std::array<Vec3, 4>& vert
 CellSample Coefficient::sample(const std::array<Vec3, 4>& vertices) const {
   if (is_constant()) return {value_, value_, point_at({0.25, 0.25, 0.25, 0.25}, vertices)};
   CellSample sample{0, HUGE_VAL, Vec3::Zero()};
+  std::array<double, 4> moments = {};
   for (const CellRulePoint& node : rule(vertices)) {
     const Vec3 point = point_at(node.barycentric, vertices);
     const double value = at(point);
     if (!std::isfinite(value)) return {value, value, point};
     sample.mean += node.weight * value;
+    for (std::size_t i = 0; i < moments.size(); ++i) moments[i] += node.weight * value * node.barycentric[i];
     if (value < sample.smallest) {
       sample.smallest = value;
       sample.where = point;
     }
   }
+  sample.slope = closest_slope(moments, sample.mean);
   return sample;
 }
 

@@ -18,6 +18,9 @@ struct CellSample {
   double mean = 0;
   double smallest = 0;        ///< at the points of the rule; not finite where a value is not
   Vec3 where = Vec3::Zero();  ///< the point of the smallest value
+  /// At the vertices less `mean`, of the linear function of the same mean that is closest to it (least
+  /// squares by the rule); made smaller where that function would be negative.
+  std::array<double, 4> slope = {};
 };
 
 /// A number or a formula in x, y, z.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "mesh/tetrahedra/barycentric.h"
 #include "mesh/tetrahedra/sheet_faces.h"
 #include "solver/observe/radiance/lit_triangle.h"
 #include "solver/problem/lights/light.h"
@@ -178,6 +179,24 @@ void MapRadiance::add_matter(const RaySegment& segment, Workspace& work, double&
   }
 }
 
+/// Emission of a cell that arrives along a piece of a ray, which begins at the distance `from`: with
+/// q(s) = q_a + (q_b - q_a) s/l and the integrals E_0, E_1, q_a E_0 + (q_b - q_a) E_1/l.
+double MapRadiance::emitted_along(CellIndex cell, const RaySegment& segment, double from,
+                                  double length) const {
+  const CellEmission& emission = problem_.cell_emission();
+  const auto band = static_cast<std::size_t>(segment.band);
+  const AttenuationIntegrals integrals = attenuation_integrals(extinction(cell, segment.band), length);
+  if (!emission.varies_in(cell) || length <= 0) return emission.mean(cell, band) * integrals.constant;
+  const auto emitted_at = [&](double distance) {
+    const std::array<double, 4> at = barycentric(problem_.mesh(), cell, segment.at(distance));
+    double sum = 0;
+    for (std::size_t i = 0; i < at.size(); ++i) sum += at[i] * emission.at(cell, band, i);
+    return sum;
+  };
+  const double near = emitted_at(from), far = emitted_at(from + length);
+  return near * integrals.constant + (far - near) * integrals.linear / length;
+}
+
 /// Light of the parts [first, last), the first of which begins at the distance `begin`, where they begin.
 double MapRadiance::march(const RaySegment& segment, std::size_t first, std::size_t last, double begin,
                           Workspace& work) const {
@@ -186,7 +205,7 @@ double MapRadiance::march(const RaySegment& segment, std::size_t first, std::siz
     length += work.parts[i].second;
     scattering = std::max(scattering, problem_.scattering(work.parts[i].first, segment.band));
   }
-  double radiance = 0, left = 1, reached = 0, used = 0, step = length / fewest_steps;
+  double radiance = 0, left = 1, reached = 0, used = 0, step = length / fewest_steps, place = begin;
   for (std::size_t i = first; i < last && left > faint;) {
     double rest = scattering > 0 ? step : length, source = 0;
     if (scattering > 0) {
@@ -204,9 +223,10 @@ double MapRadiance::march(const RaySegment& segment, std::size_t first, std::siz
       const auto [cell, part] = work.parts[i];
       const double piece = std::min(rest, part - used), sigma = extinction(cell, segment.band);
       const bool scatters = problem_.scattering(cell, segment.band) > 0;
-      radiance += left * (problem_.emission(cell, segment.band) + (scatters ? source : 0)) *
-                  attenuation_integrals(sigma, piece).constant;
+      radiance += left * emitted_along(cell, segment, place, piece);
+      if (scatters) radiance += left * source * attenuation_integrals(sigma, piece).constant;
       left *= std::exp(-sigma * piece);
+      place += piece;
       rest -= piece;
       used += piece;
       if (used >= part) {

@@ -132,7 +132,7 @@ void CollidedSource::values(CellIndex cell, const View& view, std::span<double> 
     const std::size_t node = nodes_ == 1 ? 0 : i;
     for (std::size_t b = 0; b < bands_; ++b) {
       const auto band = static_cast<int>(b);
-      double value = emits && i < 4 ? problem_.emission(cell, band) : 0;
+      double value = emits && i < 4 ? problem_.cell_emission().at(cell, b, i) : 0;
       const double scattering = problem_.scattering(cell, band);
       if (const int matter = matter_.of(region, b); matter >= 0) {
         const DirectionalMatter::View& seen = view.matter[static_cast<std::size_t>(matter)];

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/quadrature/gauss_legendre.h"
-#include "mesh/tetrahedra/corners.h"
+#include "mesh/tetrahedra/barycentric.h"
 #include "solver/observe/radiance/lit_triangle.h"
 #include "solver/observe/radiance/quadratic_reconstruction.h"
 #include "solver/observe/radiance/ray_radiance_segment.h"
@@ -25,16 +25,6 @@ constexpr int most_mirrors = 10000;
 
 /// A ray has come back to where it was where place and direction are within this part of its path length.
 constexpr double same_place = 1e-12;
-
-std::array<double, 4> barycentric(const TetrahedralMesh& mesh, CellIndex cell, const Vec3& point) {
-  const std::array<Vec3, 4> corners = corners_of(mesh, cell);
-  const Vec3& origin = corners[0];
-  const Vec3 a = corners[1] - origin, b = corners[2] - origin, c = corners[3] - origin, p = point - origin;
-  const Vec3 bc = b.cross(c);
-  const double det = a.dot(bc);
-  const double x = p.dot(bc) / det, y = p.dot(c.cross(a)) / det, z = p.dot(a.cross(b)) / det;
-  return {1 - x - y - z, x, y, z};
-}
 
 /// Interpolates values at the vertices, with the quadratic part of a quadratic_reconstruction() if there is
 /// one.

@@ -50,8 +50,9 @@ struct alignas(64) PhotonCell {
   double scattering;       ///< [1/length]
   double free_path;        ///< its inverse [length]; huge where nothing scatters
   double absorption;       ///< [1/length]
-  double emission;         ///< [power/(length^3 sr)]
+  double emission;         ///< mean [power/(length^3 sr)]
   std::int32_t deflection;
+  float slope[3];  ///< emission at vertices 1 to 3 less its mean; all four sum to 0
 };
 static_assert(sizeof(PhotonCell) == 192);
 

@@ -96,8 +96,10 @@ struct Backward {
   ETENDUE_PHOTON_MEMBER void expect(const PhotonSceneView& scene, std::int32_t cell) {
     fetch(scene.cells + cell, sizeof(PhotonCell));
   }
-  ETENDUE_PHOTON_MEMBER void pass(const Photon&, const PhotonCell& cell, const Four&, double weighted) {
-    score += cell.emission * weighted;
+  ETENDUE_PHOTON_MEMBER void pass(const Photon&, const PhotonCell& cell, const Four& moments,
+                                  double weighted) {
+    score += cell.emission * weighted + cell.slope[0] * (moments[1] - moments[0]) +
+             cell.slope[1] * (moments[2] - moments[0]) + cell.slope[2] * (moments[3] - moments[0]);
   }
   ETENDUE_PHOTON_MEMBER void pass_emitter(const FormulaEmitter& emitter, const Photon& photon,
                                           const Four& moments) {

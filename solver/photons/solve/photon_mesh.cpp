@@ -77,6 +77,9 @@ void PhotonMesh::add_cells(const Problem& problem, int band) {
     cell.free_path = cell.scattering > 0 ? 1 / cell.scattering : no_collision;
     cell.absorption = problem.absorption(index, band);
     cell.emission = problem.emission(index, band);
+    for (std::size_t i = 0; i < 3; ++i)
+      cell.slope[i] =
+          static_cast<float>(problem.cell_emission().slope(index, static_cast<std::size_t>(band), i + 1));
     cell.deflection = mesh.region(index);
   }
 }

@@ -110,7 +110,13 @@ void PhotonSources::add_media() {
   const double range = full_range(problem_.space());
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
-    add({Kind::cell, c, 0}, range * mesh_.cells()[cell.at()].emission * mesh.volume(cell));
+    const CellEmission& emission = problem_.cell_emission();
+    if (emission.varies_in(cell))
+      for (std::int32_t i = 0; i < 4; ++i)
+        add({Kind::cell_vertex, c, i},
+            range * emission.at(cell, band_, static_cast<std::size_t>(i)) * mesh.volume(cell) / 4);
+    else
+      add({Kind::cell, c, 0}, range * emission.mean(cell, band_) * mesh.volume(cell));
     const FormulaEmitter* emitter = mesh_.emitter(mesh.region(cell));
     for (std::int32_t i = 0; i < 4 && emitter != nullptr; ++i)
       add({Kind::cell_corner, c, i},
@@ -219,6 +225,21 @@ PhotonStart PhotonSources::from_cell(std::int32_t cell, DrawnNumbers& random) co
   return start;
 }
 
+// Linear emission is the sum of that of the vertices, which falls linearly to the face across.
+PhotonStart PhotonSources::from_cell_vertex(std::int32_t number, std::size_t vertex,
+                                            DrawnNumbers& random) const {
+  PhotonStart start = started(point_towards_vertex(number, vertex, random), isotropic(random));
+  start.cell = number;
+  return start;
+}
+
+Vec3 PhotonSources::point_towards_vertex(std::int32_t cell, std::size_t vertex, DrawnNumbers& random) const {
+  const auto shares = point_towards<4>(vertex, random);
+  Vec3 point = Vec3::Zero();
+  for (std::size_t i = 0; i < 4; ++i) point += shares[i] * corner_of(problem_.mesh(), CellIndex(cell), i);
+  return point;
+}
+
 PhotonStart PhotonSources::from_beam_piece(const BeamLight& beam, const BeamPiece& piece,
                                            DrawnNumbers& random) const {
   const PhotonFace& face = mesh_.faces()[static_cast<std::size_t>(piece.face)];
@@ -265,9 +286,8 @@ PhotonStart PhotonSources::from_cell_corner(std::int32_t number, std::size_t cor
   const TetrahedralMesh& mesh = problem_.mesh();
   const CellIndex cell(number);
   const FormulaEmitter& emitter = *mesh_.emitter(mesh.region(cell));
-  const auto shares = point_towards<4>(corner, random);
-  Vec3 point = Vec3::Zero(), direction;
-  for (std::size_t i = 0; i < 4; ++i) point += shares[i] * corner_of(mesh, cell, i);
+  const Vec3 point = point_towards_vertex(number, corner, random);
+  Vec3 direction;
   do direction = isotropic(random);
   while (random.number() * emitter.node(cell, corner).largest >= emitter.at_corner(cell, corner, direction));
   PhotonStart start = started(point, direction);
@@ -346,6 +366,8 @@ PhotonStart PhotonSources::start_of(const Source& source, DrawnNumbers& random) 
                              beam_pieces_[static_cast<std::size_t>(source.part)], random);
     case Kind::point:
       return from_point(source.index, random);
+    case Kind::cell_vertex:
+      return from_cell_vertex(source.index, static_cast<std::size_t>(source.part), random);
     case Kind::cell_corner:
       return from_cell_corner(source.index, static_cast<std::size_t>(source.part), random);
     case Kind::face_corner:

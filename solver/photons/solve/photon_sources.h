@@ -40,7 +40,17 @@ class PhotonSources {
                                   std::size_t count) const;
 
  private:
-  enum class Kind : std::int32_t { cell, face, point, beam, beam_piece, triangle, cell_corner, face_corner };
+  enum class Kind : std::int32_t {
+    cell,
+    cell_vertex,
+    face,
+    point,
+    beam,
+    beam_piece,
+    triangle,
+    cell_corner,
+    face_corner
+  };
   struct Source {
     Kind kind;
     std::int32_t index;  ///< of a cell, a face or a light
@@ -61,6 +71,10 @@ class PhotonSources {
   PhotonStart start_of(const Source& source, DrawnNumbers& random) const;
   PhotonStart started(const Vec3& point, const Vec3& direction) const;
   PhotonStart from_cell(std::int32_t cell, DrawnNumbers& random) const;
+  /// From a vertex's part of a cell whose emission is linear.
+  PhotonStart from_cell_vertex(std::int32_t cell, std::size_t vertex, DrawnNumbers& random) const;
+  /// A point of a cell as likely as its barycentric coordinate of the vertex is large.
+  Vec3 point_towards_vertex(std::int32_t cell, std::size_t vertex, DrawnNumbers& random) const;
   /// In the direction of a beam, or without one as Lambert says.
   PhotonStart from_face(std::int32_t face, const Vec3* beam, DrawnNumbers& random) const;
   PhotonStart from_beam_piece(const BeamLight& beam, const BeamPiece& piece, DrawnNumbers& random) const;

@@ -2,6 +2,7 @@
 #include "solver/transport/scattering/scattering_moments.h"
 
 #include <algorithm>
+#include <array>
 
 namespace etendue {
 ScatteringMoments::ScatteringMoments(const Problem& problem, const DirectionSet& directions,
@@ -59,14 +60,21 @@ void ScatteringMoments::form_source(const TransportState& state, Emission emissi
   const std::size_t nodes = static_cast<std::size_t>(cells_.nodes());
   const std::size_t stride = static_cast<std::size_t>(cells_.stride());
   const int bands = problem_.band_count();
-  // right_i = sum (s_0 + s_1 + s_2 + s_3) + own s_i with s = constant + factor phi
-  const auto apply = [&](const double* field, std::size_t band, double constant, double factor,
-                         CellCoefficients::SourceFactors mass, Real* right) {
+  // right_i = sum (s_0 + s_1 + s_2 + s_3) + own s_i with s = emitted + factor phi
+  const auto apply = [&](const double* field, std::size_t band, const std::array<double, 4>& emitted,
+                         double factor, CellCoefficients::SourceFactors mass, Real* right) {
     double total = 0;
-    for (std::size_t i = 0; i < nodes; ++i) total += constant + factor * field[i * stride + band];
+    for (std::size_t i = 0; i < nodes; ++i) total += emitted[i] + factor * field[i * stride + band];
     for (std::size_t i = 0; i < nodes; ++i)
       right[i * stride + band] =
-          static_cast<Real>(mass.sum * total + mass.own * (constant + factor * field[i * stride + band]));
+          static_cast<Real>(mass.sum * total + mass.own * (emitted[i] + factor * field[i * stride + band]));
+  };
+  const CellEmission& emitted = problem_.cell_emission();
+  const auto emitted_in = [&](CellIndex cell, std::size_t band) {
+    std::array<double, 4> values = {};
+    for (std::size_t i = 0; i < nodes && emission == Emission::included; ++i)
+      values[i] = nodes == 1 ? emitted.mean(cell, band) : emitted.at(cell, band, i);
+    return values;
   };
   for (std::int32_t c = first; c < last; ++c) {
     const CellIndex cell(c);
@@ -79,11 +87,11 @@ void ScatteringMoments::form_source(const TransportState& state, Emission emissi
       const auto band = static_cast<std::size_t>(b);
       const CellCoefficients::SourceFactors mass = cells_.source_factors(cell, b);
       const double factor = problem_.scattering(cell, b) / full_range(problem_.space());
-      apply(fluence, band, emission == Emission::included ? problem_.emission(cell, b) : 0,
-            factor * phase_moments_[region * count() * stride + band], mass, right);
+      apply(fluence, band, emitted_in(cell, band), factor * phase_moments_[region * count() * stride + band],
+            mass, right);
       for (std::size_t k = 1; row > 0 && k < count(); ++k) {
         const std::size_t at = static_cast<std::size_t>(row - 1) * count() + k;
-        apply(state.moments().data() + at * row_length_, band, 0,
+        apply(state.moments().data() + at * row_length_, band, {},
               factor * phase_moments_[(region * count() + k) * stride + band], mass,
               moments + at * row_length_);
       }

@@ -38,6 +38,7 @@ Problem dark_problem(const Problem& problem, const Plan& plan) {
   for (std::size_t i = 0; i < media.size(); ++i) {
     media[i].emission.assign(bands, Coefficient(0.0));
     media[i].emission_by_direction.clear();
+    media[i].blackbody.clear();
     media[i].choice.clear();
     for (std::size_t b = 0; b < bands; ++b) {
       const ScatteringTreatment& how = plan[i * bands + b];

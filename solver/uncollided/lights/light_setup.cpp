@@ -277,7 +277,10 @@ Problem LightSetup::remaining() const {
   std::vector<Medium> media(problem_.media().begin(), problem_.media().end());
   std::vector<Wall> walls(problem_.walls().begin(), problem_.walls().end());
   for (std::size_t i = 0; i < media.size(); ++i)
-    if (region_is_light_[i] != 0) media[i].emission.assign(bands, Coefficient(0.0));
+    if (region_is_light_[i] != 0) {
+      media[i].emission.assign(bands, Coefficient(0.0));
+      media[i].blackbody.clear();
+    }
   for (std::size_t i = 0; i < walls.size(); ++i)
     if (wall_is_light_[i] != 0) walls[i].radiance.assign(bands, 0);
   std::vector<Light> swept;

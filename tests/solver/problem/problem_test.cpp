@@ -216,5 +216,48 @@ TEST(Problem, OfSomeBandsHasTheirCoefficientsAlone) {
   EXPECT_EQ(std::get<PointLight>(blue.lights()[0].kind).power, std::vector<double>{4});
 }
 
+TEST(Problem, EmitsLinearlyWithinCells) {
+  const TetrahedralMesh mesh = cube_mesh();
+  Asked asked;
+  asked.media[1].emission = {formula("1 + x"), Coefficient(0.5)};
+  const Problem problem(mesh, asked.bands, asked.media, asked.walls);
+  const int wanted[] = {1, 0};
+  const Problem turned = problem.of_bands(wanted);
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const CellIndex cell(c);
+    const bool right = problem.medium(mesh.region(cell)).name == "right";
+    EXPECT_EQ(problem.cell_emission().varies_in(cell), right);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double x = mesh.point(VertexIndex(mesh.vertices(cell)[i])).x();
+      EXPECT_NEAR(problem.cell_emission().at(cell, 0, i), right ? 1 + x : 0.5, 1e-14);
+      EXPECT_EQ(problem.cell_emission().at(cell, 1, i), right ? 0.5 : 0);
+      EXPECT_EQ(turned.cell_emission().at(cell, 1, i), problem.cell_emission().at(cell, 0, i));
+      EXPECT_EQ(turned.cell_emission().at(cell, 0, i), problem.cell_emission().at(cell, 1, i));
+    }
+  }
+}
+
+// A medium as warm everywhere is in balance with its walls in each cell, whatever its absorption.
+TEST(Problem, EmitsTheMeanAbsorptionTimesTheBlackbody) {
+  const TetrahedralMesh mesh = cube_mesh();
+  Asked asked;
+  for (Medium& medium : asked.media) {
+    medium.absorption[0] = formula("1 + x^2");
+    medium.emission[0] = Coefficient(0.0);
+    medium.blackbody = {Coefficient(3.0), formula("2 + y")};
+  }
+  const Problem problem(mesh, asked.bands, asked.media, asked.walls);
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const CellIndex cell(c);
+    EXPECT_DOUBLE_EQ(problem.emission(cell, 0), 3 * problem.absorption(cell, 0));
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_DOUBLE_EQ(problem.cell_emission().at(cell, 0, i), 3 * problem.absorption(cell, 0));
+      EXPECT_NEAR(problem.cell_emission().at(cell, 1, i),
+                  problem.absorption(cell, 1) * (2 + mesh.point(VertexIndex(mesh.vertices(cell)[i])).y()),
+                  1e-14);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace etendue

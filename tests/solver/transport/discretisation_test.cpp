@@ -60,6 +60,29 @@ TEST(Patch, LinearFluenceSurvivesScattering) {
   EXPECT_LT(fluence_error(mesh, solution, 1, exact_fluence(directions, radiance)), 1e-11);
 }
 
+TEST(Patch, LinearEmissionIsLinearWithinCells) {
+  // The radiance of a blackbody a + s.x, the same in all directions, needs only w.s beside emission.
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
+  const DirectionSet directions = directions_ldfe_sq(1);
+  const Vec3 slope(0.5, 0.2, -0.1);
+  const auto radiance = [&](const Vec3& x, const Vec3&) { return 1 + slope.dot(x); };
+  const Coefficient blackbody(Expression("1 + 0.5*x + 0.2*y - 0.1*z", {"x", "y", "z"}));
+  for (const double absorption : {0.3, 40.0})
+    for (const Lumping lumping : {Lumping::none, Lumping::mass}) {
+      Medium medium = uniform_medium(1, absorption, 0.5, 0);
+      medium.blackbody = {blackbody};
+      const Problem problem = uniform_problem(mesh, medium, uniform_wall(1, 0, 0, 0));
+      const ManufacturedInput input(mesh, directions, 1, radiance,
+                                    [&](const Vec3&, const Vec3& w) { return w.dot(slope); });
+      SolveOptions options = tight_options(lumping);
+      options.angular_input = &input;
+      const Solution solution = solve(problem, directions, options);
+      ASSERT_TRUE(solution.converged());
+      EXPECT_LT(fluence_error(mesh, solution, 1, exact_fluence(directions, radiance)), 1e-11)
+          << absorption << ", lumping " << static_cast<int>(lumping);
+    }
+}
+
 TEST(Patch, ConstantRadianceIsReproducedByConstants) {
   const TetrahedralMesh mesh = cube_mesh(2e-2);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.7, 0, 0.7 * 2), uniform_wall(1, 2, 0, 0));

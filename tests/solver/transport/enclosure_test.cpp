@@ -62,6 +62,18 @@ TEST(Furnace, RadianceIsConstantWithMirrorsDiffuseWallsScatteringAndABall) {
   }
 }
 
+TEST(Furnace, RadianceIsConstantWhereAbsorptionDependsOnThePlace) {
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
+  Medium medium = uniform_medium(1, 0, 0.4, 0);
+  medium.absorption = {Coefficient(Expression("0.2 + 9*x^2*y", {"x", "y", "z"}))};
+  medium.blackbody = {Coefficient(Expression("2.5", {"x", "y", "z"}))};
+  const Problem problem = uniform_problem(mesh, medium, uniform_wall(1, 0.6 * 2.5, 0.4, 0));
+  const Solution solution = solve(problem, directions_ldfe_sq(1), tight_options(Lumping::automatic));
+  ASSERT_TRUE(solution.converged());
+  EXPECT_LT(largest_deviation(solution.fluence, four_pi * 2.5), 1e-10);
+  expect_balance(problem, solution);
+}
+
 TEST(Conservation, ScatteringWithoutAbsorptionLosesNothing) {
   // The trap of a removal term without out-scattering: light that only scatters must all come out again.
   const TetrahedralMesh mesh = cube_mesh(3e-2);

@@ -63,5 +63,37 @@ TEST(Coefficient, HasAValueAtEachPoint) {
   EXPECT_FALSE(formula("2").is_constant());
 }
 
+TEST(Coefficient, SlopeIsThatOfALinearFormula) {
+  const std::array<Vec3, 4> cell = {Vec3(1, 2, 3), Vec3(2, 2, 3.5), Vec3(1.2, 4, 3), Vec3(0.8, 2.5, 5)};
+  const Coefficient linear = formula("2*x - y + 3*z + 1");
+  const CellSample sample = linear.sample(cell);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(sample.mean + sample.slope[i], linear.at(cell[i]), 1e-13);
+  EXPECT_EQ(Coefficient(0.7).sample(cell).slope, (std::array<double, 4>{}));
+}
+
+// The rest of the closest linear function is orthogonal to all of them.
+TEST(Coefficient, SlopeIsThatOfTheClosestLinearFunction) {
+  const Coefficient curved = formula("1 + x^2*y + z^3");
+  const CellSample sample = curved.sample(unit_tetrahedron);
+  std::array<double, 4> rest = {};
+  for (const CellRulePoint& node : cell_rule()) {
+    double linear = sample.mean;
+    for (std::size_t i = 0; i < 4; ++i) linear += sample.slope[i] * node.barycentric[i];
+    for (std::size_t i = 0; i < 4; ++i)
+      rest[i] += node.weight * node.barycentric[i] *
+                 (curved.at(point_at(node.barycentric, unit_tetrahedron)) - linear);
+  }
+  for (const double value : rest) EXPECT_NEAR(value, 0, 1e-15);
+  EXPECT_NE(sample.slope[0], 0);
+}
+
+TEST(Coefficient, SlopeOfWhatIsNowhereNegativeReachesNoNegativeValue) {
+  const CellSample sample = formula("x^8").sample(unit_tetrahedron);
+  const auto [lowest, highest] = std::ranges::minmax(sample.slope);
+  EXPECT_NEAR(sample.mean + lowest, 0, 1e-15);
+  EXPECT_GT(highest, 0);
+  EXPECT_NEAR(sample.slope[0] + sample.slope[1] + sample.slope[2] + sample.slope[3], 0, 1e-15);
+}
+
 }  // namespace
 }  // namespace etendue

@@ -134,6 +134,20 @@ TEST(MapRadiance, SeesRadianceByAFormula) {
   EXPECT_NEAR(map.along(start, direction, 0, work), 2 + 0.5 + 0.3 * 3 / 4 + 0.8, 1e-9);
 }
 
+// The integral of (1 + 2 y) e^(-s y) over the slab, s its extinction.
+TEST(MapRadiance, SeesLinearEmission) {
+  const TetrahedralMesh mesh = cube_mesh(0.05);
+  Medium medium = uniform_medium(1, 2.5, 0, 0);
+  medium.emission = {Coefficient(Expression("1 + 2*y", {"x", "y", "z"}))};
+  const Problem problem = uniform_problem(mesh, medium, uniform_wall(1, 0, 0, 0));
+  const MapRadiance map = map_of(problem, 1000, 10);
+  const CellLocator locator(mesh);
+  MapRadiance::Workspace work;
+  const Vec3 point(0.31, 0, 0.4);
+  const double s = 2.5, expected = (1 - std::exp(-s)) / s + 2 * (1 - (1 + s) * std::exp(-s)) / (s * s);
+  EXPECT_NEAR(map.along({locator.find(point).front().cell, point}, Vec3::UnitY(), 0, work), expected, 1e-13);
+}
+
 // A beam of irradiance 3 on a plane across it, which falls on a wall at 60 degrees.
 TEST(MapRadiance, IsThatOfALitWall) {
   const TetrahedralMesh mesh = cube_mesh(0.005);

@@ -153,6 +153,18 @@ TEST(RayRadiance, IsThatOfAnEmittingSlab) {
   }
 }
 
+// The integral of (1 + 2 y) e^(-s y) over the slab, s its extinction.
+TEST(RayRadiance, IsThatOfASlabWithLinearEmission) {
+  const TetrahedralMesh mesh = cube_mesh(0.05);
+  Medium medium = uniform_medium(1, 2.5, 0, 0);
+  medium.emission = {Coefficient(Expression("1 + 2*y", {"x", "y", "z"}))};
+  const Problem slab = uniform_problem(mesh, medium, uniform_wall(1, 0, 0, 0));
+  const Scene scene(slab, directions_product(2));
+  const double s = 2.5, expected = (1 - std::exp(-s)) / s + 2 * (1 - (1 + s) * std::exp(-s)) / (s * s);
+  for (const double x : {0.13, 0.31, 0.77})
+    EXPECT_NEAR(scene.along({x, -2, 0.4}, Vec3::UnitY()), expected, 1e-13);
+}
+
 // The same seen in a mirror: through the slab, and through it once more.
 TEST(RayRadiance, GoesOnAtAMirror) {
   const TetrahedralMesh mesh = cube_mesh(0.01);
