@@ -84,7 +84,10 @@ struct MeshCase {
 
 struct MediumCase {
   std::optional<BandValues> absorption, scattering, extinction, albedo;
-  std::optional<BandValues> temperature;  ///< one value [K], from which `emission` follows
+  std::optional<BandValues> temperature;  ///< one value [K], from which `blackbody` and `emission` follow
+  /// Radiance of a blackbody of this temperature; `emission` is the absorption times it.
+  std::optional<BandValues> blackbody;
+  std::optional<BandValues> heat_source;  ///< one value [W/m^3]; the temperature follows
   std::optional<BandValues> emission, power_density;
   Uncollided uncollided = Uncollided::automatic;
   std::vector<std::string> phase_notes;            ///< what was computed on the way to them
@@ -151,10 +154,11 @@ struct LightCase {
 };
 
 struct WallCase {
-  std::optional<BandValues> temperature;                   ///< one value [K], from which `radiance` follows
-  BandValues radiance;                                     ///< empty values: 0
-  BandValues diffuse, specular;                            ///< numbers; empty values: 0
-  BandValues transmittance;                                ///< numbers; empty values: 0
+  std::optional<BandValues> temperature;  ///< one value [K], from which `radiance` follows
+  std::optional<double> heat_flux;        ///< into the domain [W/m^2]; the temperature follows
+  BandValues radiance;                    ///< empty values: 0
+  BandValues diffuse, specular;           ///< numbers; empty values: 0
+  BandValues transmittance;               ///< numbers; empty values: 0
   std::vector<std::shared_ptr<const Reflectance>> glossy;  ///< [band]; empty: none
   double refractive_index = 1;                             ///< of the domain over that of what is behind
   Uncollided uncollided = Uncollided::automatic;

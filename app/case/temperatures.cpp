@@ -6,9 +6,12 @@
 namespace etendue {
 namespace {
 
+bool has_temperature(const MediumCase& medium) { return medium.temperature || medium.heat_source; }
+bool has_temperature(const WallCase& wall) { return wall.temperature || wall.heat_flux; }
+
 template <class Entry>
 bool any_temperature(const std::map<std::string, Entry>& entries) {
-  return std::ranges::any_of(entries, [](const auto& entry) { return entry.second.temperature.has_value(); });
+  return std::ranges::any_of(entries, [](const auto& entry) { return has_temperature(entry.second); });
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace etendue {
 
-/// Whether a medium or wall of the case has a temperature.
+/// Whether a medium or wall of the case has a temperature, given or following from its heat.
 bool has_temperatures(const Case& input);
 
 }  // namespace etendue

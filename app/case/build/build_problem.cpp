@@ -15,6 +15,7 @@
 #include "solver/angular/kernels/directional_kernel.h"
 #include "solver/angular/kernels/kernel_places.h"
 #include "solver/angular/refraction/refraction_weights.h"
+#include "solver/materials/phase/phase_mixing.h"
 
 namespace etendue {
 namespace {
@@ -47,11 +48,30 @@ void add_emission(Medium& medium, const Value& value) {
   medium.emission.push_back(medium.emission_by_direction.back() ? Coefficient(0.0) : coefficient_of(value));
 }
 
+// Cells emit their mean absorption times it: a medium as warm as its walls is in balance in every cell.
+void add_blackbody(Medium& medium, const Value& value) {
+  medium.emission.emplace_back(0.0);
+  medium.blackbody.push_back(coefficient_of(value));
+}
+
 /// Light of another direction set is handed on by its moments: scattering that may choose takes these.
 void scatter_by_moments(Medium& medium, int bands) {
   medium.choice.resize(static_cast<std::size_t>(bands));
   for (ScatteringChoice& choice : medium.choice)
     if (choice.backend == ScatteringBackend::automatic) choice.backend = ScatteringBackend::moments;
+}
+
+/// A gray medium in radiative equilibrium sends out what it absorbs, 4 pi kappa I_b = kappa G + heat source:
+/// it scatters that part isotropically, and its emission is the heat source over 4 pi (Modest, Radiative Heat
+/// Transfer, section 14.3).
+void reradiate(Medium& medium, const MatterValues& matter) {
+  medium.reradiation = {medium.absorption.front()};
+  medium.absorption = {0.0};
+  medium.scattering = {coefficient_of(sum(matter.absorption, matter.scattering))};
+  if (!is_number(matter.absorption) || !is_number(matter.scattering)) return;  // both parts are isotropic
+  const double absorption = std::get<double>(matter.absorption);
+  medium.phase.front() = with_isotropic_part(medium.phase.front(),
+                                             absorption / (absorption + std::get<double>(matter.scattering)));
 }
 
 Medium medium_of(const MediumCase& entry, const std::string& region, double volume, int bands) {
@@ -70,12 +90,15 @@ Medium medium_of(const MediumCase& entry, const std::string& region, double volu
     if (entry.power)
       medium.emission.emplace_back(std::get<double>(value_of(*entry.power, band)) /
                                    (full_range(entry.space) * volume));
+    else if (entry.blackbody)
+      add_blackbody(medium, value_of(*entry.blackbody, band));
     else
       add_emission(medium, emission_value(entry, band));
     const bool common = entry.phase.size() == 1;
     medium.phase.push_back(entry.phase.empty() ? PhaseFunction{}
                                                : entry.phase[common ? 0 : static_cast<std::size_t>(band)]);
   }
+  if (entry.heat_source) reradiate(medium, matter_values(entry, 0));
   return medium;
 }
 
@@ -143,6 +166,11 @@ Wall wall_of(const WallCase& entry, const std::string& name, int bands) {
   wall.refractive_index = entry.refractive_index;
   wall.glossy = entry.glossy;
   if (!entry.transmittance.values.empty()) wall.transmittance = band_numbers(entry.transmittance, bands);
+  if (entry.heat_flux) {
+    // A gray wall gives back what it absorbs, and its heat flux is the radiance times pi.
+    wall.reradiation = {1 - wall.mean_reflectance(0)};
+    wall.diffuse.front() += wall.reradiation.front();
+  }
   for (int band = 0; band < bands && !entry.radiance.values.empty(); ++band) {
     const Value& value = value_of(entry.radiance, band);
     wall.radiance_by_direction.emplace_back();

@@ -27,6 +27,9 @@ KeyTable wall_keys() {
   t.key("temperature", place_value, {.unit = "K", .range = not_negative},
         "Instead of `radiance`: the wall emits emissivity times the radiance of a blackbody, divided among "
         "the bands by `bands.edges` (docs/user/heat.md).");
+  t.key("heat_flux", number, {.unit = "W/m^2", .range = not_negative},
+        "Instead of `temperature`: the heat that the wall gives to the domain by radiation; its temperature "
+        "follows; 0: an adiabatic (reradiating, refractory) wall. Of one gray band.");
   t.key("emissivity", band_numbers,
         {.default_note = "what is neither reflected nor transmitted", .range = fraction},
         "Hemispherical emissivity, which equals the absorptivity (Kirchhoff's law). Without `diffuse` the "

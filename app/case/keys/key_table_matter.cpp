@@ -42,6 +42,10 @@ KeyTable medium_keys() {
   t.key("temperature", place_value, {.unit = "K", .range = not_negative},
         "Instead of `emission`: the medium emits absorption times the radiance of a blackbody, divided among "
         "the bands by `bands.edges` (docs/user/heat.md).");
+  t.key("heat_source", place_value, {.unit = "W/m^3", .range = not_negative},
+        "Instead of `temperature`: the medium is in radiative equilibrium, it sends out what it absorbs and "
+        "this "
+        "heat, and its temperature follows; 0: no heat but that of radiation. Of one gray band.");
   t.key("scattering_method", band_texts,
         {.default_value = "\"auto\"", .choices = {"auto", "moments", "dense", "galerkin"}},
         "Through moments of the radiance, or a matrix between the directions: dense (never negative, exact "

@@ -26,6 +26,11 @@ Value product(const Value& a, const Value& b) {
   return joined(a, "*", b);
 }
 
+Value sum(const Value& a, const Value& b) {
+  if (is_number(a) && is_number(b)) return std::get<double>(a) + std::get<double>(b);
+  return joined(a, "+", b);
+}
+
 Coefficient coefficient_of(const Value& value) {
   if (const double* number = std::get_if<double>(&value)) return *number;
   return Coefficient(Expression(std::get<Formula>(value), {"x", "y", "z"}));

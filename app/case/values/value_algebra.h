@@ -14,8 +14,9 @@ Formula term(const Value& value);
 /// `a sign b` as a formula that calls the functions of both.
 Formula joined(const Value& a, const char* sign, const Value& b);
 
-/// A number where both are numbers.
+/// Numbers where both are numbers.
 Value product(const Value& a, const Value& b);
+Value sum(const Value& a, const Value& b);
 
 /// The value as a coefficient that depends on the place.
 Coefficient coefficient_of(const Value& value);

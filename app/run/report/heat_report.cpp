@@ -15,19 +15,21 @@ namespace {
 
 /// Rows beyond which the table is left to heat.csv.
 constexpr std::size_t longest_table = 40;
-/// Width of a cell in absorption lengths up to which a constant emission does: the flux at a wall of a slab
-/// with a linear temperature is then off by a few percent.
-constexpr double thin_cell = 0.5;
+/// Width of a cell in absorption lengths up to which linear emission does: the flux at a wall of a slab with
+/// a linear temperature is then off by half a percent.
+constexpr double thin_cell = 1.2;
 
 void add(TextTable& table, const HeatRow& row) {
   table.add_row({row.name, number(row.extent), number(row.emitted), number(row.absorbed),
                  number(row.net, row.error),
-                 number(row.density(), row.extent > 0 ? row.error / row.extent : 0)});
+                 number(row.density(), row.extent > 0 ? row.error / row.extent : 0),
+                 row.temperature > 0 ? fmt::format("{:.6g}", row.temperature) : ""});
 }
 
 TextTable table_of(const char* kind, const char* extent, const char* net, const char* density) {
-  return TextTable({kind, extent, "emitted [W]", "absorbed [W]", net, density},
-                   {Align::left, Align::right, Align::right, Align::right, Align::right, Align::right});
+  return TextTable(
+      {kind, extent, "emitted [W]", "absorbed [W]", net, density, "mean [K]"},
+      {Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::right});
 }
 
 /// Power of lights: of all that enters from walls and lights what walls do not emit.
@@ -61,8 +63,9 @@ std::string caution_of(const RunResult& result) {
   const double thickest = thickest_cell(result);
   if (thickest <= thin_cell) return "";
   return fmt::format(
-      "caution: emission is constant in each cell, and cells with a temperature gradient are up to {:.2g} "
-      "absorption lengths wide; heat fluxes there are too large; use finer cells, below {} of a length\n",
+      "caution: cells with a temperature gradient are up to {:.2g} absorption lengths wide; heat fluxes "
+      "there may be "
+      "off by some percent; use finer cells, below {:g} of a length\n",
       thickest, thin_cell);
 }
 

@@ -12,11 +12,12 @@ namespace etendue {
 struct HeatRow {
   bool is_wall = false;
   std::string name;
-  double extent = 0;    ///< area of a wall [m^2], volume of a region [m^3]
-  double emitted = 0;   ///< without what is reflected [W]
-  double absorbed = 0;  ///< [W]
-  double net = 0;       ///< into a wall: absorbed - emitted; out of a region: emitted - absorbed [W]
-  double error = 0;     ///< standard error of `net` by photons [W]
+  double extent = 0;       ///< area of a wall [m^2], volume of a region [m^3]
+  double emitted = 0;      ///< without what is reflected [W]
+  double absorbed = 0;     ///< [W]
+  double net = 0;          ///< into a wall: absorbed - emitted; out of a region: emitted - absorbed [W]
+  double error = 0;        ///< standard error of `net` by photons [W]
+  double temperature = 0;  ///< mean over the area or volume [K]; 0 where the case gives none
 
   /// Radiative heat flux into the wall [W/m^2], or divergence of the heat flux in the region [W/m^3].
   double density() const { return extent > 0 ? net / extent : 0; }

@@ -10,6 +10,7 @@
 #include <array>
 
 #include "app/case/temperatures.h"
+#include "app/write/result/temperature_fields.h"
 #include "app/write/result/unit_labels.h"
 #include "app/write/vtk/vtk_arrays.h"
 #include "app/write/vtk/vtk_files.h"
@@ -65,6 +66,7 @@ class FieldsOfCells {
     for (const OrdinateRadiance& kept : result_.solution.radiance)
       if (std::ranges::count(ordinates, kept.ordinate) > 0) add_radiance(kept);
     if (asked("media")) add_media();
+    if (has_temperatures(result_.input)) add_temperature();
     if (has_temperatures(result_.input) && emits_isotropically(result_.problem)) add_divergence();
     if (const auto& error = result_.solution.direction_error; !error.empty())
       grid_->GetCellData()->AddArray(
@@ -132,6 +134,10 @@ class FieldsOfCells {
     const std::string unit = units_.power + "/" + units_.volume;
     grid_->GetCellData()->AddArray(
         vtk_array({"divergence", {}, unit}, 1, flux_divergence(result_.problem, result_.solution)));
+  }
+
+  void add_temperature() {
+    grid_->GetCellData()->AddArray(vtk_array({"temperature", {}, "K"}, 1, cell_temperatures(result_)));
   }
 
   const RunResult& result_;

@@ -10,6 +10,7 @@
 #include <array>
 
 #include "app/case/temperatures.h"
+#include "app/write/result/temperature_fields.h"
 #include "app/write/result/unit_labels.h"
 #include "app/write/vtk/vtk_arrays.h"
 #include "app/write/vtk/vtk_files.h"
@@ -49,6 +50,22 @@ std::vector<double> along_normals(std::span<const double> values, std::span<cons
     for (const double component : normals[at / (3 * bands)])
       for (const double value : values.subspan(at, bands)) vectors.push_back(component * value);
   return vectors;
+}
+
+/// [triangle][3] temperature of the walls [K], 0 where the case gives none.
+std::vector<double> wall_temperatures(const RunResult& result, const std::vector<std::int32_t>& walls,
+                                      vtkPolyData& surface, std::span<const double> irradiance) {
+  std::vector<WallTemperature> of_wall;
+  for (int wall = 0; wall < static_cast<int>(result.problem.walls().size()); ++wall)
+    of_wall.emplace_back(result, wall);
+  const auto bands = static_cast<std::size_t>(result.problem.band_count());
+  std::vector<double> kelvin;
+  for (std::size_t i = 0; i < 3 * walls.size(); ++i) {
+    const double* point = surface.GetPoint(static_cast<vtkIdType>(i));
+    kelvin.push_back(of_wall[static_cast<std::size_t>(walls[i / 3])].at(Vec3(point[0], point[1], point[2]),
+                                                                        irradiance[i * bands]));
+  }
+  return kelvin;
 }
 
 /// Triangles that share no points. `corners` are the numbers of the three within each [triangle].
@@ -141,9 +158,13 @@ vtkSmartPointer<vtkPolyData> fields_of_walls(const RunResult& result) {
   add("exitance", light.exitance);
   const std::vector<double> net = differences(light.irradiance, light.exitance);
   add("net_irradiance", net);
-  if (has_temperatures(result.input))
+  if (has_temperatures(result.input)) {
     light.surface->GetPointData()->AddArray(
         vtk_array({"radiative_heat_flux", {}, unit}, 1, sums_over_bands(net, bands.names.size())));
+    light.surface->GetPointData()->AddArray(
+        vtk_array({"temperature", {}, "K"}, 1,
+                  wall_temperatures(result, light.walls, *light.surface, light.irradiance)));
+  }
   add_band_vectors(*light.surface->GetPointData(), {"net_flux", bands.names, unit},
                    along_normals(net, light.normals, bands.names.size()));
   light.surface->GetPointData()->AddArray(color_array(bands, light.exitance, light.areas, 3, unit));

@@ -10,6 +10,7 @@
 #include "app/case/read/materials/read_directional.h"
 #include "app/case/read/materials/read_glazing.h"
 #include "app/case/read/materials/read_glossy.h"
+#include "app/case/read/materials/read_heat_balance.h"
 #include "app/case/read/materials/read_phase.h"
 #include "app/case/read/materials/read_reduced_scattering.h"
 #include "app/case/read/materials/read_temperature.h"
@@ -174,7 +175,8 @@ void fill_in(Section& section, const MediumCase& medium) {
   if (!medium.extinction && !medium.albedo)
     for (const char* name : {"absorption", "scattering"})
       if (name != std::string_view("scattering") || !section.has("reduced_scattering")) section.value(name);
-  if (!medium.power_density && !medium.power && !section.has("temperature")) section.value("emission");
+  if (!medium.power_density && !medium.power && !section.has("temperature") && !section.has("heat_source"))
+    section.value("emission");
   if (scatters(section) && !section.has("phase")) section.section("phase").resolve("model", "isotropic");
   if (!scatters(section)) return;
   for (const char* name : {"scattering_method", "forward_peak"}) section.value(name);
@@ -190,9 +192,10 @@ MediumCase read_medium(Section section, const MatterContext& context) {
     medium.power_density = read_band_values(section, "power_density", bands);
     medium.power = read_band_values(section, "power", bands);
     read_directional(section, context, medium);
-    section.unused("temperature",
-                   "not beside leaves, flakes or a kernel in this version (their absorption depends on the "
-                   "direction); use emission");
+    for (const char* key : {"temperature", "heat_source"})
+      section.unused(key,
+                     "not beside leaves, flakes or a kernel in this version (their absorption depends on the "
+                     "direction); use emission");
     if (!any_faulty(section, {"emission", "power_density", "power"}))
       report_first(section, medium, bands, emission_problem);
     section.value("uncollided");
@@ -214,6 +217,7 @@ MediumCase read_medium(Section section, const MatterContext& context) {
   medium.choice = read_choices(section, bands);
   check_medium(section, medium, bands);
   read_thermal_emission(section, {bands, context.units, context.space}, medium);
+  read_heat_source(section, {bands, context.units, context.space}, medium);
   check_uncollided(section, medium.uncollided, depend_on_direction(medium.emission));
   check_directions(section, medium, bands);
   fill_in(section, medium);
@@ -256,10 +260,12 @@ WallCase read_wall(const std::string& name, Section section, const WallContext& 
   wall.transmittance = read_band_values_or_default(section, "transmittance", bands);
   if (section.has("glossy")) wall.glossy = read_glossy(section.section("glossy"), bands, context.case_folder);
   wall.refractive_index = section.number("refractive_index");
-  if (section.has("radiance") || !section.has("temperature"))
+  if (section.has("radiance") || !(section.has("temperature") || section.has("heat_flux")))
     wall.radiance = read_band_values_or_default(section, "radiance", bands, FormulaOf::place_and_direction);
-  if (!any_faulty(section, {"diffuse", "specular", "transmittance"}))
+  if (!any_faulty(section, {"diffuse", "specular", "transmittance"})) {
     read_thermal_wall(section, {bands, context.units, context.space}, wall);
+    read_heat_flux(section, {bands, context.units, context.space}, wall);
+  }
   wall.uncollided = read_uncollided(section);
   check_uncollided(section, wall.uncollided,
                    std::ranges::any_of(wall.radiance.values, [](const Value& value) {

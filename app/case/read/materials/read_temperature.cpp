@@ -21,7 +21,12 @@ bool has_faulty_edges(const Bands& bands) {
   return !bands.edges.empty() && bands.edges.size() != bands.names.size() + 1;
 }
 
-/// Why a temperature cannot become a radiance; empty where it can.
+double number_of(const BandValues& values, int band) {
+  return values.values.empty() ? 0 : std::get<double>(value_of(values, band));
+}
+
+}  // namespace
+
 std::string temperature_problem(const ThermalContext& context) {
   if (context.space == AngularSpace::plane)
     return "not in flatland (the radiance of a blackbody is that of space); use emission or radiance";
@@ -38,15 +43,12 @@ std::string temperature_problem(const ThermalContext& context) {
   return "";
 }
 
-double number_of(const BandValues& values, int band) {
-  return values.values.empty() ? 0 : std::get<double>(value_of(values, band));
-}
-
-/// What a wall neither reflects nor transmits.
 double absorptivity(const WallCase& wall, int band) {
   return 1 - number_of(wall.diffuse, band) - number_of(wall.specular, band) -
          number_of(wall.transmittance, band);
 }
+
+namespace {
 
 std::string emissivity_problem(const WallCase& wall, const BandValues& emissivity, bool has_diffuse,
                                const Bands& bands) {
@@ -116,6 +118,7 @@ BandValues thermal_radiance(const BandValues& temperature, const Bands& bands, F
 void read_thermal_emission(Section& section, const ThermalContext& context, MediumCase& medium) {
   medium.temperature = read_temperature(section, context, {"emission", "power_density", "power"});
   if (!medium.temperature) return;
+  medium.blackbody = thermal_radiance(*medium.temperature, context.bands, [](int) { return Value(1.0); });
   medium.emission = thermal_radiance(*medium.temperature, context.bands,
                                      [&](int band) { return matter_values(medium, band).absorption; });
   if (depend_on_direction(medium.emission))

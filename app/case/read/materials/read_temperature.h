@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "app/case/case.h"
 #include "app/case/keys/section.h"
 
@@ -12,6 +14,12 @@ struct ThermalContext {
   const Units& units;
   AngularSpace space;
 };
+
+/// Why a temperature cannot become a radiance; empty where it can.
+std::string temperature_problem(const ThermalContext& context);
+
+/// What a wall neither reflects nor transmits.
+double absorptivity(const WallCase& wall, int band);
 
 /// Reads the temperature of a medium whose absorption is read, and sets the emission that follows: absorption
 /// times the radiance of a blackbody (Kirchhoff's law).

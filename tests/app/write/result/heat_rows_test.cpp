@@ -30,7 +30,7 @@ TEST(HeatRows, AddUpTheBandsOfWallsAndRegions) {
 TEST(HeatRows, AreATableOfWallsThenRegions) {
   const test::SampleRun run({"grey"});
   const std::string table = heat_csv(run.result());
-  EXPECT_EQ(table.substr(0, table.find('\n')), "kind,name,extent,emitted,absorbed,net,density");
+  EXPECT_EQ(table.substr(0, table.find('\n')), "kind,name,extent,emitted,absorbed,net,density,temperature");
   EXPECT_NE(table.find("\nwall,floor,1,"), std::string::npos);
   EXPECT_LT(table.find("\nwall,sides,"), table.find("\nregion,low,0.5,"));
 }

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/read/materials/read_heat_balance.h"
+
+#include <fmt/format.h>
+
+#include <initializer_list>
+#include <numbers>
+
+#include "app/case/values/band_values.h"
+#include "app/case/values/medium_coefficients.h"
+#include "app/case/values/value_algebra.h"
+
+namespace etendue {
+namespace {
+
+/// Why a temperature cannot follow from a heat balance; empty where it can.
+std::string balance_problem(Section& section, const ThermalContext& context,
+                            std::initializer_list<const char*> other_keys) {
+  if (std::string problem = temperature_problem(context); !problem.empty()) return problem;
+  if (context.bands.count() != 1 || !context.bands.edges.empty())
+    return "needs one gray band without bands.edges (several bands are not in this version); give a "
+           "temperature";
+  for (const char* other : other_keys)
+    if (section.has(other))
+      return fmt::format("{} is given too, and both say what is emitted; use one of them", other);
+  return "";
+}
+
+/// Why a medium with these coefficients cannot be in equilibrium; empty where it can.
+std::string medium_problem(const MediumCase& medium) {
+  const MatterValues matter = matter_values(medium, 0);
+  if (depend_on_direction(medium.absorption) || depend_on_direction(medium.extinction))
+    return "not where absorption depends on the direction (not in this version); use emission";
+  if (is_number(matter.absorption) && std::get<double>(matter.absorption) == 0)
+    return "the medium does not absorb, so it has no temperature; give absorption, or leave heat_source out";
+  const bool turns = !medium.phase.empty() && !std::holds_alternative<PhaseIsotropic>(medium.phase.front());
+  if (turns && !(is_number(matter.absorption) && is_number(matter.scattering)))
+    return "not where light scatters otherwise than isotropically and absorption or scattering is a formula "
+           "(not "
+           "in this version); use numbers";
+  return "";
+}
+
+}  // namespace
+
+void read_heat_source(Section& section, const ThermalContext& context, MediumCase& medium) {
+  std::optional<BandValues> source = read_place_value(section, "heat_source");
+  if (!source) return;
+  std::string problem =
+      balance_problem(section, context, {"temperature", "emission", "power_density", "power"});
+  if (problem.empty()) problem = medium_problem(medium);
+  if (!problem.empty()) return section.fault("heat_source", problem);
+  medium.emission = BandValues{{product(source->values.front(), 1 / (4 * std::numbers::pi))}, source->origin};
+  medium.heat_source = std::move(source);
+}
+
+void read_heat_flux(Section& section, const ThermalContext& context, WallCase& wall) {
+  if (!section.has("heat_flux")) return;
+  const double flux = section.number("heat_flux");
+  std::string problem = balance_problem(section, context, {"temperature", "radiance"});
+  const bool transmits = std::get<double>(value_of(wall.transmittance, 0)) > 0;
+  if (problem.empty() && (!wall.glossy.empty() || wall.refractive_index != 1 || transmits))
+    problem =
+        "not beside glossy, refractive_index or transmittance (not in this version); give a temperature";
+  if (problem.empty() && absorptivity(wall, 0) <= 0)
+    problem = "the wall does not absorb, so it has no temperature; leave heat_flux out, or reflect less";
+  if (!problem.empty()) return section.fault("heat_flux", problem);
+  wall.heat_flux = flux;
+  wall.radiance = BandValues{{flux / std::numbers::pi}, section.origin("heat_flux")};
+}
+
+}  // namespace etendue

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "app/case/case.h"
+#include "app/case/keys/section.h"
+#include "app/case/read/materials/read_temperature.h"
+
+namespace etendue {
+
+/// Reads `heat_source` of a medium whose other coefficients are read, from which its temperature follows.
+void read_heat_source(Section& section, const ThermalContext& context, MediumCase& medium);
+
+/// Reads `heat_flux` of a wall whose other values are read, from which its temperature follows.
+void read_heat_flux(Section& section, const ThermalContext& context, WallCase& wall);
+
+}  // namespace etendue

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/write/result/temperature_fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/case/build/entry_of.h"
+#include "app/case/values/value_algebra.h"
+#include "base/blackbody.h"
+#include "mesh/tetrahedra/corners.h"
+#include "solver/solution/node_means.h"
+
+namespace etendue {
+namespace {
+
+using std::numbers::pi;
+
+/// Of a gray body with this emissive power sigma T^4 [W/m^2].
+double temperature_of(double emissive_power) {
+  return std::pow(std::max(0.0, emissive_power) / stefan_boltzmann, 0.25);
+}
+
+/// In radiative equilibrium: 4 kappa sigma T^4 = kappa G + heat source (Modest, Radiative Heat Transfer,
+/// section 14.3), with the fluence G.
+double equilibrium_temperature(const Problem& problem, CellIndex cell, double fluence) {
+  const Medium& medium = problem.medium(problem.mesh().region(cell));
+  const double kappa = medium.reradiation.front().cell_mean(corners_of(problem.mesh(), cell));
+  return kappa > 0 ? temperature_of(fluence / 4 + pi * problem.emission(cell, 0) / kappa) : 0;
+}
+
+}  // namespace
+
+std::vector<double> cell_temperatures(const RunResult& result) {
+  const Problem& problem = result.problem;
+  const TetrahedralMesh& mesh = problem.mesh();
+  std::vector<std::optional<Coefficient>> given;
+  for (const std::string& name : mesh.region_names()) {
+    const MediumCase entry = entry_of(result.input.media, name);
+    given.push_back(entry.temperature ? std::optional(coefficient_of(entry.temperature->values.front()))
+                                      : std::nullopt);
+  }
+  const std::vector<double> fluence = node_means(result.solution.fluence, 4, problem.bands().names.size());
+  std::vector<double> kelvin(static_cast<std::size_t>(mesh.cell_count()), 0);
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const CellIndex cell(c);
+    if (const auto& formula = given[static_cast<std::size_t>(mesh.region(cell))])
+      kelvin[cell.at()] = formula->at(mesh.centroid(cell));
+    else if (!problem.medium(mesh.region(cell)).reradiation.empty())
+      kelvin[cell.at()] = equilibrium_temperature(problem, cell, fluence[cell.at()]);
+  }
+  return kelvin;
+}
+
+WallTemperature::WallTemperature(const RunResult& result, int wall) {
+  const Wall& behind = result.problem.wall(wall);
+  const WallCase entry = entry_of(result.input.walls, behind.name);
+  if (entry.temperature) given_ = coefficient_of(entry.temperature->values.front());
+  if (!entry.heat_flux) return;
+  emissivity_ = behind.reradiation.front();
+  heat_flux_ = *entry.heat_flux;
+}
+
+// A wall that gives the heat flux q: epsilon sigma T^4 = epsilon H + q.
+double WallTemperature::at(const Vec3& point, double irradiance) const {
+  if (given_) return given_->at(point);
+  return emissivity_ > 0 ? temperature_of(irradiance + heat_flux_ / emissivity_) : 0;
+}
+
+}  // namespace etendue
