@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/problem/problem.h"
 
+#include <array>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -43,51 +45,65 @@ struct CoefficientKind {
   const char* key;
 };
 
-/// Cell means, [cell][band]; the first bad cell of each medium and band becomes a fault.
-std::vector<double> cell_means(const TetrahedralMesh& mesh, const CellsByRegion& cells, const Bands& bands,
-                               const std::vector<Medium>& media, const CoefficientKind& kind,
-                               std::vector<Fault>& faults) {
-  const std::size_t band_count = bands.names.size();
-  std::vector<double> means(static_cast<std::size_t>(mesh.cell_count()) * band_count);
-  for (std::size_t region = 0; region < media.size(); ++region)
-    for (std::size_t band = 0; band < band_count; ++band) {
-      const Coefficient& coefficient = (media[region].*kind.list)[band];
-      for (const CellIndex cell : cells[region]) {
-        const CellSample sample = coefficient.sample(corners_of(mesh, cell));
-        if (!check_sample({origin_of(media[region], kind.key), bands.names[band]}, coefficient, sample,
-                          faults))
-          break;
-        means[cell.at() * band_count + band] = sample.mean;
-      }
+/// Samples the coefficients of media in their cells. The first bad cell of each medium and band becomes a
+/// fault.
+class CellSampler {
+ public:
+  /// The problem's mesh, bands and media must be there.
+  CellSampler(const Problem& problem, std::vector<Fault>& faults)
+      : problem_(problem), cells_(cells_by_region(problem.mesh())), faults_(faults) {}
+
+  /// Calls take(cell, band, sample) in the cells of media that have such a list.
+  template <class Take>
+  void sample(const CoefficientKind& kind, const Take& take) const {
+    for (std::size_t region = 0; region < cells_.size(); ++region) {
+      const Medium& medium = problem_.media()[region];
+      const std::vector<Coefficient>& list = medium.*kind.list;
+      for (std::size_t band = 0; band < list.size(); ++band)
+        for (const CellIndex cell : cells_[region]) {
+          const CellSample found = list[band].sample(corners_of(problem_.mesh(), cell));
+          if (!check_sample({origin_of(medium, kind.key), problem_.bands().names[band]}, list[band], found,
+                            faults_))
+            break;
+          take(cell, band, found);
+        }
     }
-  return means;
+  }
+
+  /// [cell][band]
+  std::vector<double> means(const CoefficientKind& kind) const {
+    const auto bands = static_cast<std::size_t>(problem_.band_count());
+    std::vector<double> means(static_cast<std::size_t>(problem_.mesh().cell_count()) * bands);
+    sample(kind, [&](CellIndex cell, std::size_t band, const CellSample& found) {
+      means[cell.at() * bands + band] = found.mean;
+    });
+    return means;
+  }
+
+ private:
+  const Problem& problem_;
+  CellsByRegion cells_;
+  std::vector<Fault>& faults_;
+};
+
+/// Of `emission`, and of `blackbody` times the mean absorption [cell][band].
+CellEmission emission_of(const CellSampler& sampler, std::span<const double> absorption, std::size_t bands) {
+  CellEmission emission(absorption.size() / bands, bands);
+  sampler.sample({&Medium::emission, "emission"},
+                 [&](CellIndex cell, std::size_t band, const CellSample& found) {
+                   emission.add(cell, band, found.mean, found.slope);
+                 });
+  sampler.sample({&Medium::blackbody, "emission"},
+                 [&](CellIndex cell, std::size_t band, const CellSample& found) {
+                   const double factor = absorption[cell.at() * bands + band];
+                   std::array<double, 4> slope = found.slope;
+                   for (double& value : slope) value *= factor;
+                   emission.add(cell, band, factor * found.mean, slope);
+                 });
+  return emission;
 }
 
 }  // namespace
-
-void Problem::find_emission(std::vector<Fault>& faults) {
-  emission_ = CellEmission(static_cast<std::size_t>(mesh_.cell_count()), bands_.names.size());
-  // What a coefficient emits, `factor` [cell][band] times as much; empty: 1.
-  const auto add = [&](const std::vector<Coefficient>& list, std::size_t region, std::size_t band,
-                       const std::vector<CellIndex>& cells, const std::vector<double>& factor) {
-    if (list.empty()) return;
-    for (const CellIndex cell : cells) {
-      CellSample sample = list[band].sample(corners_of(mesh_, cell));
-      if (!check_sample({origin_of(media_[region], "emission"), bands_.names[band]}, list[band], sample,
-                        faults))
-        return;
-      const double times = factor.empty() ? 1 : factor[cell.at() * bands_.names.size() + band];
-      for (double& value : sample.slope) value *= times;
-      emission_.add(cell, band, times * sample.mean, sample.slope);
-    }
-  };
-  const CellsByRegion cells = cells_by_region(mesh_);
-  for (std::size_t region = 0; region < media_.size(); ++region)
-    for (std::size_t band = 0; band < bands_.names.size(); ++band) {
-      add(media_[region].emission, region, band, cells[region], {});
-      add(media_[region].blackbody, region, band, cells[region], absorption_);
-    }
-}
 
 Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls,
                  AngularSpace space, std::vector<Light> lights)
@@ -102,13 +118,10 @@ Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> m
     for (Medium& medium : media_)
       for (PhaseFunction& phase : medium.phase) phase = in_plane(phase);
   std::vector<Fault> faults;
-  const CellsByRegion cells = cells_by_region(mesh_);
-  const auto means = [&](const CoefficientKind& kind) {
-    return cell_means(mesh_, cells, bands_, media_, kind, faults);
-  };
-  absorption_ = means({&Medium::absorption, "absorption"});
-  scattering_ = means({&Medium::scattering, "scattering"});
-  find_emission(faults);
+  const CellSampler sampler(*this, faults);
+  absorption_ = sampler.means({&Medium::absorption, "absorption"});
+  scattering_ = sampler.means({&Medium::scattering, "scattering"});
+  emission_ = emission_of(sampler, absorption_, bands_.names.size());
   for (const Medium& medium : media_) check_phase(medium, bands_, faults);
   for (const Wall& wall : walls_) check_wall(wall, bands_, faults);
   check_sheets(*this, faults);

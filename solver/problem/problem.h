@@ -91,6 +91,9 @@ struct Wall {
   double transmitted(std::size_t band) const { return band < transmittance.size() ? transmittance[band] : 0; }
   bool is_glossy() const;
   bool transmits() const;
+  /// Part of light that is the same from all directions that the wall absorbs; its emissivity (Kirchhoff's
+  /// law).
+  double absorptivity(std::size_t band) const { return 1 - mean_reflectance(band) - transmitted(band); }
   /// Of light that is the same from all directions, what comes back to the same side.
   double mean_reflectance(std::size_t band) const {
     const Reflectance* lobe = glossy_in(band);
@@ -137,7 +140,6 @@ class Problem {
   std::span<const Light> lights() const { return lights_; }
 
  private:
-  void find_emission(std::vector<Fault>& faults);
   std::size_t at(CellIndex c, int band) const {
     return c.at() * static_cast<std::size_t>(bands_.count()) + static_cast<std::size_t>(band);
   }

@@ -64,14 +64,14 @@ void scatter_by_moments(Medium& medium, int bands) {
 /// A gray medium in radiative equilibrium sends out what it absorbs, 4 pi kappa I_b = kappa G + heat source:
 /// it scatters that part isotropically, and its emission is the heat source over 4 pi (Modest, Radiative Heat
 /// Transfer, section 14.3).
-void reradiate(Medium& medium, const MatterValues& matter) {
+void reradiate(Medium& medium, const MatterValues& values) {
   medium.reradiation = {medium.absorption.front()};
   medium.absorption = {0.0};
-  medium.scattering = {coefficient_of(sum(matter.absorption, matter.scattering))};
-  if (!is_number(matter.absorption) || !is_number(matter.scattering)) return;  // both parts are isotropic
-  const double absorption = std::get<double>(matter.absorption);
+  medium.scattering = {coefficient_of(sum(values.absorption, values.scattering))};
+  if (!is_number(values.absorption) || !is_number(values.scattering)) return;  // both parts are isotropic
+  const double absorption = std::get<double>(values.absorption);
   medium.phase.front() = with_isotropic_part(medium.phase.front(),
-                                             absorption / (absorption + std::get<double>(matter.scattering)));
+                                             absorption / (absorption + std::get<double>(values.scattering)));
 }
 
 Medium medium_of(const MediumCase& entry, const std::string& region, double volume, int bands) {
@@ -168,7 +168,7 @@ Wall wall_of(const WallCase& entry, const std::string& name, int bands) {
   if (!entry.transmittance.values.empty()) wall.transmittance = band_numbers(entry.transmittance, bands);
   if (entry.heat_flux) {
     // A gray wall gives back what it absorbs, and its heat flux is the radiance times pi.
-    wall.reradiation = {1 - wall.mean_reflectance(0)};
+    wall.reradiation = {wall.absorptivity(0)};
     wall.diffuse.front() += wall.reradiation.front();
   }
   for (int band = 0; band < bands && !entry.radiance.values.empty(); ++band) {

@@ -5,6 +5,7 @@
 
 #include "app/write/result/temperature_fields.h"
 #include "mesh/tetrahedra/corners.h"
+#include "solver/solution/node_means.h"
 
 namespace etendue {
 namespace {
@@ -12,32 +13,33 @@ namespace {
 /// Power that a wall absorbs. The outgoing power of one side of a sheet includes the power transmitted from
 /// the other side.
 double absorbed_by(const Wall& wall, std::size_t band, const WallPower& power) {
-  if (wall.transmitted(band) > 0)
-    return (1 - wall.mean_reflectance(band) - wall.transmitted(band)) * power.incoming;
+  if (wall.transmitted(band) > 0) return wall.absorptivity(band) * power.incoming;
   return power.incoming - power.outgoing + power.emitted;
 }
 
-/// Mean temperature of a wall over its area, by its faces' vertices.
-double mean_temperature(const RunResult& result, std::size_t wall) {
-  const WallTemperature temperature(result, static_cast<int>(wall));
+/// [wall] mean temperature over the area, by the faces' vertices; 0 where the case gives none.
+std::vector<double> mean_wall_temperatures(const RunResult& result) {
+  const std::vector<WallTemperature> temperatures = wall_temperatures(result);
   const TetrahedralMesh& mesh = result.problem.mesh();
   const auto bands = static_cast<std::size_t>(result.problem.band_count());
-  double sum = 0, area = 0;
-  for (std::int32_t f = 0; f < mesh.boundary_face_count() && temperature.known(); ++f) {
+  std::vector<double> sums(temperatures.size(), 0), areas(temperatures.size(), 0);
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
-    if (mesh.wall(face) != static_cast<int>(wall)) continue;
-    area += mesh.area(face);
+    const auto wall = static_cast<std::size_t>(mesh.wall(face));
+    areas[wall] += mesh.area(face);
     for (std::size_t i = 0; i < 3; ++i)
-      sum +=
-          mesh.area(face) / 3 *
-          temperature.at(corner_of(mesh, face, i), result.solution.irradiance[(3 * face.at() + i) * bands]);
+      sums[wall] += mesh.area(face) / 3 *
+                    temperatures[wall].at(corner_of(mesh, face, i),
+                                          result.solution.irradiance[(3 * face.at() + i) * bands]);
   }
-  return area > 0 ? sum / area : 0;
+  for (std::size_t wall = 0; wall < sums.size(); ++wall)
+    if (areas[wall] > 0) sums[wall] /= areas[wall];
+  return sums;
 }
 
-HeatRow wall_row(const RunResult& result, std::size_t wall) {
+HeatRow wall_row(const RunResult& result, std::size_t wall, double temperature) {
   const Wall& behind = result.problem.walls()[wall];
-  HeatRow row{.is_wall = true, .name = behind.name, .temperature = mean_temperature(result, wall)};
+  HeatRow row{.is_wall = true, .name = behind.name, .temperature = temperature};
   double variance = 0;
   for (std::size_t band = 0; band < result.walls[wall].size(); ++band) {
     const WallPower& power = result.walls[wall][band];
@@ -54,32 +56,35 @@ HeatRow wall_row(const RunResult& result, std::size_t wall) {
   return row;
 }
 
-/// Adds to a region's row its mean temperature and what it absorbs and sends out again [W].
-void add_cells(const RunResult& result, std::size_t region, const std::vector<double>& temperatures,
-               HeatRow& row) {
-  const TetrahedralMesh& mesh = result.problem.mesh();
-  const Medium& medium = result.problem.media()[region];
-  double volume = 0;
+/// What the cells of a region add up to.
+struct CellSums {
+  double temperature = 0;  ///< times volume [K m^3]
+  double reradiated = 0;   ///< what is absorbed and sent out again [W]
+};
+
+/// [region]
+std::vector<CellSums> sums_of_cells(const RunResult& result) {
+  const Problem& problem = result.problem;
+  const TetrahedralMesh& mesh = problem.mesh();
+  const std::vector<double> temperatures = cell_temperatures(result);
+  const std::vector<double> fluence =
+      node_means(result.solution.fluence, 4, static_cast<std::size_t>(problem.band_count()));
+  std::vector<CellSums> sums(problem.media().size());
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
-    if (mesh.region(cell) != static_cast<int>(region)) continue;
-    volume += mesh.volume(cell);
-    row.temperature += mesh.volume(cell) * temperatures[cell.at()];
-    if (medium.reradiation.empty()) continue;
-    // One gray band.
-    double fluence = 0;
-    for (std::size_t i = 0; i < 4; ++i) fluence += result.solution.fluence[4 * cell.at() + i] / 4;
-    const double reradiated =
-        medium.reradiation.front().cell_mean(corners_of(mesh, cell)) * fluence * mesh.volume(cell);
-    row.emitted += reradiated;
-    row.absorbed += reradiated;
+    CellSums& region = sums[static_cast<std::size_t>(mesh.region(cell))];
+    region.temperature += mesh.volume(cell) * temperatures[cell.at()];
+    // A medium that reradiates has one band.
+    if (const Medium& medium = problem.medium(mesh.region(cell)); !medium.reradiation.empty())
+      region.reradiated += medium.reradiation.front().cell_mean(corners_of(mesh, cell)) * fluence[cell.at()] *
+                           mesh.volume(cell);
   }
-  if (volume > 0) row.temperature /= volume;
+  return sums;
 }
 
-HeatRow region_row(const RunResult& result, std::size_t region, const std::vector<double>& temperatures) {
-  HeatRow row{.name = result.problem.media()[region].name};
-  add_cells(result, region, temperatures, row);
+HeatRow region_row(const RunResult& result, std::size_t region, const CellSums& cells) {
+  HeatRow row{
+      .name = result.problem.media()[region].name, .emitted = cells.reradiated, .absorbed = cells.reradiated};
   double variance = 0;
   for (std::size_t band = 0; band < result.regions[region].size(); ++band) {
     const RegionPower& power = result.regions[region][band];
@@ -90,6 +95,7 @@ HeatRow region_row(const RunResult& result, std::size_t region, const std::vecto
   }
   row.net = row.emitted - row.absorbed;
   row.error = std::sqrt(variance);
+  if (row.extent > 0) row.temperature = cells.temperature / row.extent;
   return row;
 }
 
@@ -97,10 +103,12 @@ HeatRow region_row(const RunResult& result, std::size_t region, const std::vecto
 
 std::vector<HeatRow> heat_rows(const RunResult& result) {
   std::vector<HeatRow> rows;
-  for (std::size_t wall = 0; wall < result.walls.size(); ++wall) rows.push_back(wall_row(result, wall));
-  const std::vector<double> temperatures = cell_temperatures(result);
+  const std::vector<double> temperatures = mean_wall_temperatures(result);
+  for (std::size_t wall = 0; wall < result.walls.size(); ++wall)
+    rows.push_back(wall_row(result, wall, temperatures[wall]));
+  const std::vector<CellSums> cells = sums_of_cells(result);
   for (std::size_t region = 0; region < result.regions.size(); ++region)
-    rows.push_back(region_row(result, region, temperatures));
+    rows.push_back(region_row(result, region, cells[region]));
   return rows;
 }
 

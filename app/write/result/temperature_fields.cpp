@@ -67,4 +67,11 @@ double WallTemperature::at(const Vec3& point, double irradiance) const {
   return emissivity_ > 0 ? temperature_of(irradiance + heat_flux_ / emissivity_) : 0;
 }
 
+std::vector<WallTemperature> wall_temperatures(const RunResult& result) {
+  std::vector<WallTemperature> walls;
+  for (int wall = 0; wall < static_cast<int>(result.problem.walls().size()); ++wall)
+    walls.emplace_back(result, wall);
+  return walls;
+}
+
 }  // namespace etendue

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "app/write/result/run_result.h"
@@ -11,13 +11,11 @@ namespace etendue {
 /// [cell] temperature at the centroid, given or from the heat balance [K]; 0 where the case gives none.
 std::vector<double> cell_temperatures(const RunResult& result);
 
-/// Temperature of one wall [K], from what the case gives or from what arrives.
+/// Temperature of one wall [K], given by the case or following from the irradiance.
 class WallTemperature {
  public:
   WallTemperature(const RunResult& result, int wall);
-  /// Whether the case gives the wall one.
-  bool known() const { return given_.has_value() || emissivity_ > 0; }
-  /// At a point where this much arrives [W/m^2].
+  /// At a point with this irradiance [W/m^2]; 0 where the case gives none.
   double at(const Vec3& point, double irradiance) const;
 
  private:
@@ -25,5 +23,8 @@ class WallTemperature {
   double emissivity_ = 0;  ///< of a wall with a heat flux, else 0
   double heat_flux_ = 0;   ///< [W/m^2]
 };
+
+/// [wall]
+std::vector<WallTemperature> wall_temperatures(const RunResult& result);
 
 }  // namespace etendue

@@ -53,17 +53,15 @@ std::vector<double> along_normals(std::span<const double> values, std::span<cons
 }
 
 /// [triangle][3] temperature of the walls [K], 0 where the case gives none.
-std::vector<double> wall_temperatures(const RunResult& result, const std::vector<std::int32_t>& walls,
-                                      vtkPolyData& surface, std::span<const double> irradiance) {
-  std::vector<WallTemperature> of_wall;
-  for (int wall = 0; wall < static_cast<int>(result.problem.walls().size()); ++wall)
-    of_wall.emplace_back(result, wall);
+std::vector<double> temperatures_at_corners(const RunResult& result, const std::vector<std::int32_t>& walls,
+                                            vtkPolyData& surface, std::span<const double> irradiance) {
+  const std::vector<WallTemperature> of_walls = wall_temperatures(result);
   const auto bands = static_cast<std::size_t>(result.problem.band_count());
   std::vector<double> kelvin;
   for (std::size_t i = 0; i < 3 * walls.size(); ++i) {
     const double* point = surface.GetPoint(static_cast<vtkIdType>(i));
-    kelvin.push_back(of_wall[static_cast<std::size_t>(walls[i / 3])].at(Vec3(point[0], point[1], point[2]),
-                                                                        irradiance[i * bands]));
+    kelvin.push_back(of_walls[static_cast<std::size_t>(walls[i / 3])].at(Vec3(point[0], point[1], point[2]),
+                                                                         irradiance[i * bands]));
   }
   return kelvin;
 }
@@ -163,7 +161,7 @@ vtkSmartPointer<vtkPolyData> fields_of_walls(const RunResult& result) {
         vtk_array({"radiative_heat_flux", {}, unit}, 1, sums_over_bands(net, bands.names.size())));
     light.surface->GetPointData()->AddArray(
         vtk_array({"temperature", {}, "K"}, 1,
-                  wall_temperatures(result, light.walls, *light.surface, light.irradiance)));
+                  temperatures_at_corners(result, light.walls, *light.surface, light.irradiance)));
   }
   add_band_vectors(*light.surface->GetPointData(), {"net_flux", bands.names, unit},
                    along_normals(net, light.normals, bands.names.size()));

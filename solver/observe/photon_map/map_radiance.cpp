@@ -11,7 +11,6 @@
 #include "solver/observe/radiance/lit_triangle.h"
 #include "solver/problem/lights/light.h"
 #include "solver/problem/mirror.h"
-#include "solver/uncollided/rays/attenuation.h"
 
 namespace etendue {
 namespace {
@@ -181,11 +180,10 @@ void MapRadiance::add_matter(const RaySegment& segment, Workspace& work, double&
 
 /// Emission of a cell that arrives along a piece of a ray, which begins at the distance `from`: with
 /// q(s) = q_a + (q_b - q_a) s/l and the integrals E_0, E_1, q_a E_0 + (q_b - q_a) E_1/l.
-double MapRadiance::emitted_along(CellIndex cell, const RaySegment& segment, double from,
-                                  double length) const {
+double MapRadiance::emitted_along(CellIndex cell, const RaySegment& segment, double from, double length,
+                                  const AttenuationIntegrals& integrals) const {
   const CellEmission& emission = problem_.cell_emission();
   const auto band = static_cast<std::size_t>(segment.band);
-  const AttenuationIntegrals integrals = attenuation_integrals(extinction(cell, segment.band), length);
   if (!emission.varies_in(cell) || length <= 0) return emission.mean(cell, band) * integrals.constant;
   const auto emitted_at = [&](double distance) {
     const std::array<double, 4> at = barycentric(problem_.mesh(), cell, segment.at(distance));
@@ -223,8 +221,9 @@ double MapRadiance::march(const RaySegment& segment, std::size_t first, std::siz
       const auto [cell, part] = work.parts[i];
       const double piece = std::min(rest, part - used), sigma = extinction(cell, segment.band);
       const bool scatters = problem_.scattering(cell, segment.band) > 0;
-      radiance += left * emitted_along(cell, segment, place, piece);
-      if (scatters) radiance += left * source * attenuation_integrals(sigma, piece).constant;
+      const AttenuationIntegrals integrals = attenuation_integrals(sigma, piece);
+      radiance += left * (emitted_along(cell, segment, place, piece, integrals) +
+                          (scatters ? source * integrals.constant : 0));
       left *= std::exp(-sigma * piece);
       place += piece;
       rest -= piece;

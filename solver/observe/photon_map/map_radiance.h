@@ -12,6 +12,7 @@
 #include "solver/photons/sampling/formula_emission.h"
 #include "solver/photons/solve/probe_histories.h"
 #include "solver/problem/problem.h"
+#include "solver/uncollided/rays/attenuation.h"
 #include "solver/uncollided/rays/light_paths.h"
 
 namespace etendue {
@@ -66,7 +67,8 @@ class MapRadiance {
   Estimate on_wall(FaceIndex face, const Vec3& point, int band, Workspace& work, const Share& share) const;
   void add_matter(const RaySegment& segment, Workspace& work, double& radiance, double& left) const;
   double add_flat_lights(const RaySegment& segment, double length, const Workspace& work) const;
-  double emitted_along(CellIndex cell, const RaySegment& segment, double from, double length) const;
+  double emitted_along(CellIndex cell, const RaySegment& segment, double from, double length,
+                       const AttenuationIntegrals& integrals) const;
   double march(const RaySegment& segment, std::size_t first, std::size_t last, double begin,
                Workspace& work) const;
   /// Radiance that a wall emits at a point of a face.

@@ -32,7 +32,7 @@ class Slab:
         own = heat(self.z) / (4 * beta)
         kernel = self.kernel(self.z * beta)
         ends = self.from_plates(self.z * beta)
-        # Of what arrives at the plates: half the integral of s E2 twice over, and the other plate.
+        # Irradiance of the plates: twice the integral of s E2, and the other plate.
         arrives = numpy.array([expint(3, edges[:-1]) - expint(3, edges[1:]),
                                expint(3, beta - edges[1:]) - expint(3, beta - edges[:-1])]) * 2
         through = 2 * expint(3, numpy.array([beta]))[0]

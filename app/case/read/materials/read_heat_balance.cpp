@@ -14,27 +14,24 @@ namespace etendue {
 namespace {
 
 /// Why a temperature cannot follow from a heat balance; empty where it can.
-std::string balance_problem(Section& section, const ThermalContext& context,
-                            std::initializer_list<const char*> other_keys) {
-  if (std::string problem = temperature_problem(context); !problem.empty()) return problem;
+std::string balance_problem(const Section& section, const ThermalContext& context,
+                            std::initializer_list<const char*> others) {
+  if (std::string problem = temperature_problem(section, context, others); !problem.empty()) return problem;
   if (context.bands.count() != 1 || !context.bands.edges.empty())
     return "needs one gray band without bands.edges (several bands are not in this version); give a "
            "temperature";
-  for (const char* other : other_keys)
-    if (section.has(other))
-      return fmt::format("{} is given too, and both say what is emitted; use one of them", other);
   return "";
 }
 
 /// Why a medium with these coefficients cannot be in equilibrium; empty where it can.
 std::string medium_problem(const MediumCase& medium) {
-  const MatterValues matter = matter_values(medium, 0);
+  const MatterValues values = matter_values(medium, 0);
   if (depend_on_direction(medium.absorption) || depend_on_direction(medium.extinction))
     return "not where absorption depends on the direction (not in this version); use emission";
-  if (is_number(matter.absorption) && std::get<double>(matter.absorption) == 0)
+  if (is_number(values.absorption) && std::get<double>(values.absorption) == 0)
     return "the medium does not absorb, so it has no temperature; give absorption, or leave heat_source out";
   const bool turns = !medium.phase.empty() && !std::holds_alternative<PhaseIsotropic>(medium.phase.front());
-  if (turns && !(is_number(matter.absorption) && is_number(matter.scattering)))
+  if (turns && !(is_number(values.absorption) && is_number(values.scattering)))
     return "not where light scatters otherwise than isotropically and absorption or scattering is a formula "
            "(not "
            "in this version); use numbers";

@@ -27,7 +27,11 @@ double number_of(const BandValues& values, int band) {
 
 }  // namespace
 
-std::string temperature_problem(const ThermalContext& context) {
+std::string temperature_problem(const Section& section, const ThermalContext& context,
+                                std::initializer_list<const char*> others) {
+  for (const char* other : others)
+    if (section.has(other))
+      return fmt::format("{} is given too, and both say what is emitted; use one of them", other);
   if (context.space == AngularSpace::plane)
     return "not in flatland (the radiance of a blackbody is that of space); use emission or radiance";
   if (context.units.length != "m" || context.units.power != "W")
@@ -93,24 +97,27 @@ std::optional<BandValues> read_temperature(Section& section, const ThermalContex
                                            std::initializer_list<const char*> emission_keys) {
   std::optional<BandValues> temperature = read_place_value(section, "temperature");
   if (!temperature || has_faulty_edges(context.bands)) return std::nullopt;
-  std::string problem = temperature_problem(context);
-  for (const char* other : emission_keys)
-    if (section.has(other))
-      problem = fmt::format("{} is given too, and both say what is emitted; use one of them", other);
+  const std::string problem = temperature_problem(section, context, emission_keys);
   if (problem.empty()) return temperature;
   section.fault("temperature", problem);
   return std::nullopt;
 }
 
-/// Radiance of a blackbody times a factor in each band.
-template <class FactorOf>
-BandValues thermal_radiance(const BandValues& temperature, const Bands& bands, FactorOf factor_of) {
+/// Radiance of a blackbody in each band.
+BandValues blackbody_values(const BandValues& temperature, const Bands& bands) {
   BandValues radiance;
   radiance.origin = temperature.origin;
   for (int band = 0; band < bands.count(); ++band)
-    radiance.values.push_back(
-        product(factor_of(band), blackbody_radiance(temperature.values.front(), bands, band)));
+    radiance.values.push_back(blackbody_radiance(temperature.values.front(), bands, band));
   return radiance;
+}
+
+/// Values times a factor of their band.
+template <class FactorOf>
+BandValues times(BandValues values, FactorOf factor_of) {
+  for (std::size_t band = 0; band < values.values.size(); ++band)
+    values.values[band] = product(factor_of(static_cast<int>(band)), values.values[band]);
+  return values;
 }
 
 }  // namespace
@@ -118,9 +125,9 @@ BandValues thermal_radiance(const BandValues& temperature, const Bands& bands, F
 void read_thermal_emission(Section& section, const ThermalContext& context, MediumCase& medium) {
   medium.temperature = read_temperature(section, context, {"emission", "power_density", "power"});
   if (!medium.temperature) return;
-  medium.blackbody = thermal_radiance(*medium.temperature, context.bands, [](int) { return Value(1.0); });
-  medium.emission = thermal_radiance(*medium.temperature, context.bands,
-                                     [&](int band) { return matter_values(medium, band).absorption; });
+  medium.blackbody = blackbody_values(*medium.temperature, context.bands);
+  medium.emission =
+      times(*medium.blackbody, [&](int band) { return matter_values(medium, band).absorption; });
   if (depend_on_direction(medium.emission))
     section.fault("temperature",
                   "not where absorption depends on the direction (not in this version); use emission");
@@ -139,8 +146,8 @@ void read_thermal_wall(Section& section, const ThermalContext& context, WallCase
     return section.fault("temperature",
                          "not beside glossy (its emissivity depends on the direction; not in this version); "
                          "use radiance");
-  wall.radiance = thermal_radiance(*wall.temperature, context.bands,
-                                   [&](int band) { return Value(absorptivity(wall, band)); });
+  wall.radiance = times(blackbody_values(*wall.temperature, context.bands),
+                        [&](int band) { return Value(absorptivity(wall, band)); });
 }
 
 }  // namespace etendue

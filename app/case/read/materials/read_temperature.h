@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <initializer_list>
 #include <string>
 
 #include "app/case/case.h"
@@ -15,8 +16,10 @@ struct ThermalContext {
   AngularSpace space;
 };
 
-/// Why a temperature cannot become a radiance; empty where it can.
-std::string temperature_problem(const ThermalContext& context);
+/// Why a temperature cannot become a radiance, or which of the keys `others` is given beside it; empty
+/// where all is well.
+std::string temperature_problem(const Section& section, const ThermalContext& context,
+                                std::initializer_list<const char*> others);
 
 /// What a wall neither reflects nor transmits.
 double absorptivity(const WallCase& wall, int band);

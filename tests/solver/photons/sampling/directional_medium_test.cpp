@@ -37,10 +37,6 @@ Medium flakes(double density, const MicroFlakes& shape) {
   return medium;
 }
 
-std::size_t wall_of(const TetrahedralMesh& mesh, const char* name) {
-  return static_cast<std::size_t>(std::ranges::find(mesh.wall_names(), name) - mesh.wall_names().begin());
-}
-
 /// A beam of irradiance 1 that enters a black cube by x = 0, y = 0 and z = 0.
 Problem lit_cube(const TetrahedralMesh& mesh, const Medium& medium, const Vec3& direction) {
   std::vector<int> lit;

@@ -20,10 +20,6 @@ namespace {
 
 using std::numbers::pi;
 
-std::size_t wall_of(const TetrahedralMesh& mesh, const char* name) {
-  return static_cast<std::size_t>(std::ranges::find(mesh.wall_names(), name) - mesh.wall_names().begin());
-}
-
 Wall emitter(const std::string& radiance, double diffuse) {
   Wall wall = uniform_wall(1, 0, diffuse, 0);
   wall.radiance_by_direction = {AngularFormula(radiance)};

@@ -3,7 +3,6 @@
 // Photons of emission that is linear in the cells, on a mesh whose cells are two free paths wide.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -18,10 +17,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kappa = 4;
-
-std::size_t wall_of(const TetrahedralMesh& mesh, const char* name) {
-  return static_cast<std::size_t>(std::ranges::find(mesh.wall_names(), name) - mesh.wall_names().begin());
-}
 
 /// A slab of absorption kappa and blackbody radiance z, black walls of 0 below and 1 above, mirrors around.
 Problem slab(const TetrahedralMesh& mesh) {
@@ -40,7 +35,7 @@ double e4(double x) {
   return value;
 }
 
-// What arrives below is 2 pi times the integral of mu (mu/kappa) (1 - e^(-kappa/mu)) over mu.
+// The irradiance below is 2 pi times the integral of mu (mu/kappa) (1 - e^(-kappa/mu)) over mu.
 double irradiance_below() { return 2 * pi / kappa * (1. / 3 - e4(kappa)); }
 
 TEST(LinearEmission, BringsTheIrradianceOfASlabForwards) {

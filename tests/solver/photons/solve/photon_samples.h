@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -11,6 +12,11 @@
 #include "solver/photons/solve/solve_photons.h"
 
 namespace etendue {
+
+/// Number of a wall.
+inline std::size_t wall_of(const TetrahedralMesh& mesh, const char* name) {
+  return static_cast<std::size_t>(std::ranges::find(mesh.wall_names(), name) - mesh.wall_names().begin());
+}
 
 inline PhotonSolution solved(const Problem& problem, double photons, const BatchReader& reader = {},
                              int threads = 2) {
