@@ -32,12 +32,12 @@ TextTable table_of(const char* kind, const char* extent, const char* net, const 
       {Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::right});
 }
 
-/// Power of lights: of all that enters from walls and lights what walls do not emit.
-double power_of_lights(const RunResult& result, const std::vector<HeatRow>& rows) {
+/// Power of lights: of all that enters from walls and lights what walls do not emit themselves.
+double power_of_lights(const RunResult& result) {
   double power = 0;
   for (const Balance& balance : result.balances) power += balance.inflow;
-  for (const HeatRow& row : rows)
-    if (row.is_wall) power -= row.emitted;
+  for (const std::vector<WallPower>& wall : result.walls)
+    for (const WallPower& band : wall) power -= band.emitted;
   return power;
 }
 
@@ -82,7 +82,7 @@ std::string heat_text(const RunResult& result) {
     add(row.is_wall ? walls : regions, row);
     (row.is_wall ? into_walls : out_of_regions) += row.net;
   }
-  const double lights = power_of_lights(result, rows);
+  const double lights = power_of_lights(result);
   const std::string from_lights = std::abs(lights) > 1e-6 * std::abs(into_walls)
                                       ? fmt::format("{:.6g} W come from lights, ", lights)
                                       : "";
