@@ -105,8 +105,8 @@ std::string message_of(std::string_view text, const std::string& file, const tom
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark has no column
   const toml::source_position& position = error.source().begin;
   TomlPlace place = toml_place(text, static_cast<int>(position.line), static_cast<int>(position.column));
-  const bool is_twice = error.description().find("redefine") != std::string_view::npos;
-  if (is_twice) place.at = place.line.find_first_not_of(" \t");
+  const bool is_twice = error.description().find("cannot redefine existing") != std::string_view::npos;
+  if (is_twice) place = redefinition_place(place);
   const std::string twice = is_twice ? redefinition_problem(place) : "";
   return toml_message(twice.empty() ? toml_problem(place, error.description()) : TomlProblem{place, twice},
                       file);

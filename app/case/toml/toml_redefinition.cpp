@@ -78,11 +78,31 @@ std::string header_problem(const std::string& name, bool is_list, const toml::no
   return fmt::format("{} on line {} is a value, and cannot be a table too", name, line);
 }
 
+bool is_toml(std::string_view text) {
+  try {
+    [[maybe_unused]] const toml::table root = toml::parse(text);
+    return true;
+  } catch (const toml::parse_error&) {
+    return false;
+  }
+}
+
+std::size_t line_begin(const TomlPlace& place) {
+  return static_cast<std::size_t>(place.line.data() - place.text.data());
+}
+
 }  // namespace
+
+TomlPlace redefinition_place(const TomlPlace& place) {
+  const std::size_t begin = line_begin(place);
+  TomlPlace twice = begin == 0 || is_toml(place.text.substr(0, begin)) ? place : place.moved_to(begin - 1);
+  twice.at = std::min(twice.line.find_first_not_of(" \t"), twice.line.size());
+  return twice;
+}
 
 std::string redefinition_problem(const TomlPlace& place) {
   const std::string_view line = trimmed(place.line);
-  const auto begin = static_cast<std::size_t>(place.line.data() - place.text.data());
+  const std::size_t begin = line_begin(place);
   try {
     const toml::table root = toml::parse(place.text.substr(0, begin));
     if (line.starts_with('[')) {

@@ -117,6 +117,10 @@ INSTANTIATE_TEST_SUITE_P(
                "slab.toml:5:1: a has a value on line 4 already; remove one of them"},
         Broken{"ValueAndTable", "a = 1\na.b = 2\n",
                "slab.toml:2:1: a has a value on line 1, and cannot be a table too"},
+        Broken{"TableWithinAValue", "a = 1\n[a.b] # c\n\nc = 2\n",
+               "slab.toml:2:1: a on line 1 is a value, and cannot be a table too\n    [a.b] # c\n    ^"},
+        Broken{"TableWithinAValueAtTheEnd", "a = 1\n[[a.b]]",
+               "slab.toml:2:1: a on line 1 is a value, and cannot be a table too"},
         Broken{"BracesOverLines", "a = { x = 1,\n  y = 2 }\n",
                "slab.toml:1:5: what is in { } must end on its line; write all of it there, or as a table of "
                "its own"},
