@@ -8,8 +8,8 @@
 
 namespace etendue {
 
-/// Beginning of the line that has a key or a table for the second time, where toml++ stops at `place`: on this
-/// line, or at the one after it where a part of a table's name is a value.
+/// Beginning of the line that has a key or a table for the second time, where toml++ stops at `place`: on
+/// this line, or at the one after it where a part of a table's name is a value.
 TomlPlace redefinition_place(const TomlPlace& place);
 
 /// Problem of a key or a table that the file has twice: the line of the first one, and a remedy. The text
