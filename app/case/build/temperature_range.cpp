@@ -69,6 +69,12 @@ void add_range(const BandValues& temperature, const std::string& place, const st
             temperature.origin, "",
             fmt::format("the temperature is {:.6g} at ({:.6g}, {:.6g}, {:.6g}) in {}; use kelvin, at least 0",
                         kelvin, point.x(), point.y(), point.z(), place)));
+      if (!bands.wsgg.gases.empty() && kelvin > bands.wsgg.highest)
+        return faults.push_back(fault_at(
+            temperature.origin, "",
+            fmt::format("the temperature is {:.6g} at ({:.6g}, {:.6g}, {:.6g}) in {}; the gray gases of "
+                        "bands.wsgg are known up to {:g} K",
+                        kelvin, point.x(), point.y(), point.z(), place, bands.wsgg.highest)));
       range.lowest = std::min(range.lowest, kelvin);
       range.highest = std::max(range.highest, kelvin);
     }

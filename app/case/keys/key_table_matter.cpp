@@ -42,6 +42,9 @@ KeyTable medium_keys() {
   t.key("temperature", place_value, {.unit = "K", .range = not_negative},
         "Instead of `emission`: the medium emits absorption times the radiance of a blackbody, divided among "
         "the bands by `bands.edges` (docs/user/heat.md).");
+  t.key("gas_pressure", place_value, {.unit = "atm", .range = not_negative},
+        "Partial pressure of water vapour and carbon dioxide together: the gray gases of `bands.wsgg` absorb "
+        "in proportion to it, besides `absorption`.");
   t.key("heat_source", place_value, {.unit = "W/m^3", .range = not_negative},
         "Instead of `temperature`: the medium is in radiative equilibrium, it sends out what it absorbs and "
         "this "

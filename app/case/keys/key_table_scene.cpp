@@ -55,6 +55,12 @@ KeyTable band_keys() {
   t.key("names", texts, {.default_value = "[\"grey\"]"}, "One name for each band.");
   t.key("edges", numbers, {.unit = "nm", .range = positive},
         "Wavelengths between the bands, rising or falling; one more than names.");
+  t.key("wsgg", text, {.choices = {"bordbar", "smith-1", "smith-2"}},
+        "Weighted sum of gray gases for mixtures of water vapour and carbon dioxide, instead of names and "
+        "edges: bands clear, gray-1, gray-2 and so on (docs/user/heat.md). bordbar: any molar ratio; smith-1 "
+        "and smith-2: ratios 1 and 2.");
+  t.key("molar_ratio", number, {.range = {.lowest = 0.01, .highest = 4}},
+        "Of water vapour to carbon dioxide, for bordbar.");
   return t;
 }
 

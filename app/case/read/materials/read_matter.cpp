@@ -8,6 +8,7 @@
 
 #include "app/case/read/lights/read_light.h"
 #include "app/case/read/materials/read_directional.h"
+#include "app/case/read/materials/read_gas_pressure.h"
 #include "app/case/read/materials/read_glazing.h"
 #include "app/case/read/materials/read_glossy.h"
 #include "app/case/read/materials/read_heat_balance.h"
@@ -192,7 +193,7 @@ MediumCase read_medium(Section section, const MatterContext& context) {
     medium.power_density = read_band_values(section, "power_density", bands);
     medium.power = read_band_values(section, "power", bands);
     read_directional(section, context, medium);
-    for (const char* key : {"temperature", "heat_source"})
+    for (const char* key : {"temperature", "heat_source", "gas_pressure"})
       section.unused(key,
                      "not beside leaves, flakes or a kernel in this version (their absorption depends on the "
                      "direction); use emission");
@@ -215,6 +216,7 @@ MediumCase read_medium(Section section, const MatterContext& context) {
     medium.scattering = std::move(scattering);
   medium.uncollided = read_uncollided(section);
   medium.choice = read_choices(section, bands);
+  read_gas_pressure(section, {bands, context.units, context.space}, medium);
   check_medium(section, medium, bands);
   read_thermal_emission(section, {bands, context.units, context.space}, medium);
   read_heat_source(section, {bands, context.units, context.space}, medium);

@@ -39,7 +39,7 @@ std::string temperature_problem(const Section& section, const ThermalContext& co
         "needs meters and watts (the case has {} and {}); write coordinates in meters (mesh.scale "
         "multiplies those of files) with units.length = \"m\", and units.power = \"W\"",
         context.units.length, context.units.power);
-  if (context.bands.count() > 1 && context.bands.edges.empty())
+  if (context.bands.count() > 1 && context.bands.edges.empty() && context.bands.wsgg.gases.empty())
     return fmt::format(
         "needs the edges of the {} bands, which divide the power of a blackbody; add "
         "bands.edges [nm], or use one band",
