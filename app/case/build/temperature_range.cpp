@@ -50,6 +50,14 @@ std::vector<Sample> samples_of_wall(const TetrahedralMesh& mesh, int wall) {
   return samples;
 }
 
+/// What to do about a temperature that cannot be; empty where it can.
+std::string kelvin_remedy(double kelvin, const Bands& bands) {
+  if (!(kelvin >= 0) || !std::isfinite(kelvin)) return "use kelvin, at least 0";
+  if (!bands.wsgg.gases.empty() && kelvin > bands.wsgg.highest)
+    return fmt::format("the gray gases of bands.wsgg are known up to {:g} K", bands.wsgg.highest);
+  return "";
+}
+
 /// Adds the range of one region or wall, or the fault of the first point where the temperature is none.
 void add_range(const BandValues& temperature, const std::string& place, const std::vector<Sample>& samples,
                const Bands& bands, std::vector<TemperatureRange>& ranges, std::vector<Fault>& faults) {
@@ -64,17 +72,11 @@ void add_range(const BandValues& temperature, const std::string& place, const st
     points.push_back(sample.centroid());
     for (const Vec3& point : points) {
       const double kelvin = kelvin_at.at(point);
-      if (!(kelvin >= 0) || !std::isfinite(kelvin))
-        return faults.push_back(fault_at(
-            temperature.origin, "",
-            fmt::format("the temperature is {:.6g} at ({:.6g}, {:.6g}, {:.6g}) in {}; use kelvin, at least 0",
-                        kelvin, point.x(), point.y(), point.z(), place)));
-      if (!bands.wsgg.gases.empty() && kelvin > bands.wsgg.highest)
-        return faults.push_back(fault_at(
-            temperature.origin, "",
-            fmt::format("the temperature is {:.6g} at ({:.6g}, {:.6g}, {:.6g}) in {}; the gray gases of "
-                        "bands.wsgg are known up to {:g} K",
-                        kelvin, point.x(), point.y(), point.z(), place, bands.wsgg.highest)));
+      if (const std::string remedy = kelvin_remedy(kelvin, bands); !remedy.empty())
+        return faults.push_back(
+            fault_at(temperature.origin, "",
+                     fmt::format("the temperature is {:.6g} at ({:.6g}, {:.6g}, {:.6g}) in {}; {}", kelvin,
+                                 point.x(), point.y(), point.z(), place, remedy)));
       range.lowest = std::min(range.lowest, kelvin);
       range.highest = std::max(range.highest, kelvin);
     }

@@ -41,7 +41,7 @@ KeyTable medium_keys() {
       "Of the whole region, instead of `emission`: divided by 4 pi (flatland: 2 pi) and the meshed volume.");
   t.key("temperature", place_value, {.unit = "K", .range = not_negative},
         "Instead of `emission`: the medium emits absorption times the radiance of a blackbody, divided among "
-        "the bands by `bands.edges` (docs/user/heat.md).");
+        "the bands by `bands.edges` or `bands.wsgg` (docs/user/heat.md).");
   t.key("gas_pressure", place_value, {.unit = "atm", .range = not_negative},
         "Partial pressure of water vapour and carbon dioxide together: the gray gases of `bands.wsgg` absorb "
         "in proportion to it, besides `absorption`.");

@@ -12,8 +12,8 @@ using Quartic = std::array<double, 5>;
 
 /// A gas of Bordbar, Wecel and Hyppanen (2014): polynomials of the molar ratio, constant terms first.
 struct BordbarGas {
-  Quartic absorption;                ///< [1/(m atm)], their table 5
-  std::array<Quartic, 5> in_kelvin;  ///< factors of (T/1200 K)^0 to (T/1200 K)^4, their table 4
+  Quartic absorption;                ///< [1/(m atm)]
+  std::array<Quartic, 5> in_kelvin;  ///< factors of (T/1200 K)^0 to (T/1200 K)^4
 };
 
 constexpr std::array<BordbarGas, 4> bordbar = {
@@ -73,7 +73,6 @@ GrayGases bordbar_gases(double molar_ratio) {
 }
 
 GrayGases smith_gases(int molar_ratio) {
-  // Their table 1, with the powers of ten that it gives for its columns.
   if (molar_ratio == 1)
     return with_clear_gas({{0.4303, {5.150e-1, -2.303e-4, 0.9779e-7, -1.494e-11}},
                            {7.055, {0.7749e-1, 3.399e-4, -2.297e-7, 3.770e-11}},

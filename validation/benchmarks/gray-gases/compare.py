@@ -5,15 +5,12 @@ import math
 
 import numpy
 
-from suite.row import Line, Row
+from suite.emitting_slab import EmittingSlab, slab_lines, slab_rows
 
-PLOT = "fluence by height"
-HEIGHTS = (0.0, 0.25, 0.5, 0.75, 1.0)
 WALLS = {"zmin": (900.0, 0.6), "zmax": (400.0, 0.8)}  # temperature [K], emissivity
 MOLAR_RATIO = 2.0
 STEFAN_BOLTZMANN = 5.670374419e-8
-NODES, WEIGHTS = (0.5 * (v + shift) for v, shift in zip(numpy.polynomial.legendre.leggauss(160), (1, 0)))  # on [0, 1]
-# By power of the molar ratio (first index), gas, power of T/1200 K: seven decimals as printed in the paper.
+# By power of the molar ratio (first index), gas, power of T/1200 K: to seven decimals, from another code than those of the solver.
 WEIGHT = numpy.array([
     [[0.7412956, -0.9412652, 0.8531866, -0.3342806, 0.0431436], [0.1552073, 0.6755648, -1.1253940, 0.6040543, -0.1105453],
      [0.2550242, -0.6065428, 0.8123855, -0.4532290, 0.0869309], [-0.0345199, 0.4112046, -0.5055995, 0.2317509, -0.0375491]],
@@ -43,75 +40,19 @@ def temperature(z):
     return 1500 - 800 * z
 
 
-class Slab:
-    """One gas: radiosities of the walls, then fluence and fluxes."""
-
-    def __init__(self, gas):
-        # Absorption 0.3/m by soot, and by a partial pressure of 0.3 + 0.2 z atm: 2 a z + b.
-        kappa = 0.0 if gas == 0 else float(ABSORPTION[gas - 1] @ POWERS)
-        self.gas, self.a, self.b = gas, 0.1 * kappa, 0.3 * kappa + 0.3
-        self.whole = self.depth(1.0)
-        # Both hemispheres by mu = t^2, which is smooth where rays graze.
-        self.mu, self.weight = NODES ** 2, 2 * NODES * WEIGHTS
-        through = 2 * numpy.sum(self.weight * self.mu * numpy.exp(-self.whole / self.mu))
-        incident = {wall: 2 * math.pi * numpy.sum(self.weight * self.mu * self.emitted(z, down))
-                    for wall, z, down in (("zmin", 0.0, True), ("zmax", 1.0, False))}
-        own = {wall: emissivity * math.pi * blackbody(kelvin, gas) for wall, (kelvin, emissivity) in WALLS.items()}
-        r0, r1 = 1 - WALLS["zmin"][1], 1 - WALLS["zmax"][1]
-        matrix = [[1, -r0 * through], [-r1 * through, 1]]
-        sent = numpy.linalg.solve(matrix, [own["zmin"] + r0 * incident["zmin"], own["zmax"] + r1 * incident["zmax"]])
-        self.sent = dict(zip(("zmin", "zmax"), sent))
-        self.net = {"zmin": incident["zmin"] + through * sent[1] - sent[0], "zmax": incident["zmax"] + through * sent[0] - sent[1]}
-
-    def depth(self, z):
-        """Optical depth of the gas below a height."""
-        return self.a * z ** 2 + self.b * z
-
-    def height(self, depth):
-        return 2 * depth / (self.b + numpy.sqrt(self.b ** 2 + 4 * self.a * depth))
-
-    def emitted(self, z, down):
-        """Radiance of the gas that arrives at a height, by cosine."""
-        depth = self.depth(z)
-        length = self.whole - depth if down else depth
-        if length == 0:
-            return numpy.zeros_like(self.mu)
-        return numpy.array([self.along(depth, length, down, mu) for mu in self.mu])
-
-    def along(self, depth, length, down, mu):
-        last = math.exp(-length / mu)
-        pieces = numpy.geomspace(max(last, 1e-18), 1.0, 9) if last < 0.5 else numpy.array([last, 1.0])
-        total = 0.0
-        for a, b in zip(pieces[:-1], pieces[1:]):
-            distance = -mu * numpy.log(a + (b - a) * NODES)
-            heights = self.height(numpy.clip(depth + distance if down else depth - distance, 0, self.whole))
-            total += (b - a) * numpy.sum(WEIGHTS * blackbody(temperature(heights), self.gas))
-        return total
-
-    def fluence(self, z):
-        found = 0.0
-        for down, wall, length in ((True, "zmax", self.whole - self.depth(z)), (False, "zmin", self.depth(z))):
-            radiance = self.emitted(z, down) + self.sent[wall] / math.pi * numpy.exp(-length / self.mu)
-            found += 2 * math.pi * numpy.sum(self.weight * radiance)
-        return found
+def slab(gas):
+    # Absorption 0.3/m by soot, and by a partial pressure of 0.3 + 0.2 z atm: 2 a z + b.
+    kappa = 0.0 if gas == 0 else float(ABSORPTION[gas - 1] @ POWERS)
+    a, b = 0.1 * kappa, 0.3 * kappa + 0.3
+    walls = {wall: (blackbody(kelvin, gas), emissivity) for wall, (kelvin, emissivity) in WALLS.items()}
+    return EmittingSlab(lambda z: a * z ** 2 + b * z, lambda depth: 2 * depth / (b + numpy.sqrt(b ** 2 + 4 * a * depth)),
+                        lambda z: blackbody(temperature(z), gas), walls)
 
 
 def compare(runs):
     result = runs["case"]
-    slabs = {band: Slab(gas) for gas, band in enumerate(result.bands)}
-    found = []
-    for wall in WALLS:
-        exact = sum(slab.net[wall] for slab in slabs.values())
-        found.append(Row(f"heat flux into {wall}", result.heat(wall, "density"), exact))
-    exact = sum(slab.net[wall] for slab in slabs.values() for wall in WALLS)
-    found.append(Row("mean divergence of the heat flux", result.heat("gas", "density"), exact))
-    for band, slab in slabs.items():
-        for z in HEIGHTS:
-            found.append(Row(f"fluence at {z:g} m, {band}", result.at((0.5, 0.5, z), band)["fluence"], slab.fluence(z),
-                             plot=PLOT, curve=band, x=z))
-    return found
+    return slab_rows(result, {band: slab(gas) for gas, band in enumerate(result.bands)})
 
 
 def lines(runs):
-    return [Line(PLOT, band, [p["z"] for p in points], [p["fluence"] for p in points])
-            for band in runs["case"].bands for points in [runs["case"].probe("height", band)]]
+    return slab_lines(runs["case"])
