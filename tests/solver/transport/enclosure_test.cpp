@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/angular/sets/rotation.h"
 #include "solver/solution/balance.h"
 #include "solver/solution/probe.h"
 #include "solver/transport/solve/solve.h"
@@ -161,7 +162,7 @@ TEST(LaggedFaces, ConvergeToTheSolutionOfTheRing) {
   const TetrahedralMesh mesh = moved_mesh(cyclic_ring(), [](const Vec3& p) -> Vec3 {
     // Turned so that an ordinate of the set lies along the ring's axis.
     const Vec3 axis = directions_ldfe_sq(1).direction(OrdinateIndex(0));
-    return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis) * p;
+    return rotation_about(Vec3::UnitZ() + axis, 180) * p;
   });
   const double level = 3;
   Wall wall = uniform_wall(1, 0.5 * level, 0.5, 0);

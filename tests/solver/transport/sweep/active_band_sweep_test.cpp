@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 
+#include "solver/angular/sets/rotation.h"
 #include "solver/transport/sweep/transport_sweep.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 #include "tests/solver/transport/sample_problems.h"
@@ -97,7 +97,7 @@ TEST(ActiveBandSweep, GivesTheSameAcrossLaggedFaces) {
   // Turned so that an ordinate of the set lies along the ring's axis.
   const DirectionSet directions = directions_product(4);
   const TetrahedralMesh mesh = moved_mesh(cyclic_ring(), [&](const Vec3& p) -> Vec3 {
-    return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), directions.direction(OrdinateIndex(0))) * p;
+    return rotation_about(Vec3::UnitZ() + directions.direction(OrdinateIndex(0)), 180) * p;
   });
   const Problem problem = varied_problem(mesh, std::vector<PhaseFunction>(bands, PhaseIsotropic{}), {}, 0);
   ASSERT_GT(Swept(mesh, problem, directions).sweep.discretization().orders->lagged_total(), 0u);

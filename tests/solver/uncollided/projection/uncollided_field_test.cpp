@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,6 +10,7 @@
 #include "mesh/geometry/arrangement/arrangement.h"
 #include "mesh/tetrahedra/generation/tetrahedralize.h"
 #include "mesh/tetrahedra/search/cell_locator.h"
+#include "solver/angular/sets/rotation.h"
 #include "solver/uncollided/lights/light_setup.h"
 #include "solver/uncollided/sources/beam_source.h"
 #include "solver/uncollided/sources/point_source.h"
@@ -184,7 +184,7 @@ double flux_through(const std::array<Vec3, 3>& face, const Vec3& inside, const V
   const double height = normal.dot(face[0] - lamp);
   if (std::abs(height) < 1e-12 * (face[1] - face[0]).norm()) return 0;
   if (height < 0) normal = -normal;
-  const Eigen::Quaterniond upwards = Eigen::Quaterniond::FromTwoVectors(normal, Vec3::UnitZ());
+  const Rotation upwards = rotation_about(normal + Vec3::UnitZ(), 180);
   std::vector<Vec3> turned;
   for (const Vec3& corner : face) turned.emplace_back(upwards * (corner - lamp));
   if ((turned[1] - turned[0]).cross(turned[2] - turned[0]).z() < 0) std::swap(turned[1], turned[2]);

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -11,6 +10,7 @@
 #include "mesh/geometry/arrangement/arrangement.h"
 #include "mesh/tetrahedra/generation/tetrahedralize.h"
 #include "mesh/tetrahedra/search/cell_locator.h"
+#include "solver/angular/sets/rotation.h"
 #include "solver/uncollided/lights/light_setup.h"
 #include "tests/solver/transport/sample_problems.h"
 
@@ -63,8 +63,7 @@ TEST(ExtendedSource, DiscSeenEdgeOnIsDark) {
   const LightPaths paths(problem);
   const CellLocator locator(mesh);
   const Vec3 centre(0.214, 0.8706, 0.362);
-  const Eigen::Matrix3d turn =
-      Eigen::Quaterniond::FromTwoVectors(-Vec3::UnitZ(), Vec3(0.8161, -0.08868, -1)).toRotationMatrix();
+  const Rotation turn = rotation_about(Vec3(0.8161, -0.08868, -1).normalized() - Vec3::UnitZ(), 180);
   std::vector<EmitterPart> parts = disc(Vec3::Zero(), 0.08582, 64);
   for (EmitterPart& part : parts)
     for (std::size_t i = 0; i < 3; ++i) part.corners[i] = centre + turn * part.corners[i];
