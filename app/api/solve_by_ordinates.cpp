@@ -28,7 +28,10 @@ void sweep(SolvedCase& solved, const SolveHooks& hooks, OrdinateSensorTally& tal
   options.stops = hooks.stop;
   DirectionSetObserver reader;
   if (need_all_ordinates(solved.input.sensors, solved.problem.space()))
-    reader = [&](const DirectionSetSolution& swept) { tally.add(options, swept); };
+    reader = [&](const DirectionSetSolution& swept) {
+      setup.set_emission(solved.problem);
+      tally.add(options, swept);
+    };
   hooks.begins("light before its first collision");
   UncollidedLight uncollided(setup.lights, options);
   throw_if_stopped(hooks);
@@ -65,7 +68,9 @@ void solve_by_ordinates(SolvedCase& solved, const SolveHooks& hooks) {
   memory_text(setup.memory(), solved.problem);  // throws where there is not as much
   OrdinateSensorTally tally(solved.input.sensors, setup.lights, setup.locator);
   sweep(solved, hooks, tally);
+  setup.set_emission(solved.problem);
   RunResult& result = solved.result.emplace(measured(solved));
+  result.heat = setup.heat_solution();
   result.is_coarse = is_coarse(setup.resolution(solved.problem));
   if (setup.exact) {
     result.exact = compare_with_exact(solved.problem, solved.solution, setup.exact->radiance, setup.set());

@@ -38,7 +38,7 @@ struct SolvedCase {
 
   etendue::Case input;  ///< of which the folder of results alone may change
   const std::shared_ptr<const TetrahedralMesh> mesh;
-  const Problem problem;
+  Problem problem;  ///< changes where temperatures follow
   const CellLocator locator;
   std::unique_ptr<OrdinatesSetup> ordinates;  ///< of a solution by ordinates
   std::unique_ptr<RadiosityViews> radiosity;  ///< of a solution by radiosity

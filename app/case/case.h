@@ -87,7 +87,8 @@ struct MediumCase {
   std::optional<BandValues> temperature;  ///< one value [K], from which `blackbody` and `emission` follow
   /// Radiance of a blackbody of this temperature; `emission` is the absorption times it.
   std::optional<BandValues> blackbody;
-  std::optional<BandValues> heat_source;  ///< one value [W/m^3]; the temperature follows
+  std::optional<BandValues> heat_source;   ///< one value [W/m^3]; the temperature follows
+  std::optional<BandValues> conductivity;  ///< one value [W/(m K)]; the temperature follows
   std::optional<BandValues> emission, power_density;
   Uncollided uncollided = Uncollided::automatic;
   std::vector<std::string> phase_notes;            ///< what was computed on the way to them
@@ -99,6 +100,10 @@ struct MediumCase {
   bool has_kernel = false;                         ///< whose scattering follows from it when there is a mesh
   Origin origin;
   AngularSpace space = AngularSpace::sphere;  ///< what power is divided by
+  bool reradiates = false;  ///< whether the temperature follows from `heat_source` by scattering alone
+
+  /// Whether the temperature follows, and takes more than one solution of the transport equation.
+  bool iterates_temperature() const { return (heat_source || conductivity) && !reradiates; }
 };
 
 /// A set of directions by its name.

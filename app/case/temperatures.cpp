@@ -6,7 +6,9 @@
 namespace etendue {
 namespace {
 
-bool has_temperature(const MediumCase& medium) { return medium.temperature || medium.heat_source; }
+bool has_temperature(const MediumCase& medium) {
+  return medium.temperature || medium.heat_source || medium.conductivity;
+}
 bool has_temperature(const WallCase& wall) { return wall.temperature || wall.heat_flux; }
 
 template <class Entry>
@@ -18,6 +20,11 @@ bool any_temperature(const std::map<std::string, Entry>& entries) {
 
 bool has_temperatures(const Case& input) {
   return any_temperature(input.media) || any_temperature(input.walls);
+}
+
+bool iterates_temperatures(const Case& input) {
+  return std::ranges::any_of(input.media,
+                             [](const auto& entry) { return entry.second.iterates_temperature(); });
 }
 
 }  // namespace etendue

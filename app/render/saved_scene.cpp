@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "app/case/build/build.h"
+#include "app/case/temperatures.h"
 #include "app/readings/probes.h"
 #include "app/write/json/summary.h"
 #include "app/write/vtk/solution_file.h"
@@ -25,6 +26,15 @@ SolveOptions options_of_run(const Case& input, const std::filesystem::path& resu
   return options;
 }
 
+/// Saved results hold no emission of media whose temperatures followed.
+Case with_given_temperatures(Case input) {
+  if (!iterates_temperatures(input)) return input;
+  throw InputError(
+      "the temperatures of this case follow by iteration, and pictures of its saved results cannot be made "
+      "(not in this version); "
+      "run the case with its cameras");
+}
+
 }  // namespace
 
 std::optional<Case> case_of_results(const std::filesystem::path& results, const Overrides& overrides) {
@@ -35,7 +45,7 @@ std::optional<Case> case_of_results(const std::filesystem::path& results, const 
 
 SavedScene::SavedScene(Case asked, const std::filesystem::path& results, const std::string& command,
                        std::optional<int> threads, const Log& log)
-    : input(std::move(asked)),
+    : input(with_given_temperatures(std::move(asked))),
       mesh(build_mesh(input, log)),
       problem(build_problem(input, mesh)),
       directions(build_directions(input, problem)),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/run/ordinates_setup.h"
 
+#include "app/case/build/build_heat.h"
+#include "app/case/temperatures.h"
 #include "app/readings/probes.h"
 #include "app/readings/sensors.h"
 #include "app/render/pictures.h"
@@ -21,7 +23,21 @@ OrdinatesSetup::OrdinatesSetup(const Case& input, const Problem& problem)
       locator(problem.mesh()) {
   check_sensors(input.sensors, locator, problem);
   options = run_options(input, set(), place_probes(input.probes, problem.mesh(), locator));
+  if (iterates_temperatures(input)) {
+    heat = build_heat(input, problem.mesh());
+    temperatures = std::make_unique<TemperatureIteration>(problem, *heat);
+    options.following_emission = temperatures.get();
+  }
   if (input.exact) options.angular_input = &exact.emplace(input, problem, set()).input;
+}
+
+void OrdinatesSetup::set_emission(Problem& problem) const {
+  if (temperatures) problem.set_following_emission(temperatures->emission());
+}
+
+std::optional<HeatSolution> OrdinatesSetup::heat_solution() const {
+  if (!temperatures) return std::nullopt;
+  return temperatures->solution();
 }
 
 Resolution OrdinatesSetup::resolution(const Problem& problem) const {

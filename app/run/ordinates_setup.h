@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "app/case/case.h"
@@ -9,7 +10,10 @@
 #include "app/setup/run_options.h"
 #include "mesh/tetrahedra/search/cell_locator.h"
 #include "solver/angular/sets/direction_set.h"
+#include "solver/heat/heat_solution.h"
+#include "solver/heat/temperature_iteration.h"
 #include "solver/problem/problem.h"
+#include "solver/solution/solution.h"
 #include "solver/solution/solve_options.h"
 #include "solver/transport/solve/resolution.h"
 #include "solver/uncollided/lights/light_setup.h"
@@ -23,6 +27,8 @@ struct OrdinatesSetup {
   RunDirections directions;
   CellLocator locator;
   std::optional<ExactSetup> exact;
+  std::optional<HeatProblem> heat;  ///< of a case whose temperatures follow by iteration
+  std::unique_ptr<TemperatureIteration> temperatures;
   SolveOptions options;
 
   /// The arguments must outlive it.
@@ -34,6 +40,10 @@ struct OrdinatesSetup {
   /// How finely cells and the finest directions resolve the problem; cells count as lumped where the options
   /// let the program choose.
   Resolution resolution(const Problem& problem) const;
+  /// Gives the problem the emission of the temperatures that a solution has found.
+  void set_emission(Problem& problem) const;
+  /// Temperatures that a solution has found; null: none follow.
+  std::optional<HeatSolution> heat_solution() const;
   RunMemory memory() const { return memory_of(lights, directions, options); }
 };
 

@@ -90,7 +90,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
   seconds.mesh = watch.lap();
   out << mesh_line(mesh) << std::flush;
   std::optional<ShownStage> setting_up(std::in_place, stages, "setting up");
-  const Problem problem = build_problem(input, mesh);
+  Problem problem = build_problem(input, mesh);
   const std::vector<std::string> fields = field_texts(input, mesh);
   setting_up.reset();
   for (const std::string& field : fields) out << field << '\n';
@@ -114,6 +114,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
   if (need_all_ordinates(input.sensors, problem.space()))
     tally_ordinates = [&](const DirectionSetSolution& swept) {
       Stopwatch reading;
+      setup.set_emission(problem);
       ordinates.add(options, swept);
       seconds.sensors += reading.lap();
     };
@@ -146,6 +147,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
       *uncollided, {input, problem, all_directions, options, stages, err, interruption}, tally_ordinates);
   if (!solved) return ExitCode::interrupted;
   const Solution& solution = *solved;
+  setup.set_emission(problem);
   interruption.note_all();
   // What is around the stages of the solution, and in none of them.
   seconds.setup += std::max(0.0, watch.lap() - sum_of(solution.seconds) - seconds.sensors);
@@ -167,6 +169,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
                    .seconds = seconds,
                    .threads = options.threads,
                    .record = request.record,
+                   .heat = setup.heat_solution(),
                    .is_coarse = is_coarse(resolution)};
   if (setup.exact) add_exact(*setup.exact, directions, result);
   result.seconds.measures = watch.lap();

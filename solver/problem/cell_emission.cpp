@@ -20,6 +20,16 @@ void CellEmission::add(CellIndex cell, std::size_t band, double mean, const std:
     slopes_[(static_cast<std::size_t>(row) * 4 + i) * bands_ + band] += slope[i];
 }
 
+void CellEmission::add(const CellEmission& other) {
+  for (std::size_t i = 0; i < means_.size(); ++i) {
+    const CellIndex cell(static_cast<std::int32_t>(i / bands_));
+    const std::size_t band = i % bands_;
+    std::array<double, 4> slope = {};
+    for (std::size_t k = 0; k < slope.size(); ++k) slope[k] = other.slope(cell, band, k);
+    add(cell, band, other.mean(cell, band), slope);
+  }
+}
+
 CellEmission CellEmission::of_bands(std::span<const int> bands) const {
   CellEmission result = *this;
   result.bands_ = bands.size();

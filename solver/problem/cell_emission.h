@@ -21,6 +21,10 @@ class CellEmission {
   /// Adds to a cell in one band a mean and a slope, which sums to 0.
   void add(CellIndex cell, std::size_t band, double mean, const std::array<double, 4>& slope);
 
+  /// Adds another one of the same cells and bands.
+  void add(const CellEmission& other);
+  bool empty() const { return means_.empty(); }
+
   std::span<const double> means() const { return means_; }  ///< [cell][band]
   double mean(CellIndex cell, std::size_t band) const { return means_[cell.at() * bands_ + band]; }
   /// At vertex i of a cell.

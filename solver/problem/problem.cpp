@@ -130,4 +130,11 @@ Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> m
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
+void Problem::set_following_emission(CellEmission emission) {
+  if (own_emission_.empty()) own_emission_ = emission_;
+  emission_ = own_emission_;
+  emission_.add(emission);
+  following_emission_ = std::move(emission);
+}
+
 }  // namespace etendue

@@ -132,6 +132,11 @@ class Problem {
   /// Emission within the cells, of which emission() is the mean.
   const CellEmission& cell_emission() const { return emission_; }
 
+  /// Beside what media say: of those whose temperature follows from their heat. Empty: none.
+  const CellEmission& following_emission() const { return following_emission_; }
+  /// Sets it; cell_emission() is the sum of both from now on.
+  void set_following_emission(CellEmission emission);
+
   const Medium& medium(int region) const { return media_[static_cast<std::size_t>(region)]; }
   const Wall& wall(int wall) const { return walls_[static_cast<std::size_t>(wall)]; }
   std::span<const Medium> media() const { return media_; }
@@ -153,6 +158,8 @@ class Problem {
   std::vector<double> absorption_;
   std::vector<double> scattering_;
   CellEmission emission_;
+  CellEmission own_emission_;  ///< that of media, once another one follows
+  CellEmission following_emission_;
 };
 
 }  // namespace etendue

@@ -42,6 +42,7 @@ struct IrradianceMeter {
 };
 
 class AngularInput;
+class FollowingEmission;
 struct SavedState;
 
 struct SolveOptions {
@@ -63,6 +64,9 @@ struct SolveOptions {
   std::vector<IrradianceMeter> meters;  ///< read while sweeping: the angular solution is not kept
   /// Source and inflow by direction on top of the problem's; must outlive the solution. Null: none.
   const AngularInput* angular_input = nullptr;
+  /// Emission that changes with the solution, and in the end is that of the solution; must outlive the
+  /// call. Null: the emission of the problem is all.
+  FollowingEmission* following_emission = nullptr;
   /// Where the iteration starts; must outlive the call. Null: from darkness.
   const SavedState* initial = nullptr;
   /// Whether to end at once, within a sweep: asked by all threads, often. Then SolveStopped is thrown.

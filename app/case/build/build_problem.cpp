@@ -98,7 +98,7 @@ Medium medium_of(const MediumCase& entry, const std::string& region, double volu
     medium.phase.push_back(entry.phase.empty() ? PhaseFunction{}
                                                : entry.phase[common ? 0 : static_cast<std::size_t>(band)]);
   }
-  if (entry.heat_source) reradiate(medium, matter_values(entry, 0));
+  if (entry.reradiates) reradiate(medium, matter_values(entry, 0));
   return medium;
 }
 

@@ -93,11 +93,13 @@ struct Key {
   std::optional<BandValues> MediumCase::*values;
   const char* name;
 };
-constexpr std::array<Key, 7> medium_keys = {{{&MediumCase::absorption, "absorption"},
+constexpr std::array<Key, 9> medium_keys = {{{&MediumCase::absorption, "absorption"},
                                              {&MediumCase::scattering, "scattering"},
                                              {&MediumCase::extinction, "extinction"},
                                              {&MediumCase::albedo, "albedo"},
                                              {&MediumCase::temperature, "temperature"},
+                                             {&MediumCase::heat_source, "heat_source"},
+                                             {&MediumCase::conductivity, "conductivity"},
                                              {&MediumCase::emission, "emission"},
                                              {&MediumCase::power_density, "power_density"}}};
 

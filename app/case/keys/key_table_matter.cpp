@@ -46,9 +46,12 @@ KeyTable medium_keys() {
         "Partial pressure of water vapour and carbon dioxide together: the gray gases of `bands.wsgg` absorb "
         "in proportion to it, besides `absorption`.");
   t.key("heat_source", place_value, {.unit = "W/m^3", .range = not_negative},
-        "Instead of `temperature`: the medium is in radiative equilibrium, it sends out what it absorbs and "
-        "this "
-        "heat, and its temperature follows; 0: no heat but that of radiation. Of one gray band.");
+        "Instead of `temperature`: the medium sends out or conducts what it absorbs and this heat, and its "
+        "temperature follows; 0: no heat but that of radiation.");
+  t.key(
+      "conductivity", place_value, {.unit = "W/(m K)", .range = not_negative},
+      "Instead of `temperature`: the medium conducts heat, between walls at their `temperature` (others are "
+      "insulated), and its temperature follows from conduction, radiation and `heat_source`.");
   t.key("scattering_method", band_texts,
         {.default_value = "\"auto\"", .choices = {"auto", "moments", "dense", "galerkin"}},
         "Through moments of the radiance, or a matrix between the directions: dense (never negative, exact "

@@ -7,6 +7,7 @@
 #include "app/case/keys/key_check.h"
 #include "app/case/keys/override.h"
 #include "app/case/keys/section.h"
+#include "app/case/read/check_heat.h"
 #include "app/case/read/eye_check.h"
 #include "app/case/read/lights/read_light.h"
 #include "app/case/read/materials/read_matter.h"
@@ -65,8 +66,9 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
 
 /// Media that emit by their temperature have the refractive index of vacuum.
 void check_refracting_walls(const Case& input, Faults& faults) {
-  const bool has_hot_medium = std::ranges::any_of(
-      input.media, [](const auto& entry) { return entry.second.temperature.has_value(); });
+  const bool has_hot_medium = std::ranges::any_of(input.media, [](const auto& entry) {
+    return entry.second.temperature.has_value() || entry.second.iterates_temperature();
+  });
   for (const auto& [name, wall] : input.walls)
     if (has_hot_medium && wall.refractive_index != 1)
       faults.push_back(
@@ -107,6 +109,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
     check_possible_names(result, faults);
     check_daylight_factors(result, faults);
     check_refracting_walls(result, faults);
+    check_heat(result, faults);
     check_seen_by_eye(result, faults);
     check_sensors_see_lights(result, faults);
   }

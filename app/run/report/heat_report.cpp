@@ -6,6 +6,7 @@
 
 #include "app/case/build/entry_of.h"
 #include "app/case/temperatures.h"
+#include "app/case/values/blackbody_values.h"
 #include "app/progress/text_table.h"
 #include "app/run/report/run_report.h"
 #include "app/write/result/heat_rows.h"
@@ -18,6 +19,35 @@ constexpr std::size_t longest_table = 40;
 /// Width of a cell in absorption lengths up to which linear emission does: the flux at a wall of a slab with
 /// a linear temperature is then off by half a percent.
 constexpr double thin_cell = 1.2;
+/// Cells over the layer at a wall up to which conducted heat is off by some percent.
+constexpr double coarsest_layer = 2;
+/// Of a blackbody's power, without a caution.
+constexpr double largest_part_outside = 0.02;
+
+/// Of layers at walls that the cells do not resolve.
+std::string layer_caution(const RunResult& result) {
+  if (!result.heat || result.heat->cells_per_layer <= coarsest_layer) return "";
+  return fmt::format(
+      "caution: cells at walls are up to {:.2g} times as thick as the layer in which conduction gives way to "
+      "radiation; "
+      "conducted heat may be far off; use finer cells there\n",
+      result.heat->cells_per_layer);
+}
+
+/// With what is conducted into walls, where media conduct.
+std::string conduction_text(const RunResult& result, const std::vector<HeatRow>& rows) {
+  if (!result.heat) return "";
+  TextTable table({"wall", "conducted [W]", "with radiation [W]"}, {Align::left, Align::right, Align::right});
+  double sum = 0;
+  for (const HeatRow& row : rows)
+    if (row.conducted != 0) {
+      table.add_row({row.name, number(row.conducted, 0), number(row.conducted + row.net, 0)});
+      sum += row.conducted;
+    }
+  if (sum == 0 && table.empty()) return "";
+  return fmt::format("\nconducted heat\n{}  {:.6g} W are conducted into the walls\n{}", table.text(), sum,
+                     layer_caution(result));
+}
 
 void add(TextTable& table, const HeatRow& row) {
   table.add_row({row.name, number(row.extent), number(row.emitted), number(row.absorbed),
@@ -46,8 +76,10 @@ double thickest_cell(const RunResult& result) {
   const Problem& problem = result.problem;
   std::vector<char> changes;
   for (const std::string& name : problem.mesh().region_names()) {
-    const std::optional<BandValues> temperature = entry_of(result.input.media, name).temperature;
-    changes.push_back(temperature && std::holds_alternative<Formula>(temperature->values.front()));
+    const MediumCase medium = entry_of(result.input.media, name);
+    const auto& temperature = medium.temperature;
+    changes.push_back(medium.iterates_temperature() ||
+                      (temperature && std::holds_alternative<Formula>(temperature->values.front())));
   }
   double thickest = 0;
   for (std::int32_t c = 0; c < problem.mesh().cell_count(); ++c) {
@@ -59,14 +91,31 @@ double thickest_cell(const RunResult& result) {
   return thickest;
 }
 
+/// Of temperatures that followed, which are not known before.
+std::string range_caution(const RunResult& result) {
+  if (!result.heat) return "";
+  const Bands& bands = result.problem.bands();
+  const double highest = *std::ranges::max_element(result.heat->temperature);
+  if (!bands.wsgg.gases.empty() && highest > bands.wsgg.highest)
+    return fmt::format(
+        "caution: temperatures of up to {:.5g} K: the gray gases of bands.wsgg are known up to {:g} K\n",
+        highest, bands.wsgg.highest);
+  const double outside = fraction_outside_bands(highest, bands);
+  if (outside <= largest_part_outside) return "";
+  return fmt::format(
+      "caution: {:.2g} % of the power of a blackbody of {:.5g} K is outside of bands.edges; use wider ones\n",
+      100 * outside, highest);
+}
+
 std::string caution_of(const RunResult& result) {
   const double thickest = thickest_cell(result);
-  if (thickest <= thin_cell) return "";
-  return fmt::format(
-      "caution: cells with a temperature gradient are up to {:.2g} absorption lengths wide; heat fluxes "
-      "there may be "
-      "off by some percent; use finer cells, below {:g} of a length\n",
-      thickest, thin_cell);
+  if (thickest <= thin_cell) return range_caution(result);
+  return range_caution(result) + fmt::format(
+                                     "caution: cells with a temperature gradient are up to {:.2g} absorption "
+                                     "lengths wide; heat fluxes "
+                                     "there may be "
+                                     "off by some percent; use finer cells, below {:g} of a length\n",
+                                     thickest, thin_cell);
 }
 
 }  // namespace
@@ -86,9 +135,9 @@ std::string heat_text(const RunResult& result) {
   const std::string from_lights = std::abs(lights) > 1e-6 * std::abs(into_walls)
                                       ? fmt::format("{:.6g} W come from lights, ", lights)
                                       : "";
-  return fmt::format("\nradiative heat\n{}{}  {:.6g} W leave the media, {}and {:.6g} W enter the walls\n{}",
+  return fmt::format("\nradiative heat\n{}{}  {:.6g} W leave the media, {}and {:.6g} W enter the walls\n{}{}",
                      walls.text(), regions.text(), out_of_regions, from_lights, into_walls,
-                     caution_of(result));
+                     caution_of(result), conduction_text(result, rows));
 }
 
 }  // namespace etendue

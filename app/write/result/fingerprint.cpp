@@ -78,8 +78,9 @@ void add_fields(const BandValues& values, ContentHash& hash) {
 void add_files(const Case& input, const std::string& table, ContentHash& hash) {
   if (table == "media")
     for (const auto& [name, medium] : input.media)
-      for (const auto* values : {&medium.absorption, &medium.scattering, &medium.extinction, &medium.albedo,
-                                 &medium.emission, &medium.power_density})
+      for (const auto* values :
+           {&medium.absorption, &medium.scattering, &medium.extinction, &medium.albedo, &medium.emission,
+            &medium.power_density, &medium.temperature, &medium.heat_source, &medium.conductivity})
         if (*values) add_fields(**values, hash);
   if (table == "walls")
     for (const auto& [name, wall] : input.walls) add_fields(wall.radiance, hash);

@@ -51,6 +51,7 @@ HeatRow wall_row(const RunResult& result, std::size_t wall, double temperature) 
     row.absorbed += reradiated;
     if (result.errors) variance += std::pow(result.errors->net[wall][band], 2);
   }
+  if (result.heat) row.conducted = result.heat->conducted[wall];
   row.net = row.absorbed - row.emitted;
   row.error = std::sqrt(variance);
   return row;

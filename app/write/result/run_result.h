@@ -8,6 +8,7 @@
 #include "app/case/case.h"
 #include "app/write/result/run_record.h"
 #include "solver/exact/exact_comparison.h"
+#include "solver/heat/heat_solution.h"
 #include "solver/observe/sensors/measurement.h"
 #include "solver/photons/solve/solve_photons.h"
 #include "solver/problem/problem.h"
@@ -90,6 +91,7 @@ struct RunResult {
   RunSeconds seconds;
   int threads = 1;
   RunRecord record = {};
+  std::optional<HeatSolution> heat = {};   ///< of temperatures that follow by iteration
   bool is_coarse = false;                  ///< known before the sweeps: cells or directions too coarse
   std::vector<std::string> left_out = {};  ///< what an interruption left out: "3 of 5 sensors"
 

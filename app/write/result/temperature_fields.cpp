@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "app/case/build/entry_of.h"
 #include "app/case/values/value_algebra.h"
@@ -29,14 +30,22 @@ double equilibrium_temperature(const Problem& problem, CellIndex cell, double fl
   return kappa > 0 ? temperature_of(fluence / 4 + pi * problem.emission(cell, 0) / kappa) : 0;
 }
 
+/// Of values [cell][4], at the centroid of a cell.
+double mean_of_vertices(const std::vector<double>& values, CellIndex cell) {
+  const auto first = values.begin() + static_cast<std::ptrdiff_t>(4 * cell.at());
+  return std::accumulate(first, first + 4, 0.0) / 4;
+}
+
 }  // namespace
 
 std::vector<double> cell_temperatures(const RunResult& result) {
   const Problem& problem = result.problem;
   const TetrahedralMesh& mesh = problem.mesh();
   std::vector<std::optional<Coefficient>> given;
+  std::vector<char> follows;
   for (const std::string& name : mesh.region_names()) {
     const MediumCase entry = entry_of(result.input.media, name);
+    follows.push_back(entry.iterates_temperature());
     given.push_back(entry.temperature ? std::optional(coefficient_of(entry.temperature->values.front()))
                                       : std::nullopt);
   }
@@ -44,7 +53,9 @@ std::vector<double> cell_temperatures(const RunResult& result) {
   std::vector<double> kelvin(static_cast<std::size_t>(mesh.cell_count()), 0);
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
-    if (const auto& formula = given[static_cast<std::size_t>(mesh.region(cell))])
+    if (follows[static_cast<std::size_t>(mesh.region(cell))] != 0 && result.heat)
+      kelvin[cell.at()] = mean_of_vertices(result.heat->temperature, cell);
+    else if (const auto& formula = given[static_cast<std::size_t>(mesh.region(cell))])
       kelvin[cell.at()] = formula->at(mesh.centroid(cell));
     else if (!problem.medium(mesh.region(cell)).reradiation.empty())
       kelvin[cell.at()] = equilibrium_temperature(problem, cell, fluence[cell.at()]);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
 #include <utility>
 
 #include "solver/transport/iteration/gmres.h"
@@ -15,11 +14,6 @@
 
 namespace etendue {
 namespace {
-
-std::unique_ptr<Iteration> make_iteration(Method method) {
-  if (method == Method::source_iteration) return std::make_unique<SourceIteration>();
-  return std::make_unique<Gmres>();
-}
 
 bool keeps_positive(const SolveOptions& options) {
   return options.positivity != Positivity::none && options.order == SpaceOrder::linear;
@@ -131,6 +125,11 @@ void keep_positive(const IterationSetup& setup, int used, TransportState& state,
 }
 
 }  // namespace
+
+std::unique_ptr<Iteration> make_iteration(Method method) {
+  if (method == Method::source_iteration) return std::make_unique<SourceIteration>();
+  return std::make_unique<Gmres>();
+}
 
 const char* iteration_name(Method method) { return make_iteration(method)->name(); }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
 #include "solver/solution/solution.h"
 #include "solver/solution/solve_observer.h"
+#include "solver/transport/iteration/iteration.h"
 #include "solver/transport/solve/acceleration_policy.h"
 #include "solver/transport/sweep/transport_sweep.h"
 
@@ -16,6 +19,8 @@ struct IterationSetup {
   const SolveOptions& options;
   const SolveObserver& observer;
 };
+
+std::unique_ptr<Iteration> make_iteration(Method method);
 
 /// Name of a method in results.
 const char* iteration_name(Method method);

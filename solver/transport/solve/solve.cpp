@@ -8,6 +8,7 @@
 #include "solver/transport/order/sweep_stopped.h"
 #include "solver/transport/solve/acceleration_policy.h"
 #include "solver/transport/solve/iterate.h"
+#include "solver/transport/solve/iterate_emission.h"
 #include "solver/transport/solve/read_out.h"
 #include "solver/transport/source/directional_emission.h"
 #include "solver/transport/source/ordinate_lights.h"
@@ -69,10 +70,9 @@ bool sweeps_in_single_precision(const SolveOptions& options, const TransportSwee
          !sweep.is_direct();
 }
 
-}  // namespace
-
-Solution solve(const Problem& problem, const DirectionSet& directions, const SolveOptions& options,
-               const SolveObserver& observer) try {
+/// solve(); `changing`, where it is not null, is the problem, whose emission follows from the light.
+Solution solve_fixed_or_following(const Problem& problem, Problem* changing, const DirectionSet& directions,
+                                  const SolveOptions& options, const SolveObserver& observer) {
   if (problem.space() != directions.space())
     throw std::invalid_argument("a plane problem needs directions in the plane, and only that");
   const Clock::time_point begun = Clock::now();
@@ -94,7 +94,11 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   SweepRecord record;
   try {
     low_order = choose_low_order(problem, sweep, extinction, options, solution.notes);
-    iterate({sweep, single ? &*single : nullptr, low_order, options, observer}, state, record, solution);
+    const IterationSetup setup{sweep, single ? &*single : nullptr, low_order, options, observer};
+    if (changing != nullptr)
+      iterate_emission(setup, *changing, state, record, solution);
+    else
+      iterate(setup, state, record, solution);
   } catch (const SweepStopped&) {
     throw SolveStopped{saved(state, problem.band_count())};
   }
@@ -109,6 +113,16 @@ Solution solve(const Problem& problem, const DirectionSet& directions, const Sol
   const std::vector<std::string> notes = notes_of(sweep);
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
   return solution;
+}
+
+}  // namespace
+
+Solution solve(const Problem& problem, const DirectionSet& directions, const SolveOptions& options,
+               const SolveObserver& observer) try {
+  if (options.following_emission == nullptr)
+    return solve_fixed_or_following(problem, nullptr, directions, options, observer);
+  Problem changing = problem;
+  return solve_fixed_or_following(changing, &changing, directions, options, observer);
 } catch (const SweepStopped&) {
   throw SolveStopped{};  // before there was a state
 }

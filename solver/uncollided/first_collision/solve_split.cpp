@@ -12,6 +12,7 @@
 #include "base/wall_clock.h"
 #include "mesh/tetrahedra/corners.h"
 #include "solver/problem/lights/beam_pieces.h"
+#include "solver/solution/following_emission.h"
 #include "solver/solution/node_means.h"
 #include "solver/transport/solve/solve.h"
 #include "solver/uncollided/first_collision/first_collided_solution.h"
@@ -159,6 +160,7 @@ Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const Direc
                                      const DirectionSetObserver& reader) const {
   const Problem remaining = lights_.remaining();
   SolveOptions with_input = options;
+  if (options.following_emission != nullptr) options.following_emission->set_unswept(field_.fluence);
   if (first_collided != nullptr) {
     const FirstCollidedSolution first(lights_, field_, remaining, *first_collided, directions, options,
                                       threads_);

@@ -286,8 +286,10 @@ Problem LightSetup::remaining() const {
   std::vector<Light> swept;
   std::ranges::copy_if(problem_.lights(), std::back_inserter(swept),
                        [](const Light& light) { return light.uncollided == Uncollided::no; });
-  return Problem(problem_.mesh(), problem_.bands(), std::move(media), std::move(walls), problem_.space(),
-                 std::move(swept));
+  Problem remaining(problem_.mesh(), problem_.bands(), std::move(media), std::move(walls), problem_.space(),
+                    std::move(swept));
+  if (!problem_.following_emission().empty()) remaining.set_following_emission(problem_.following_emission());
+  return remaining;
 }
 
 LightAtPoint LightSetup::at(const PointInCell& point, const std::optional<Vec3>& normal) const {

@@ -13,21 +13,21 @@
 namespace etendue {
 namespace {
 
-/// Why a temperature cannot follow from a heat balance; empty where it can.
-std::string balance_problem(const Section& section, const ThermalContext& context,
-                            std::initializer_list<const char*> others) {
+bool is_one_gray_band(const Bands& bands) { return bands.count() == 1 && bands.edges.empty(); }
+
+/// Why the temperature of a wall cannot follow from its heat; empty where it can.
+std::string wall_problem(const Section& section, const ThermalContext& context,
+                         std::initializer_list<const char*> others) {
   if (std::string problem = temperature_problem(section, context, others); !problem.empty()) return problem;
-  if (context.bands.count() != 1 || !context.bands.edges.empty())
+  if (!is_one_gray_band(context.bands))
     return "needs one gray band without bands.edges (several bands are not in this version); give a "
            "temperature";
   return "";
 }
 
-/// Why a medium with these coefficients cannot be in equilibrium; empty where it can.
-std::string medium_problem(const MediumCase& medium) {
+/// Why a medium with these coefficients cannot reradiate; empty where it can.
+std::string reradiation_problem(const MediumCase& medium) {
   const MatterValues values = matter_values(medium, 0);
-  if (depend_on_direction(medium.absorption) || depend_on_direction(medium.extinction))
-    return "not where absorption depends on the direction (not in this version); use emission";
   if (is_number(values.absorption) && std::get<double>(values.absorption) == 0)
     return "the medium does not absorb, so it has no temperature; give absorption, or leave heat_source out";
   const bool turns = !medium.phase.empty() && !std::holds_alternative<PhaseIsotropic>(medium.phase.front());
@@ -41,20 +41,25 @@ std::string medium_problem(const MediumCase& medium) {
 }  // namespace
 
 void read_heat_source(Section& section, const ThermalContext& context, MediumCase& medium) {
-  std::optional<BandValues> source = read_place_value(section, "heat_source");
-  if (!source) return;
+  medium.heat_source = read_place_value(section, "heat_source");
+  medium.conductivity = read_place_value(section, "conductivity");
+  if (!medium.heat_source && !medium.conductivity) return;
+  medium.reradiates = !medium.conductivity && is_one_gray_band(context.bands);
   std::string problem =
-      balance_problem(section, context, {"temperature", "emission", "power_density", "power"});
-  if (problem.empty()) problem = medium_problem(medium);
-  if (!problem.empty()) return section.fault("heat_source", problem);
-  medium.emission = BandValues{{product(source->values.front(), 1 / (4 * std::numbers::pi))}, source->origin};
-  medium.heat_source = std::move(source);
+      temperature_problem(section, context, {"temperature", "emission", "power_density", "power"});
+  if (problem.empty() && (depend_on_direction(medium.absorption) || depend_on_direction(medium.extinction)))
+    problem = "not where absorption depends on the direction (not in this version); use emission";
+  if (problem.empty() && medium.reradiates) problem = reradiation_problem(medium);
+  if (!problem.empty()) return section.fault(medium.conductivity ? "conductivity" : "heat_source", problem);
+  if (medium.reradiates)
+    medium.emission = BandValues{{product(medium.heat_source->values.front(), 1 / (4 * std::numbers::pi))},
+                                 medium.heat_source->origin};
 }
 
 void read_heat_flux(Section& section, const ThermalContext& context, WallCase& wall) {
   if (!section.has("heat_flux")) return;
   const double flux = section.number("heat_flux");
-  std::string problem = balance_problem(section, context, {"temperature", "radiance"});
+  std::string problem = wall_problem(section, context, {"temperature", "radiance"});
   const bool transmits = std::get<double>(value_of(wall.transmittance, 0)) > 0;
   if (problem.empty() && (!wall.glossy.empty() || wall.refractive_index != 1 || transmits))
     problem =

@@ -7,7 +7,8 @@
 
 namespace etendue {
 
-/// Reads `heat_source` of a medium whose other coefficients are read, from which its temperature follows.
+/// Reads `heat_source` and `conductivity` of a medium whose other coefficients are read, from which its
+/// temperature follows: of one gray band without conduction the medium reradiates what it absorbs.
 void read_heat_source(Section& section, const ThermalContext& context, MediumCase& medium);
 
 /// Reads `heat_flux` of a wall whose other values are read, from which its temperature follows.

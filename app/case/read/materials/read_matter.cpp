@@ -176,7 +176,8 @@ void fill_in(Section& section, const MediumCase& medium) {
   if (!medium.extinction && !medium.albedo)
     for (const char* name : {"absorption", "scattering"})
       if (name != std::string_view("scattering") || !section.has("reduced_scattering")) section.value(name);
-  if (!medium.power_density && !medium.power && !section.has("temperature") && !section.has("heat_source"))
+  if (!medium.power_density && !medium.power && !section.has("temperature") && !section.has("heat_source") &&
+      !section.has("conductivity"))
     section.value("emission");
   if (scatters(section) && !section.has("phase")) section.section("phase").resolve("model", "isotropic");
   if (!scatters(section)) return;
@@ -193,7 +194,7 @@ MediumCase read_medium(Section section, const MatterContext& context) {
     medium.power_density = read_band_values(section, "power_density", bands);
     medium.power = read_band_values(section, "power", bands);
     read_directional(section, context, medium);
-    for (const char* key : {"temperature", "heat_source", "gas_pressure"})
+    for (const char* key : {"temperature", "heat_source", "conductivity", "gas_pressure"})
       section.unused(key,
                      "not beside leaves, flakes or a kernel in this version (their absorption depends on the "
                      "direction); use emission");

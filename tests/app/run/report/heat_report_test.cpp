@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "tests/app/run/csv_table.h"
 #include "tests/app/run/small_case.h"
 
 namespace etendue {
@@ -49,6 +50,46 @@ TEST(HeatReport, CountsTheLights) {
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
   EXPECT_TRUE(has(outcome.out, "3000 W leave the media, 70 W come from lights, and 3070 W enter the walls"))
       << outcome.out;
+}
+
+/// The same gas conducts; a part of its heat comes from a lamp, and the roof shines along rays.
+const std::string conducting_cube = [] {
+  std::string text = heated_cube;
+  text.replace(text.find("heat_source"), 0, "conductivity = 2\n");
+  text.replace(text.find("temperature = 500"), 0, "uncollided = true\n");
+  return text + "[[light]]\nname = \"lamp\"\nkind = \"point\"\nposition = [0.5, 0.5, 0.5]\npower = 1000\n";
+}();
+
+/// Over all walls.
+double sum_of_walls(const test::CsvTable& heat, const std::string& column) {
+  double sum = 0;
+  for (const char* wall : {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"})
+    sum += heat.number({"wall", wall}, column);
+  return sum;
+}
+
+TEST(HeatReport, AddsUpConductionAndRadiation) {
+  const CaseFolder folder(conducting_cube);
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "are conducted into the walls")) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "steps to the temperatures")) << outcome.out;
+  const test::CsvTable heat(test::text_of(folder.path() / "results" / "heat.csv"));
+  const double conducted = sum_of_walls(heat, "conducted");
+  EXPECT_GT(conducted, 100);
+  EXPECT_NEAR((conducted + sum_of_walls(heat, "net")) / 4000, 1, 2e-3);
+}
+
+TEST(HeatReport, MakesNoPicturesOfTemperaturesThatFollowed) {
+  const CaseFolder folder(
+      conducting_cube +
+      "[[camera]]\nname = \"view\"\nposition = [0.5, 0.1, 0.5]\nlook_at = [0.5, 0.9, 0.5]\n"
+      "pixels = [8, 6]\n");
+  const Outcome run = etendue_says({"run", folder.file()});
+  ASSERT_EQ(run.code, ExitCode::done) << run.err;
+  const Outcome outcome = etendue_says({"render", folder.results()});
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "temperatures of this case follow")) << outcome.err;
 }
 
 }  // namespace

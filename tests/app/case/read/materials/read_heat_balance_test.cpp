@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/case/build/build.h"
+#include "app/case/build/build_heat.h"
 #include "app/case/temperatures.h"
 #include "tests/app/case/case_text.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
@@ -79,8 +80,6 @@ TEST(ReadHeatBalance, RefusesWhatHasNoTemperatureOfItsOwn) {
       std::string::npos);
   EXPECT_NE(faults_of(air("absorption = 1\nemission = 2\nheat_source = 1\n")).find("emission is given too"),
             std::string::npos);
-  EXPECT_NE(faults_of(air("absorption = [1, 1]\nheat_source = 1\n") + two_bands).find("one gray band"),
-            std::string::npos);
   EXPECT_NE(faults_of(air("absorption = \"1 + x\"\nscattering = 1\nphase = { model = \"rayleigh\" }\n"
                           "heat_source = 1\n"))
                 .find("otherwise than isotropically"),
@@ -89,6 +88,52 @@ TEST(ReadHeatBalance, RefusesWhatHasNoTemperatureOfItsOwn) {
             std::string::npos);
   EXPECT_NE(faults_of(floor_wall("radiance = 1\nheat_flux = 0\n")).find("radiance is given too"),
             std::string::npos);
+}
+
+TEST(ReadHeatBalance, IteratesWhereMediaConductOrBandsAreSeveral) {
+  for (const std::string& text : {air("absorption = [1, 1]\nheat_source = 1\n") + two_bands,
+                                  air("absorption = 1\nconductivity = \"0.1*(1 + x)\"\n")}) {
+    const Case input = case_of(text);
+    EXPECT_TRUE(has_temperatures(input));
+    EXPECT_TRUE(iterates_temperatures(input));
+    const TetrahedralMesh mesh = build_mesh(input);
+    EXPECT_EQ(build_problem(input, mesh).absorption(CellIndex(0), 0), 1);
+    const HeatProblem heat = build_heat(input, mesh);
+    ASSERT_TRUE(heat.media.at(0));
+    EXPECT_EQ(heat.media[0]->source.at(Vec3::Zero()), input.media.at("air").heat_source ? 1 : 0);
+    EXPECT_EQ(heat.media[0]->conductivity.at(Vec3::UnitX()), input.media.at("air").conductivity ? 0.2 : 0);
+  }
+  EXPECT_FALSE(iterates_temperatures(case_of(air("absorption = 1\nheat_source = 1\n"))));
+}
+
+TEST(ReadHeatBalance, StartsFromTheMeanEmissivePower) {
+  const Case input =
+      case_of(cube +
+              "[media.air]\nabsorption = 1\nconductivity = 1\n[walls.zmin]\ntemperature = 300\n"
+              "[walls.zmax]\ntemperature = 900\n");
+  const TetrahedralMesh mesh = build_mesh(input);
+  const HeatProblem heat = build_heat(input, mesh);
+  EXPECT_NEAR(heat.start, std::pow((std::pow(300.0, 4) + std::pow(900.0, 4)) / 2, 0.25), 1e-9);
+  for (std::size_t wall = 0; wall < mesh.wall_names().size(); ++wall)
+    EXPECT_EQ(heat.wall_temperatures[wall].has_value(),
+              mesh.wall_names()[wall] == "zmin" || mesh.wall_names()[wall] == "zmax");
+}
+
+TEST(ReadHeatBalance, RefusesWhatTheIterationCannot) {
+  const std::string conducts = air("absorption = 1\nconductivity = 1\n");
+  const auto says = [](const std::string& text, const char* what) {
+    EXPECT_NE(faults_of(text).find(what), std::string::npos) << text << faults_of(text);
+  };
+  says(air("absorption = 1\nconductivity = 1\ntemperature = 300\n"), "temperature is given too");
+  says(air("absorption = \"1 + wx\"\nconductivity = 1\n"), "depends on the direction");
+  says(air("absorption = 1\nconductivity = -1\n"), "conductivity");
+  says(conducts + "[solve]\nmethod = \"photons\"\n", "not by photons");
+  says(conducts + "[directions]\nrotations = 3\n", "not on several rotations");
+  std::string mirrored = conducts;
+  const std::string all_walls = "[walls.\"*\"]\n";
+  mirrored.insert(mirrored.find(all_walls) + all_walls.size(), "specular = 1\n");
+  says(mirrored, "nothing takes its heat away");
+  says(conducts + "[walls.zmin]\nrefractive_index = 1.5\n", "n^2 times");
 }
 
 }  // namespace

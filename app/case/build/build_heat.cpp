@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/build/build_heat.h"
+
+#include <cmath>
+
+#include "app/case/build/entry_of.h"
+#include "app/case/build/temperature_range.h"
+#include "app/case/values/value_algebra.h"
+
+namespace etendue {
+namespace {
+
+Coefficient coefficient_or_zero(const std::optional<BandValues>& value) {
+  return value ? coefficient_of(value->values.front()) : Coefficient(0.0);
+}
+
+/// Of all that is given; 300 K where nothing is.
+double usual_temperature(const Case& input, const TetrahedralMesh& mesh) {
+  double sum = 0, count = 0;
+  for (const TemperatureRange& range : temperature_ranges(input, mesh)) {
+    sum += std::pow(range.mean, 4);
+    ++count;
+  }
+  return sum > 0 ? std::pow(sum / count, 0.25) : HeatProblem{}.start;
+}
+
+}  // namespace
+
+HeatProblem build_heat(const Case& input, const TetrahedralMesh& mesh) {
+  HeatProblem heat;
+  heat.start = usual_temperature(input, mesh);
+  for (const std::string& name : mesh.region_names()) {
+    const MediumCase medium = entry_of(input.media, name);
+    heat.media.emplace_back();
+    if (!medium.iterates_temperature()) continue;
+    heat.media.back() = HeatMedium{coefficient_or_zero(medium.conductivity),
+                                   coefficient_or_zero(medium.heat_source), medium.origin};
+  }
+  for (const std::string& name : mesh.wall_names()) {
+    const WallCase wall = entry_of(input.walls, name);
+    heat.wall_temperatures.emplace_back();
+    if (wall.temperature) heat.wall_temperatures.back() = coefficient_of(wall.temperature->values.front());
+  }
+  return heat;
+}
+
+}  // namespace etendue

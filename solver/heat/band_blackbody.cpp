@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/heat/band_blackbody.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/blackbody.h"
+
+namespace etendue {
+namespace {
+
+/// A fraction of a blackbody's power, and its derivative by the temperature.
+struct Fraction {
+  double value = 1;
+  double slope = 0;  ///< [1/K]
+};
+
+Fraction fraction_between(double one, double other, double kelvin) {
+  const auto [low, high] = std::minmax(one, other);
+  return {planck_fraction(high, kelvin) - planck_fraction(low, kelvin),
+          high * blackbody_fraction_slope(high * kelvin) - low * blackbody_fraction_slope(low * kelvin)};
+}
+
+Fraction weight_of(const GrayGas& gas, const GrayGases& fit, double kelvin) {
+  Fraction weight{0, 0};
+  const double at = std::clamp(kelvin, fit.lowest, fit.highest);
+  for (auto term = gas.weight.rbegin(); term != gas.weight.rend(); ++term)
+    weight = {weight.value * at + *term, weight.slope * at + weight.value};
+  if (at != kelvin) weight.slope = 0;
+  return weight;
+}
+
+Fraction fraction_of(const Bands& bands, int band, double kelvin) {
+  const auto b = static_cast<std::size_t>(band);
+  if (!bands.wsgg.gases.empty()) return weight_of(bands.wsgg.gases[b], bands.wsgg, kelvin);
+  if (bands.edges.empty()) return {};
+  return fraction_between(bands.edges[b], bands.edges[b + 1], kelvin);
+}
+
+}  // namespace
+
+double band_blackbody(const Bands& bands, int band, double kelvin) {
+  return stefan_boltzmann / std::numbers::pi * std::pow(kelvin, 4) * fraction_of(bands, band, kelvin).value;
+}
+
+double band_share_of_change(const Bands& bands, int band, double kelvin) {
+  const Fraction fraction = fraction_of(bands, band, kelvin);
+  return fraction.value + kelvin / 4 * fraction.slope;
+}
+
+double band_blackbody_slope(const Bands& bands, int band, double kelvin) {
+  return 4 * stefan_boltzmann / std::numbers::pi * std::pow(kelvin, 3) *
+         band_share_of_change(bands, band, kelvin);
+}
+
+}  // namespace etendue

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/heat/gray_diffusion.h"
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "base/blackbody.h"
+#include "mesh/tetrahedra/corners.h"
+#include "solver/heat/band_blackbody.h"
+#include "solver/materials/phase/phase_function.h"
+#include "solver/transport/diffusion/diffusion_matrix.h"
+
+namespace etendue {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double tolerance = 1e-5;  ///< relative, of a system that only preconditions
+constexpr int most_iterations = 500;
+constexpr double dropped = 1e-4;  ///< entries of the factors, relative to their row
+constexpr int fill = 12;          ///< entries of the factors for each of the matrix
+/// Absorption over D/size^2 that keeps the system regular where nothing absorbs and nothing leaves.
+constexpr double least_absorption = 1e-8;
+
+/// Part of the emission of all bands for each kelvin, of what emits least.
+constexpr double least_slope = 1e-3;
+
+double size_of(const TetrahedralMesh& mesh) {
+  Vec3 low = mesh.points().front(), high = low;
+  for (const Vec3& point : mesh.points()) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  return (high - low).norm();
+}
+
+/// One cell with all bands together.
+struct GrayCell {
+  double absorption = 0;                ///< kappa [1/m]
+  double diffusion = 0;                 ///< D [m]
+  std::array<double, 4> emission = {};  ///< w at the vertices [W/(m^3 K)]
+  std::vector<double> share;            ///< [band] of F
+};
+
+/// Assembles the system row by row. Temperatures are in units of `kelvin`, so that all unknowns are alike.
+class GraySystem {
+ public:
+  GraySystem(std::size_t temperatures, std::size_t vertices, double kelvin)
+      : temperatures_(temperatures),
+        kelvin_(kelvin),
+        right_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(temperatures + vertices))) {}
+
+  std::size_t fluence(std::int32_t vertex) const { return temperatures_ + static_cast<std::size_t>(vertex); }
+  void add(std::size_t row, std::size_t column, double value) {
+    if (column < temperatures_) value *= kelvin_;
+    entries_.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
+  }
+  void add_right(std::size_t row, double value) { right_[static_cast<Eigen::Index>(row)] += value; }
+
+  /// Temperatures [K], then fluences [W/m^2].
+  Eigen::VectorXd solve() const {
+    Eigen::SparseMatrix<double> matrix(right_.size(), right_.size());
+    matrix.setFromTriplets(entries_.begin(), entries_.end());
+    Eigen::BiCGSTAB<Eigen::SparseMatrix<double>, Eigen::IncompleteLUT<double>> solver;
+    solver.preconditioner().setDroptol(dropped);
+    solver.preconditioner().setFillfactor(fill);
+    solver.setTolerance(tolerance);
+    solver.setMaxIterations(most_iterations);
+    solver.compute(matrix);
+    Eigen::VectorXd solution = solver.solve(right_);
+    solution.head(static_cast<Eigen::Index>(temperatures_)) *= kelvin_;
+    return solution;
+  }
+
+ private:
+  std::size_t temperatures_;
+  double kelvin_;
+  std::vector<Eigen::Triplet<double>> entries_;
+  Eigen::VectorXd right_;
+};
+
+/// Bands of a cell in which more light goes further weigh more.
+class GrayCells {
+ public:
+  GrayCells(const Problem& problem, const TemperatureSpace& space, const Blackbodies& blackbodies,
+            double usual_temperature, double longest_path)
+      : problem_(problem), space_(space), blackbodies_(blackbodies), longest_path_(longest_path) {
+    for (int band = 0; band < problem.band_count(); ++band)
+      usual_slope_.push_back(band_blackbody_slope(problem.bands(), band, usual_temperature));
+  }
+
+  GrayCell at(CellIndex cell) const {
+    const auto bands = static_cast<std::size_t>(problem_.band_count());
+    GrayCell gray;
+    std::vector<double> more(bands);  // light for a kelvin
+    for (std::size_t band = 0; band < bands; ++band) {
+      const double absorption = problem_.absorption(cell, static_cast<int>(band));
+      for (std::size_t i = 0; i < 4 && space_.has(cell); ++i)
+        gray.emission[i] += 4 * pi * absorption * slope(cell, i, band);
+      for (std::size_t i = 0; i < 4; ++i) more[band] += slope(cell, i, band) / 4;
+    }
+    gray.share = more;
+    for (std::size_t band = 0; band < bands; ++band)
+      gray.share[band] *=
+          problem_.absorption(cell, static_cast<int>(band)) * path(cell, static_cast<int>(band));
+    if (std::accumulate(gray.share.begin(), gray.share.end(), 0.0) <= 0) gray.share = more;
+    double sum = std::accumulate(gray.share.begin(), gray.share.end(), 0.0);
+    if (sum <= 0) {
+      gray.share.assign(bands, 1);
+      sum = static_cast<double>(bands);
+    }
+    for (std::size_t band = 0; band < bands; ++band) {
+      gray.share[band] /= sum;
+      gray.absorption += gray.share[band] * problem_.absorption(cell, static_cast<int>(band));
+      gray.diffusion += gray.share[band] * path(cell, static_cast<int>(band)) / 3;
+    }
+    return gray;
+  }
+
+ private:
+  double slope(CellIndex cell, std::size_t i, std::size_t band) const {
+    if (!space_.has(cell)) return usual_slope_[band];
+    const auto bands = static_cast<std::size_t>(problem_.band_count());
+    return blackbodies_.slope[static_cast<std::size_t>(space_.unknown(cell, i)) * bands + band];
+  }
+
+  /// Free path to absorption or a change of direction [m].
+  double path(CellIndex cell, int band) const {
+    const Medium& medium = problem_.medium(problem_.mesh().region(cell));
+    const double turned =
+        1 - (medium.is_directional(band) ? 0 : phase_asymmetry(medium.phase[static_cast<std::size_t>(band)]));
+    return 1 / std::max(problem_.absorption(cell, band) + turned * problem_.scattering(cell, band),
+                        1 / longest_path_);
+  }
+
+  const Problem& problem_;
+  const TemperatureSpace& space_;
+  const Blackbodies& blackbodies_;
+  double longest_path_;
+  std::vector<double> usual_slope_;  ///< [band]
+};
+
+}  // namespace
+
+GrayDiffusion::GrayDiffusion(const Problem& problem, const TemperatureSpace& space,
+                             const HeatBalance& balance)
+    : problem_(problem), space_(space), balance_(balance), longest_path_(size_of(problem.mesh())) {}
+
+std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
+                                           const Blackbodies& blackbodies,
+                                           std::span<const double> gains) const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  const double highest = *std::max_element(temperature.begin(), temperature.end());
+  const double kelvin = 1 / (16 * stefan_boltzmann * std::pow(highest, 3));
+  const GrayCells cells(problem_, space_, blackbodies, highest, longest_path_);
+  GraySystem system(space_.vertex_unknowns(), static_cast<std::size_t>(mesh.vertex_count()), kelvin);
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const CellIndex cell(c);
+    const GrayCell gray = cells.at(cell);
+    const Eigen::Matrix<double, 3, 4> slopes = barycentric_gradients(mesh, cell);
+    const double volume = mesh.volume(cell),
+                 floor = least_absorption * gray.diffusion / (longest_path_ * longest_path_);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t light = system.fluence(mesh.vertices(cell)[i]);
+      for (std::size_t k = 0; k < 4; ++k)
+        system.add(
+            light, system.fluence(mesh.vertices(cell)[k]),
+            volume * gray.diffusion *
+                slopes.col(static_cast<Eigen::Index>(i)).dot(slopes.col(static_cast<Eigen::Index>(k))));
+      system.add(light, light, volume / 4 * floor);
+      // What does not conduct sends out again all that it absorbs, and its gain.
+      if (space_.has(cell) && !space_.conducts(cell)) {
+        system.add_right(light, gains[static_cast<std::size_t>(space_.unknown(cell, i))]);
+        continue;
+      }
+      system.add(light, light, volume / 4 * gray.absorption);
+      if (!space_.has(cell)) continue;
+      const auto unknown = static_cast<std::size_t>(space_.unknown(cell, i));
+      system.add(unknown, unknown, volume / 4 * gray.emission[i]);
+      system.add(unknown, light, -volume / 4 * gray.absorption);
+      system.add(light, unknown, -volume / 4 * gray.emission[i]);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto other = static_cast<std::size_t>(space_.unknown(cell, k));
+        system.add(
+            unknown, other,
+            volume * space_.conductivity(cell) *
+                slopes.col(static_cast<Eigen::Index>(i)).dot(slopes.col(static_cast<Eigen::Index>(k))));
+      }
+    }
+  }
+  for (std::size_t unknown = 0; unknown < space_.vertex_unknowns(); ++unknown)
+    system.add_right(unknown, gains[unknown]);
+  for (const HeldFace& held : balance_.held_faces()) {
+    const auto unknown = [&](std::size_t i) {
+      return static_cast<std::size_t>(space_.unknown(held.cell, i));
+    };
+    for (const std::size_t k : held.corners) {
+      system.add(unknown(k), unknown(k), held.area / 3 * held.conductance);
+      for (std::size_t i = 0; i < 4; ++i) {
+        system.add(unknown(k), unknown(i), -held.area / 3 * held.normal_flow[i]);
+        system.add(unknown(i), unknown(k), -held.area / 3 * held.normal_flow[i]);
+      }
+    }
+  }
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const Wall& wall = problem_.wall(mesh.wall(face));
+    const std::vector<double> share = cells.at(mesh.owner(face)).share;
+    double reflectance = 0;
+    for (std::size_t band = 0; band < share.size(); ++band)
+      reflectance += share[band] * wall.mean_reflectance(band);
+    const double leaving = (1 - reflectance) / (1 + reflectance) / 2;  // Marshak 1947
+    for (const std::int32_t vertex : mesh.vertices(face))
+      system.add(system.fluence(vertex), system.fluence(vertex), mesh.area(face) / 3 * leaving);
+  }
+  const Eigen::VectorXd solution = system.solve();
+  std::vector<double> changes(space_.size(), 0);
+  for (std::size_t i = 0; i < space_.vertex_unknowns(); ++i)
+    changes[i] = solution[static_cast<Eigen::Index>(i)];
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const CellIndex cell(c);
+    if (!space_.has(cell) || space_.conducts(cell)) continue;
+    const GrayCell gray = cells.at(cell);
+    double most = 0;
+    for (int band = 0; band < problem_.band_count(); ++band) most += problem_.absorption(cell, band);
+    // What absorbs in bands where it hardly emits is not heated at once.
+    const double least = least_slope * 4 * stefan_boltzmann * std::pow(space_.usual_temperature(), 3) * most;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto unknown = static_cast<std::size_t>(space_.unknown(cell, i));
+      const double light = solution[static_cast<Eigen::Index>(system.fluence(mesh.vertices(cell)[i]))];
+      changes[unknown] = (gains[unknown] / balance_.volumes()[unknown] + gray.absorption * light) /
+                         std::max(gray.emission[i], least);
+    }
+  }
+  return changes;
+}
+
+}  // namespace etendue

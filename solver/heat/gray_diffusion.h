@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solver/heat/heat_balance.h"
+
+namespace etendue {
+
+/// Temperatures that bring the heat of media into balance where light diffuses and all bands are one,
+///
+///     -div(k grad t) + w t - kappa F = gain,    -div(D grad F) + kappa F = w t,
+///
+/// with the change t of the temperature and F of the fluence, w = 4 pi sum of sigma_a dI_b/dT, and bands
+/// weighted by what each sends out more by free paths (linear multifrequency-gray acceleration; Morel, Larsen
+/// and Matzen 1985). It is what preconditions the iteration for temperatures.
+class GrayDiffusion {
+ public:
+  /// The arguments must outlive it.
+  GrayDiffusion(const Problem& problem, const TemperatureSpace& space, const HeatBalance& balance);
+
+  /// [unknown] Changes of the unknowns [K] for gains [W] at these temperatures.
+  std::vector<double> changes(std::span<const double> temperature, const Blackbodies& blackbodies,
+                              std::span<const double> gains) const;
+
+ private:
+  const Problem& problem_;
+  const TemperatureSpace& space_;
+  const HeatBalance& balance_;
+  double longest_path_;  ///< size of the domain [m]
+};
+
+}  // namespace etendue

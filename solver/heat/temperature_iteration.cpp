@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/heat/temperature_iteration.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "base/vector_sums.h"
+
+namespace etendue {
+namespace {
+
+constexpr std::size_t remembered_steps = 5;
+/// Largest factor between two temperatures that follow each other: emission grows as T^4. And of T^4.
+constexpr double largest_factor = 1.5, largest_factor_of_power = 5;
+/// Largest change of T^4 over the highest of them, where it may pass through zero.
+constexpr double largest_change = 0.1;
+
+}  // namespace
+
+TemperatureIteration::TemperatureIteration(const Problem& problem, const HeatProblem& heat)
+    : problem_(problem),
+      space_(problem.mesh(), heat),
+      balance_(problem, heat, space_),
+      diffusion_(problem, space_, balance_),
+      mixing_(balance_.volumes(), remembered_steps),
+      values_(space_.size(), heat.start) {
+  check_media();
+  check_conductors();
+  set_emission();
+}
+
+void TemperatureIteration::check_media() const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    const CellIndex cell(c);
+    if (!space_.has(cell) || space_.conducts(cell)) continue;
+    if (absorption_of(cell) > 0) continue;
+    const Vec3 place = mesh.centroid(cell);
+    throw InputError(fault_at(
+        problem_.medium(mesh.region(cell)).origin, "",
+        fmt::format("neither absorbs nor conducts at ({:.6g}, {:.6g}, {:.6g}), so its temperature does not "
+                    "follow from its heat; give absorption or conductivity",
+                    place.x(), place.y(), place.z())));
+  }
+}
+
+void TemperatureIteration::check_conductors() const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  std::vector<char> is_checked(static_cast<std::size_t>(mesh.cell_count()), 0);
+  std::vector<char> is_held(is_checked.size(), 0);
+  for (const HeldFace& held : balance_.held_faces()) is_held[held.cell.at()] = 1;
+  for (std::int32_t first = 0; first < mesh.cell_count(); ++first) {
+    if (is_checked[static_cast<std::size_t>(first)] != 0 || !space_.conducts(CellIndex(first))) continue;
+    bool gives_heat = false;
+    std::vector<CellIndex> waiting = {CellIndex(first)};
+    is_checked[static_cast<std::size_t>(first)] = 1;
+    while (!waiting.empty()) {
+      const CellIndex cell = waiting.back();
+      waiting.pop_back();
+      gives_heat = gives_heat || is_held[cell.at()] != 0 || absorption_of(cell) > 0;
+      for (const std::int32_t f : mesh.faces(cell)) {
+        if (f < mesh.boundary_face_count()) continue;
+        const CellIndex other =
+            mesh.owner(FaceIndex(f)) == cell ? mesh.neighbour(FaceIndex(f)) : mesh.owner(FaceIndex(f));
+        if (!space_.conducts(other) || is_checked[other.at()] != 0) continue;
+        is_checked[other.at()] = 1;
+        waiting.push_back(other);
+      }
+    }
+    if (gives_heat) continue;
+    const Vec3 place = mesh.centroid(CellIndex(first));
+    throw InputError(fault_at(problem_.medium(mesh.region(CellIndex(first))).origin, "",
+                              fmt::format("neither absorbs nor touches a wall with a temperature about "
+                                          "({:.6g}, {:.6g}, {:.6g}), so nothing "
+                                          "takes its heat away; give a wall a temperature",
+                                          place.x(), place.y(), place.z())));
+  }
+}
+
+/// Of all bands [1/m].
+double TemperatureIteration::absorption_of(CellIndex cell) const {
+  double absorption = 0;
+  for (int band = 0; band < problem_.band_count(); ++band) absorption += problem_.absorption(cell, band);
+  return absorption;
+}
+
+void TemperatureIteration::set_emission() {
+  temperature_ = space_.temperatures(values_);
+  blackbodies_ = balance_.blackbodies(temperature_);
+  emission_ = balance_.emission(blackbodies_);
+}
+
+double TemperatureIteration::improve(std::span<const double> fluence) {
+  std::vector<double> light(fluence.begin(), fluence.end());
+  if (!unswept_.empty()) add_to(light, unswept_);
+  const std::vector<double> gains = balance_.gains(temperature_, blackbodies_, light);
+  const std::vector<double> changes = diffusion_.changes(temperature_, blackbodies_, gains);
+  const std::vector<double> step = mixing_.step(values_, changes);
+  const double highest = *std::ranges::max_element(temperature_);
+  const double emission_of_highest = highest * std::pow(highest / space_.usual_temperature(), 3);
+  change_ = 0;
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    const double scale = space_.is_vertex(i) ? highest : 4 * emission_of_highest;  // 4 dT/T = d(T^4)/T^4
+    if (!std::isfinite(step[i])) throw std::domain_error("a temperature is not finite");
+    change_ = std::max(change_, std::abs(changes[i]) / scale);
+    values_[i] += limited(i, step[i], emission_of_highest);
+  }
+  set_emission();
+  return change_;
+}
+
+/// A change that does not go too far; `highest` is the largest of all values of T^4.
+double TemperatureIteration::limited(std::size_t unknown, double change, double highest) const {
+  const double value = values_[unknown];
+  if (space_.is_vertex(unknown))
+    return std::clamp(change, value / largest_factor - value, value * largest_factor - value);
+  const double room = largest_change * highest;
+  return std::clamp(change, -std::abs(value) - room, (largest_factor_of_power - 1) * std::abs(value) + room);
+}
+
+std::string TemperatureIteration::note() const {
+  return fmt::format("largest change of a temperature in the last one: {:.2g} of the highest", change_);
+}
+
+std::vector<double> TemperatureIteration::temperatures() const {
+  const auto cells = static_cast<std::size_t>(problem_.mesh().cell_count());
+  std::vector<double> result(4 * cells, 0);
+  for (std::size_t c = 0; c < cells; ++c) {
+    const CellIndex cell(static_cast<std::int32_t>(c));
+    for (std::size_t i = 0; i < 4 && space_.has(cell); ++i)
+      result[4 * c + i] = std::max(0.0, temperature_[static_cast<std::size_t>(space_.unknown(cell, i))]);
+  }
+  return result;
+}
+
+double TemperatureIteration::cells_per_layer() const {
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  double most = 0;
+  for (const HeldFace& held : balance_.held_faces()) {
+    const double height = 3 * problem_.mesh().volume(held.cell) / held.area;
+    for (const std::size_t corner : held.corners) {
+      const auto unknown = static_cast<std::size_t>(space_.unknown(held.cell, corner));
+      double emission = 0;  // w of (T3)
+      for (std::size_t band = 0; band < bands; ++band)
+        emission += 4 * std::numbers::pi * problem_.absorption(held.cell, static_cast<int>(band)) *
+                    blackbodies_.slope[unknown * bands + band];
+      most = std::max(most, height * std::sqrt(emission / space_.conductivity(held.cell)));
+    }
+  }
+  return most;
+}
+
+HeatSolution TemperatureIteration::solution() const {
+  return {temperatures(), balance_.conducted(temperature_), cells_per_layer()};
+}
+
+}  // namespace etendue
