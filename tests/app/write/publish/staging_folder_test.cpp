@@ -125,6 +125,7 @@ TEST(StagingFolder, OfARunThatLivesStays) {
 TEST(OutputFolder, IsWholeAfterAnyKill) {
   const Results results;
   write_text(results.path / "notes.txt", "mine");
+  const Names whole = {"a.csv", "b.csv", "notes.txt", "summary.json"};
   for (int trial = 0; trial < 40; ++trial) {
     const pid_t child = fork();
     ASSERT_GE(child, 0);
@@ -133,11 +134,17 @@ TEST(OutputFolder, IsWholeAfterAnyKill) {
     std::this_thread::sleep_for(std::chrono::microseconds(311 * trial));
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
-    ASSERT_EQ(results.names(), (Names{"a.csv", "b.csv", "notes.txt", "summary.json"})) << "kill " << trial;
+    Names names = results.names();
+    // A killed run may leave the trial of its directory, which the next start removes.
+    std::erase_if(names, [](const std::string& name) {
+      return name.starts_with(".results.") && name.ends_with(".part");
+    });
+    ASSERT_EQ(names, whole) << "kill " << trial;
     EXPECT_EQ(text_of(results.path / "a.csv"), text_of(results.path / "summary.json"));
     EXPECT_EQ(text_of(results.path / "b.csv"), text_of(results.path / "summary.json"));
   }
   check_output_directory(results.path);
+  EXPECT_EQ(results.names(), whole);
   EXPECT_EQ(results.beside(), Names{"results"});
 }
 
