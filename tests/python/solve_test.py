@@ -42,6 +42,8 @@ class Solves(unittest.TestCase):
             etendue.solve(case(), progress=fail)
 
     def test_end_at_ctrl_c(self):
+        # A process in the background is started with the signal ignored.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         tree = case(mesh__edge_length=0.07, directions__order=12)
         threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
         begun = time.monotonic()
