@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "base/parallel/parallel_for.h"
+#include "mesh/tetrahedra/bounding_box.h"
 
 namespace etendue {
 namespace {
@@ -14,12 +15,7 @@ std::string text_of(const Vec3& point) {
 }
 
 Fault outside(const Probe& probe, const Vec3& point, const TetrahedralMesh& mesh) {
-  Vec3 low = mesh.points().front();
-  Vec3 high = low;
-  for (const Vec3& p : mesh.points()) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const auto [low, high] = bounding_box(mesh.points());
   return fault_at(
       probe.origin, text_of(point),
       fmt::format("the point of probe \"{}\" lies outside the mesh (which reaches from {} to {}); "

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "mesh/tetrahedra/bounding_box.h"
 #include "solver/observe/sensors/uncollided_account.h"
 
 namespace etendue {
@@ -36,11 +37,7 @@ Fault no_such(const SensorCase& sensor, const std::string& what, const std::stri
 }
 
 Fault outside(const SensorCase& sensor, const Vec3& point, const TetrahedralMesh& mesh) {
-  Vec3 low = mesh.points().front(), high = low;
-  for (const Vec3& p : mesh.points()) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const auto [low, high] = bounding_box(mesh.points());
   return fault_at(
       sensor.origin, fmt::format("[{}, {}, {}]", point.x(), point.y(), point.z()),
       fmt::format(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mesh/tetrahedra/bounding_box.h"
 #include "mesh/tetrahedra/box_grid.h"
 #include "mesh/tetrahedra/mesh_faults.h"
 
@@ -37,7 +38,7 @@ class BoundaryCheck {
       : points_(points),
         faces_(faces),
         numbering_(numbering),
-        tolerance_(kTouching * Box(low(points), high(points)).diagonal().norm()),
+        tolerance_(kTouching * bounding_box(points).diagonal()),
         grid_(boxes(), tolerance_),
         faults_(raw) {}
 
@@ -49,17 +50,6 @@ class BoundaryCheck {
   }
 
  private:
-  static Vec3 low(std::span<const Vec3> points) {
-    Vec3 corner = points.front();
-    for (const Vec3& p : points) corner = corner.cwiseMin(p);
-    return corner;
-  }
-  static Vec3 high(std::span<const Vec3> points) {
-    Vec3 corner = points.front();
-    for (const Vec3& p : points) corner = corner.cwiseMax(p);
-    return corner;
-  }
-
   Triangle triangle(std::int32_t face) const {
     const auto& v = faces_.vertices[at(face)];
     return {{points_[at(v[0])], points_[at(v[1])], points_[at(v[2])]}};

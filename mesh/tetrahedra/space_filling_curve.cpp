@@ -5,6 +5,8 @@
 #include <array>
 #include <numeric>
 
+#include "mesh/tetrahedra/bounding_box.h"
+
 namespace etendue {
 namespace {
 
@@ -47,12 +49,7 @@ std::vector<std::int32_t> curve_order(std::span<const Vec3> points) {
   std::vector<std::int32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0);
   if (points.empty()) return order;
-  Vec3 low = points[0];
-  Vec3 high = points[0];
-  for (const Vec3& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const auto [low, high] = bounding_box(points);
   const double side = (high - low).maxCoeff();
   const double scale = side > 0 ? ((1u << kBits) - 1) / side : 0;
   std::vector<std::uint64_t> keys;

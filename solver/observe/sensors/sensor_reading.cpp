@@ -11,6 +11,7 @@
 
 #include "base/parallel/parallel_for.h"
 #include "base/vector_sums.h"
+#include "mesh/tetrahedra/bounding_box.h"
 #include "mesh/tetrahedra/corners.h"
 #include "solver/observe/sensors/observed_view.h"
 #include "solver/observe/sensors/polygon_points.h"
@@ -76,12 +77,7 @@ Measurement mean_of(const GridReading& grid, std::size_t bands, const std::vecto
 }  // namespace
 
 double SensorReader::on_wall_within(const TetrahedralMesh& mesh) {
-  Vec3 low = mesh.points().front(), high = low;
-  for (const Vec3& point : mesh.points()) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  return on_wall * (high - low).norm();
+  return on_wall * bounding_box(mesh.points()).diagonal();
 }
 
 ConeIntegrals SensorReader::integrate(const Cone& cone, std::size_t count, const ConeFunctions& functions,

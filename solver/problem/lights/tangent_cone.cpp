@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "mesh/tetrahedra/bounding_box.h"
+
 namespace etendue {
 namespace {
 
@@ -16,15 +18,6 @@ using std::numbers::pi;
 constexpr double on_face = 1e-9;
 /// Solid angles that differ from the whole sphere by less [sr] are the whole sphere.
 constexpr double of_sphere = 1e-6;
-
-double diagonal(const TetrahedralMesh& mesh) {
-  Vec3 low = mesh.points().front(), high = low;
-  for (const Vec3& point : mesh.points()) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  return (high - low).norm();
-}
 
 /// The faces of a cell that the point lies on, by their inward normals.
 TangentCone::Part cone_of_cell(const TetrahedralMesh& mesh, const CellPoint& at, double tolerance) {
@@ -61,7 +54,7 @@ bool holds(const TangentCone::Part& normals, const Vec3& direction) {
 
 TangentCone::TangentCone(const TetrahedralMesh& mesh, const std::vector<CellPoint>& cells) : solid_angle_(0) {
   if (cells.empty()) throw std::invalid_argument("a tangent cone needs the cells about its point");
-  const double tolerance = on_face * diagonal(mesh);
+  const double tolerance = on_face * bounding_box(mesh.points()).diagonal();
   for (const CellPoint& at : cells) {
     parts_.push_back(cone_of_cell(mesh, at, tolerance));
     solid_angle_ += solid_angle_of(parts_.back());

@@ -10,6 +10,7 @@
 #include "base/parallel/parallel_for.h"
 #include "base/quadrature/cell_rule.h"
 #include "mesh/tetrahedra/adjacency/vertex_cells.h"
+#include "mesh/tetrahedra/bounding_box.h"
 #include "mesh/tetrahedra/sheet_faces.h"
 
 namespace etendue {
@@ -71,16 +72,12 @@ void append_points(const Corners& at, double measure, double least, int cuts, Po
 
 /// [boundary face] The plane that it lies in, numbered.
 std::vector<std::int32_t> planes_of_faces(const TetrahedralMesh& mesh) {
-  Vec3 low = mesh.points().front(), high = low;
-  for (const Vec3& point : mesh.points()) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
+  const BoundingBox box = bounding_box(mesh.points());
   std::map<std::array<std::int64_t, 4>, std::int32_t> numbers;
   std::vector<std::int32_t> planes;
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const Vec3 normal = mesh.area_normal(FaceIndex(f)).normalized();
-    const double place = normal.dot(mesh.centroid(FaceIndex(f)) - low) / (high - low).norm();
+    const double place = normal.dot(mesh.centroid(FaceIndex(f)) - box.low) / box.diagonal();
     const auto rounded = [](double value) { return std::llround(value / same_plane); };
     planes.push_back(
         numbers
