@@ -9,9 +9,9 @@
 #include <numeric>
 
 #include "base/blackbody.h"
-#include "mesh/tetrahedra/corners.h"
-#include "solver/heat/band_blackbody.h"
+#include "mesh/tetrahedra/bounding_box.h"
 #include "solver/materials/phase/phase_function.h"
+#include "solver/problem/band_blackbody.h"
 #include "solver/transport/diffusion/diffusion_matrix.h"
 
 namespace etendue {
@@ -29,13 +29,10 @@ constexpr double least_absorption = 1e-8;
 /// Part of the emission of all bands for each kelvin, of what emits least.
 constexpr double least_slope = 1e-3;
 
-double size_of(const TetrahedralMesh& mesh) {
-  Vec3 low = mesh.points().front(), high = low;
-  for (const Vec3& point : mesh.points()) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  return (high - low).norm();
+Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+std::size_t unknown_of(const TemperatureSpace& space, CellIndex cell, std::size_t i) {
+  return static_cast<std::size_t>(space.unknown(cell, i));
 }
 
 /// One cell with all bands together.
@@ -125,7 +122,7 @@ class GrayCells {
   double slope(CellIndex cell, std::size_t i, std::size_t band) const {
     if (!space_.has(cell)) return usual_slope_[band];
     const auto bands = static_cast<std::size_t>(problem_.band_count());
-    return blackbodies_.slope[static_cast<std::size_t>(space_.unknown(cell, i)) * bands + band];
+    return blackbodies_.slope[unknown_of(space_, cell, i) * bands + band];
   }
 
   /// Free path to absorption or a change of direction [m].
@@ -144,11 +141,72 @@ class GrayCells {
   std::vector<double> usual_slope_;  ///< [band]
 };
 
+/// Integrals of the gradients of the four vertices' functions by each other, times a coefficient.
+Eigen::Matrix4d stiffness(const TetrahedralMesh& mesh, CellIndex cell, double coefficient) {
+  const Eigen::Matrix<double, 3, 4> slopes = barycentric_gradients(mesh, cell);
+  return mesh.volume(cell) * coefficient * slopes.transpose() * slopes;
+}
+
+/// Adds the rows of a cell. What does not conduct sends out again all that it absorbs, and its gain.
+void add_cell(const TetrahedralMesh& mesh, const TemperatureSpace& space, CellIndex cell,
+              const GrayCell& gray, double floor, std::span<const double> gains, GraySystem& system) {
+  const double quarter = mesh.volume(cell) / 4;
+  const Eigen::Matrix4d diffusion = stiffness(mesh, cell, gray.diffusion);
+  const Eigen::Matrix4d conduction = stiffness(mesh, cell, space.conductivity(cell));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t light = system.fluence(mesh.vertices(cell)[i]);
+    for (std::size_t k = 0; k < 4; ++k)
+      system.add(light, system.fluence(mesh.vertices(cell)[k]), diffusion(at(i), at(k)));
+    system.add(light, light, quarter * floor);
+    if (space.has(cell) && !space.conducts(cell)) {
+      system.add_right(light, gains[unknown_of(space, cell, i)]);
+      continue;
+    }
+    system.add(light, light, quarter * gray.absorption);
+    if (!space.has(cell)) continue;
+    const std::size_t unknown = unknown_of(space, cell, i);
+    system.add(unknown, unknown, quarter * gray.emission[i]);
+    system.add(unknown, light, -quarter * gray.absorption);
+    system.add(light, unknown, -quarter * gray.emission[i]);
+    for (std::size_t k = 0; k < 4; ++k)
+      system.add(unknown, unknown_of(space, cell, k), conduction(at(i), at(k)));
+  }
+}
+
+/// Adds what flows into a wall that holds a temperature, (T0).
+void add_held_face(const TemperatureSpace& space, const HeldFace& held, GraySystem& system) {
+  for (const std::size_t k : held.corners) {
+    const std::size_t row = unknown_of(space, held.cell, k);
+    system.add(row, row, held.area / 3 * held.conductance);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t other = unknown_of(space, held.cell, i);
+      system.add(row, other, -held.area / 3 * held.normal_flow[i]);
+      system.add(other, row, -held.area / 3 * held.normal_flow[i]);
+    }
+  }
+}
+
+/// Adds the light that leaves by a wall (Marshak 1947).
+void add_wall_face(const Problem& problem, FaceIndex face, const std::vector<double>& share,
+                   GraySystem& system) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  const Wall& wall = problem.wall(mesh.wall(face));
+  double reflectance = 0;
+  for (std::size_t band = 0; band < share.size(); ++band)
+    reflectance += share[band] * wall.mean_reflectance(band);
+  const double leaving = (1 - reflectance) / (1 + reflectance) / 2;
+  for (const std::int32_t vertex : mesh.vertices(face))
+    system.add(system.fluence(vertex), system.fluence(vertex), mesh.area(face) / 3 * leaving);
+}
+
 }  // namespace
 
 GrayDiffusion::GrayDiffusion(const Problem& problem, const TemperatureSpace& space,
                              const HeatBalance& balance)
-    : problem_(problem), space_(space), balance_(balance), longest_path_(size_of(problem.mesh())) {}
+    : problem_(problem),
+      space_(space),
+      balance_(balance),
+      longest_path_(bounding_box(problem.mesh().points()).diagonal()) {}
 
 std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
                                            const Blackbodies& blackbodies,
@@ -156,87 +214,39 @@ std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
   const TetrahedralMesh& mesh = problem_.mesh();
   const double highest = *std::max_element(temperature.begin(), temperature.end());
   const double kelvin = 1 / (16 * stefan_boltzmann * std::pow(highest, 3));
-  const GrayCells cells(problem_, space_, blackbodies, highest, longest_path_);
+  const GrayCells gray(problem_, space_, blackbodies, highest, longest_path_);
+  std::vector<GrayCell> cells;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) cells.push_back(gray.at(CellIndex(c)));
   GraySystem system(space_.vertex_unknowns(), static_cast<std::size_t>(mesh.vertex_count()), kelvin);
-  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-    const CellIndex cell(c);
-    const GrayCell gray = cells.at(cell);
-    const Eigen::Matrix<double, 3, 4> slopes = barycentric_gradients(mesh, cell);
-    const double volume = mesh.volume(cell),
-                 floor = least_absorption * gray.diffusion / (longest_path_ * longest_path_);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t light = system.fluence(mesh.vertices(cell)[i]);
-      for (std::size_t k = 0; k < 4; ++k)
-        system.add(
-            light, system.fluence(mesh.vertices(cell)[k]),
-            volume * gray.diffusion *
-                slopes.col(static_cast<Eigen::Index>(i)).dot(slopes.col(static_cast<Eigen::Index>(k))));
-      system.add(light, light, volume / 4 * floor);
-      // What does not conduct sends out again all that it absorbs, and its gain.
-      if (space_.has(cell) && !space_.conducts(cell)) {
-        system.add_right(light, gains[static_cast<std::size_t>(space_.unknown(cell, i))]);
-        continue;
-      }
-      system.add(light, light, volume / 4 * gray.absorption);
-      if (!space_.has(cell)) continue;
-      const auto unknown = static_cast<std::size_t>(space_.unknown(cell, i));
-      system.add(unknown, unknown, volume / 4 * gray.emission[i]);
-      system.add(unknown, light, -volume / 4 * gray.absorption);
-      system.add(light, unknown, -volume / 4 * gray.emission[i]);
-      for (std::size_t k = 0; k < 4; ++k) {
-        const auto other = static_cast<std::size_t>(space_.unknown(cell, k));
-        system.add(
-            unknown, other,
-            volume * space_.conductivity(cell) *
-                slopes.col(static_cast<Eigen::Index>(i)).dot(slopes.col(static_cast<Eigen::Index>(k))));
-      }
-    }
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const double floor = least_absorption * cells[c].diffusion / (longest_path_ * longest_path_);
+    add_cell(mesh, space_, CellIndex(static_cast<std::int32_t>(c)), cells[c], floor, gains, system);
   }
   for (std::size_t unknown = 0; unknown < space_.vertex_unknowns(); ++unknown)
     system.add_right(unknown, gains[unknown]);
-  for (const HeldFace& held : balance_.held_faces()) {
-    const auto unknown = [&](std::size_t i) {
-      return static_cast<std::size_t>(space_.unknown(held.cell, i));
-    };
-    for (const std::size_t k : held.corners) {
-      system.add(unknown(k), unknown(k), held.area / 3 * held.conductance);
-      for (std::size_t i = 0; i < 4; ++i) {
-        system.add(unknown(k), unknown(i), -held.area / 3 * held.normal_flow[i]);
-        system.add(unknown(i), unknown(k), -held.area / 3 * held.normal_flow[i]);
-      }
-    }
-  }
-  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
-    const FaceIndex face(f);
-    const Wall& wall = problem_.wall(mesh.wall(face));
-    const std::vector<double> share = cells.at(mesh.owner(face)).share;
-    double reflectance = 0;
-    for (std::size_t band = 0; band < share.size(); ++band)
-      reflectance += share[band] * wall.mean_reflectance(band);
-    const double leaving = (1 - reflectance) / (1 + reflectance) / 2;  // Marshak 1947
-    for (const std::int32_t vertex : mesh.vertices(face))
-      system.add(system.fluence(vertex), system.fluence(vertex), mesh.area(face) / 3 * leaving);
-  }
+  for (const HeldFace& held : balance_.held_faces()) add_held_face(space_, held, system);
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    add_wall_face(problem_, FaceIndex(f), cells[mesh.owner(FaceIndex(f)).at()].share, system);
   const Eigen::VectorXd solution = system.solve();
   std::vector<double> changes(space_.size(), 0);
-  for (std::size_t i = 0; i < space_.vertex_unknowns(); ++i)
-    changes[i] = solution[static_cast<Eigen::Index>(i)];
-  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-    const CellIndex cell(c);
+  for (std::size_t i = 0; i < space_.vertex_unknowns(); ++i) changes[i] = solution[at(i)];
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const CellIndex cell(static_cast<std::int32_t>(c));
     if (!space_.has(cell) || space_.conducts(cell)) continue;
-    const GrayCell gray = cells.at(cell);
-    double most = 0;
-    for (int band = 0; band < problem_.band_count(); ++band) most += problem_.absorption(cell, band);
-    // What absorbs in bands where it hardly emits is not heated at once.
-    const double least = least_slope * 4 * stefan_boltzmann * std::pow(space_.usual_temperature(), 3) * most;
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto unknown = static_cast<std::size_t>(space_.unknown(cell, i));
-      const double light = solution[static_cast<Eigen::Index>(system.fluence(mesh.vertices(cell)[i]))];
-      changes[unknown] = (gains[unknown] / balance_.volumes()[unknown] + gray.absorption * light) /
-                         std::max(gray.emission[i], least);
+      const std::size_t unknown = unknown_of(space_, cell, i);
+      const double light = solution[at(system.fluence(mesh.vertices(cell)[i]))];
+      changes[unknown] = (gains[unknown] / balance_.volumes()[unknown] + cells[c].absorption * light) /
+                         std::max(cells[c].emission[i], least_emission(cell));
     }
   }
   return changes;
+}
+
+/// What absorbs in bands where it hardly emits is not heated at once [W/(m^3 K)].
+double GrayDiffusion::least_emission(CellIndex cell) const {
+  return least_slope * 4 * stefan_boltzmann * std::pow(space_.usual_temperature(), 3) *
+         absorption_of_all_bands(problem_, cell);
 }
 
 }  // namespace etendue

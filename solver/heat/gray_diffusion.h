@@ -25,6 +25,8 @@ class GrayDiffusion {
                               std::span<const double> gains) const;
 
  private:
+  double least_emission(CellIndex cell) const;
+
   const Problem& problem_;
   const TemperatureSpace& space_;
   const HeatBalance& balance_;

@@ -12,7 +12,7 @@
 #include "base/errors.h"
 #include "base/field_view.h"
 #include "mesh/tetrahedra/corners.h"
-#include "solver/heat/band_blackbody.h"
+#include "solver/problem/band_blackbody.h"
 #include "solver/transport/diffusion/diffusion_matrix.h"
 
 namespace etendue {
@@ -23,6 +23,12 @@ namespace {
 constexpr double penalty = 12;
 
 }  // namespace
+
+double absorption_of_all_bands(const Problem& problem, CellIndex cell) {
+  double sum = 0;
+  for (int band = 0; band < problem.band_count(); ++band) sum += problem.absorption(cell, band);
+  return sum;
+}
 
 HeatBalance::HeatBalance(const Problem& problem, const HeatProblem& heat, const TemperatureSpace& space)
     : problem_(problem), heat_(heat), space_(space), volumes_(space.size(), 0) {

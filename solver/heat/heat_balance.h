@@ -30,6 +30,9 @@ struct HeldFace {
   std::array<double, 4> normal_flow;   ///< [corner of the cell] k d(lambda)/dn out of the cell [W/(m^2 K)]
 };
 
+/// Sum of the absorption coefficients of a cell [1/m].
+double absorption_of_all_bands(const Problem& problem, CellIndex cell);
+
 /// The heat of media on linear elements whose mass is lumped: what a vertex of a cell absorbs and emits is
 /// that of a quarter of the cell, so that sums over unknowns are exactly those of the transport equation.
 class HeatBalance {

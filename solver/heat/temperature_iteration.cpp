@@ -38,7 +38,7 @@ void TemperatureIteration::check_media() const {
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
     if (!space_.has(cell) || space_.conducts(cell)) continue;
-    if (absorption_of(cell) > 0) continue;
+    if (absorption_of_all_bands(problem_, cell) > 0) continue;
     const Vec3 place = mesh.centroid(cell);
     throw InputError(fault_at(
         problem_.medium(mesh.region(cell)).origin, "",
@@ -61,7 +61,7 @@ void TemperatureIteration::check_conductors() const {
     while (!waiting.empty()) {
       const CellIndex cell = waiting.back();
       waiting.pop_back();
-      gives_heat = gives_heat || is_held[cell.at()] != 0 || absorption_of(cell) > 0;
+      gives_heat = gives_heat || is_held[cell.at()] != 0 || absorption_of_all_bands(problem_, cell) > 0;
       for (const std::int32_t f : mesh.faces(cell)) {
         if (f < mesh.boundary_face_count()) continue;
         const CellIndex other =
@@ -79,13 +79,6 @@ void TemperatureIteration::check_conductors() const {
                                           "takes its heat away; give a wall a temperature",
                                           place.x(), place.y(), place.z())));
   }
-}
-
-/// Of all bands [1/m].
-double TemperatureIteration::absorption_of(CellIndex cell) const {
-  double absorption = 0;
-  for (int band = 0; band < problem_.band_count(); ++band) absorption += problem_.absorption(cell, band);
-  return absorption;
 }
 
 void TemperatureIteration::set_emission() {

@@ -32,7 +32,6 @@ class TemperatureIteration : public FollowingEmission {
  private:
   void check_media() const;
   void check_conductors() const;
-  double absorption_of(CellIndex cell) const;
   std::vector<double> temperatures() const;
   double cells_per_layer() const;
   void set_emission();

@@ -10,6 +10,7 @@
 
 #include "app/case/values/value_algebra.h"
 #include "base/blackbody.h"
+#include "solver/problem/band_blackbody.h"
 
 namespace etendue {
 namespace {
@@ -20,12 +21,8 @@ std::pair<double, double> band_edges(const Bands& bands, int band) {
   return std::minmax(bands.edges[b], bands.edges[b + 1]);
 }
 
-/// Fraction of a blackbody's power that a gray gas has; below the temperatures of its fit that of the lowest.
-double weight_at(const GrayGases& wsgg, int band, double kelvin) {
-  return wsgg.gases[static_cast<std::size_t>(band)].weight_at(std::max(kelvin, wsgg.lowest));
-}
-
-/// The same as a formula, of the temperature as a text.
+/// Fraction of a blackbody's power that a gray gas has, as a formula of the temperature as a text; below the
+/// temperatures of its fit that of the lowest.
 std::string weight_text(const GrayGases& wsgg, int band, const std::string& kelvin) {
   const std::vector<double>& weight = wsgg.gases[static_cast<std::size_t>(band)].weight;
   std::string text = fmt::format("{:.17g}", weight.back());
@@ -38,13 +35,7 @@ std::string weight_text(const GrayGases& wsgg, int band, const std::string& kelv
 
 Value blackbody_radiance(const Value& temperature, const Bands& bands, int band) {
   constexpr double factor = stefan_boltzmann / std::numbers::pi;
-  if (is_number(temperature)) {
-    const double kelvin = std::get<double>(temperature), total = factor * std::pow(kelvin, 4);
-    if (!bands.wsgg.gases.empty()) return total * weight_at(bands.wsgg, band, kelvin);
-    if (bands.edges.empty()) return total;
-    const auto [low, high] = band_edges(bands, band);
-    return total * (planck_fraction(high, kelvin) - planck_fraction(low, kelvin));
-  }
+  if (is_number(temperature)) return band_blackbody(bands, band, std::get<double>(temperature));
   Formula formula = term(temperature);
   const std::string kelvin = formula.text;
   formula.text = fmt::format("{:.17g}*{}^4", factor, kelvin);

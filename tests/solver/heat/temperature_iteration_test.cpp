@@ -9,7 +9,7 @@
 
 #include "base/blackbody.h"
 #include "mesh/tetrahedra/corners.h"
-#include "solver/heat/band_blackbody.h"
+#include "solver/problem/band_blackbody.h"
 #include "solver/solution/balance.h"
 #include "solver/transport/solve/solve.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "solver/heat/band_blackbody.h"
+#include "solver/problem/band_blackbody.h"
 
 #include <gtest/gtest.h>
 
