@@ -7,6 +7,8 @@
 namespace etendue::python {
 namespace {
 
+using namespace pybind11::literals;
+
 const Solution& solution_of(const py::object& self) { return self.cast<const Solution&>(); }
 
 /// A field [cell or boundary face][extents...][band].
@@ -33,99 +35,59 @@ py::array fluence_at(const Solution& solution, const Numbers<double>& points) {
   return owned(std::move(values), {points.shape(0), static_cast<py::ssize_t>(solution.bands().size())});
 }
 
+/// A list of what a function makes of each row.
+template <class Rows, class AsDict>
+py::list list_of(const Rows& rows, const AsDict& as_dict) {
+  py::list list;
+  for (const auto& row : rows) list.append(as_dict(row));
+  return list;
+}
+
 py::list iterations(const Solution& solution) {
-  py::list rows;
-  for (const BandIteration& row : solution.iterations()) {
-    py::dict dict;
-    dict["band"] = row.band;
-    dict["sweeps"] = row.sweeps;
-    dict["residual"] = row.residual;
-    dict["converged"] = row.converged;
-    rows.append(dict);
-  }
-  return rows;
+  return list_of(solution.iterations(), [](const BandIteration& row) {
+    return py::dict("band"_a = row.band, "sweeps"_a = row.sweeps, "residual"_a = row.residual,
+                    "converged"_a = row.converged);
+  });
 }
 
 py::list balances(const Solution& solution) {
-  py::list rows;
-  for (const BandBalance& row : solution.balances()) {
-    py::dict dict;
-    dict["band"] = row.band;
-    dict["emitted"] = row.emitted;
-    dict["inflow"] = row.inflow;
-    dict["absorbed"] = row.absorbed;
-    dict["outflow"] = row.outflow;
-    dict["residual"] = row.residual;
-    rows.append(dict);
-  }
-  return rows;
+  return list_of(solution.balances(), [](const BandBalance& row) {
+    return py::dict("band"_a = row.band, "emitted"_a = row.emitted, "inflow"_a = row.inflow,
+                    "absorbed"_a = row.absorbed, "outflow"_a = row.outflow, "residual"_a = row.residual);
+  });
 }
 
 py::list walls(const Solution& solution) {
-  py::list rows;
-  for (const WallTotals& row : solution.walls()) {
-    py::dict dict;
-    dict["wall"] = row.wall;
-    dict["band"] = row.band;
-    dict["area"] = row.area;
-    dict["irradiance_mean"] = row.irradiance_mean;
-    dict["incoming"] = row.incoming;
-    dict["outgoing"] = row.outgoing;
-    rows.append(dict);
-  }
-  return rows;
+  return list_of(solution.walls(), [](const WallTotals& row) {
+    return py::dict("wall"_a = row.wall, "band"_a = row.band, "area"_a = row.area,
+                    "irradiance_mean"_a = row.irradiance_mean, "incoming"_a = row.incoming,
+                    "outgoing"_a = row.outgoing);
+  });
 }
 
 py::list regions(const Solution& solution) {
-  py::list rows;
-  for (const RegionTotals& row : solution.regions()) {
-    py::dict dict;
-    dict["region"] = row.region;
-    dict["band"] = row.band;
-    dict["volume"] = row.volume;
-    dict["fluence_mean"] = row.fluence_mean;
-    dict["absorbed"] = row.absorbed;
-    dict["emitted"] = row.emitted;
-    rows.append(dict);
-  }
-  return rows;
+  return list_of(solution.regions(), [](const RegionTotals& row) {
+    return py::dict("region"_a = row.region, "band"_a = row.band, "volume"_a = row.volume,
+                    "fluence_mean"_a = row.fluence_mean, "absorbed"_a = row.absorbed,
+                    "emitted"_a = row.emitted);
+  });
 }
 
 py::list probes(const Solution& solution) {
-  py::list rows;
-  for (const ProbeReading& row : solution.probes()) {
-    py::dict dict;
-    dict["probe"] = row.probe;
-    dict["index"] = row.index;
-    dict["x"] = row.point[0];
-    dict["y"] = row.point[1];
-    dict["z"] = row.point[2];
-    dict["band"] = row.band;
-    dict["fluence"] = row.fluence;
-    dict["net_flux_x"] = row.net_flux[0];
-    dict["net_flux_y"] = row.net_flux[1];
-    dict["net_flux_z"] = row.net_flux[2];
-    dict["irradiance"] = row.irradiance;
-    rows.append(dict);
-  }
-  return rows;
+  return list_of(solution.probes(), [](const ProbeReading& row) {
+    return py::dict("probe"_a = row.probe, "index"_a = row.index, "x"_a = row.point[0], "y"_a = row.point[1],
+                    "z"_a = row.point[2], "band"_a = row.band, "fluence"_a = row.fluence,
+                    "net_flux_x"_a = row.net_flux[0], "net_flux_y"_a = row.net_flux[1],
+                    "net_flux_z"_a = row.net_flux[2], "irradiance"_a = row.irradiance);
+  });
 }
 
 py::list sensors(const Solution& solution) {
-  py::list rows;
-  for (const SensorReading& row : solution.sensors()) {
-    py::dict dict;
-    dict["sensor"] = row.sensor;
-    dict["band"] = row.band;
-    dict["quantity"] = row.quantity;
-    dict["uncollided"] = row.uncollided;
-    dict["collided"] = row.collided;
-    dict["value"] = row.value;
-    dict["error"] = row.error;
-    dict["unit"] = row.unit;
-    rows.append(dict);
-  }
-  return rows;
+  return list_of(solution.sensors(), [](const SensorReading& row) {
+    return py::dict("sensor"_a = row.sensor, "band"_a = row.band, "quantity"_a = row.quantity,
+                    "uncollided"_a = row.uncollided, "collided"_a = row.collided, "value"_a = row.value,
+                    "error"_a = row.error, "unit"_a = row.unit);
+  });
 }
 
 /// (radiance, srgb)
