@@ -5,7 +5,7 @@ import math
 
 import numpy
 
-from suite import bordbar
+from suite import bordbar, planck
 from suite.emitting_slab import HEIGHTS, NODES, WEIGHTS
 from suite.row import Row
 
@@ -13,18 +13,6 @@ HOT, COLD = 1500.0, 700.0  # [K]
 SOURCE = 30000.0  # [W/m^3]
 MU, MU_WEIGHTS = NODES ** 2, 2 * NODES * WEIGHTS
 EDGES = {"short": (1e-9, 3e-6), "long": (3e-6, 1.0)}  # [m]
-PLANCK, LIGHT, BOLTZMANN = 6.62607015e-34, 299792458.0, 1.380649e-23
-
-
-def planck(kelvin, band):
-    """Radiance in a band [W/(m^2 sr)] for many temperatures."""
-    low, high = (PLANCK * LIGHT / (BOLTZMANN * kelvin * edge) for edge in reversed(EDGES[band]))
-    high = numpy.minimum(high, 200.0)
-    total = numpy.zeros_like(kelvin)
-    for k in range(8):
-        x = low + (high - low) * ((k + NODES[:, None]) / 8) ** 3
-        total += numpy.sum(WEIGHTS[:, None] * x ** 3 / numpy.expm1(x) * 3 * (high - low) * ((k + NODES[:, None]) / 8) ** 2 / 8, axis=0)
-    return 2 * (BOLTZMANN * kelvin) ** 4 / (PLANCK ** 3 * LIGHT ** 2) * total
 
 
 class Light:
@@ -93,7 +81,7 @@ def exact(gases, conductivity):
 
 
 GASES = {
-    "two bands": ([(kappa, lambda kelvin, band=band: planck(kelvin, band)) for band, kappa in (("short", 0.5), ("long", 4.0))], 0.0),
+    "two bands": ([(kappa, lambda kelvin, band=band: planck.radiance(kelvin, *EDGES[band])) for band, kappa in (("short", 0.5), ("long", 4.0))], 0.0),
     "flue gas": ([(0.3 + 0.3 * bordbar.absorption(gas), lambda kelvin, gas=gas: bordbar.blackbody(kelvin, gas)) for gas in range(5)], 20.0),
 }
 
