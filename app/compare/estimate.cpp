@@ -247,6 +247,9 @@ void write(const ErrorEstimate& estimate, const std::filesystem::path& directory
 
 ExitCode run_and_estimate(const RunRequest& request, std::ostream& out, std::ostream& err) {
   std::optional<Kept> kept;
+  // Between the runs, whose own signals they decide on, the results are whole.
+  std::optional<Interruption> between;
+  if (request.estimate != EstimateWish::never) between.emplace(last_words_of_repetition);
   const ExitCode code = run_case(request, out, err, [&](const RunResult& result) { kept = kept_of(result); });
   if (request.estimate == EstimateWish::never || !kept || code == ExitCode::interrupted) return code;
   if (!kept->whole || kept->numbers.empty()) {

@@ -26,10 +26,6 @@ constexpr char nothing_written[] = "\ninterrupted: nothing was written\n";
 const char* words_before_results = nothing_written;
 const char* volatile last_words = nothing_written;
 
-struct sigaction interrupt_before;
-struct sigaction terminate_before;
-struct sigaction pipe_before;
-
 constexpr std::sig_atomic_t any_number = std::numeric_limits<std::sig_atomic_t>::max();
 
 // May be called by a signal handler (signal-safety(7)).
@@ -50,31 +46,42 @@ void on_signal(int) {
 
 }  // namespace
 
+struct Interruption::Before {
+  struct sigaction on_interrupt, on_terminate, on_pipe;
+  std::sig_atomic_t noted = signals_noted, allowed = signals_allowed;
+  const char* words = last_words;
+};
+
 Interruption::Interruption(const char* words) : Interruption() {
   last_words = words;
   may_note_ = false;
 }
 
 Interruption::Interruption() {
+  auto before = std::make_unique<Before>();
   last_words = words_before_results;
   signals_noted = 0;
   signals_allowed = 0;
   struct sigaction action {};
   action.sa_handler = on_signal;
   action.sa_flags = SA_RESTART;  // writing must not fail because of a signal
-  sigaction(SIGINT, &action, &interrupt_before);
-  sigaction(SIGTERM, &action, &terminate_before);
+  sigaction(SIGINT, &action, &before->on_interrupt);
+  sigaction(SIGTERM, &action, &before->on_terminate);
   action.sa_handler = SIG_IGN;
-  sigaction(SIGPIPE, &action, &pipe_before);
+  sigaction(SIGPIPE, &action, &before->on_pipe);
+  before_ = std::move(before);
 }
 
 Interruption::Interruption(std::function<bool()> asked) : may_note_(false), asked_(std::move(asked)) {}
 
 Interruption::~Interruption() {
-  if (asked_) return;
-  sigaction(SIGINT, &interrupt_before, nullptr);
-  sigaction(SIGTERM, &terminate_before, nullptr);
-  sigaction(SIGPIPE, &pipe_before, nullptr);
+  if (!before_) return;
+  last_words = before_->words;
+  signals_noted = before_->noted;
+  signals_allowed = before_->allowed;
+  sigaction(SIGINT, &before_->on_interrupt, nullptr);
+  sigaction(SIGTERM, &before_->on_terminate, nullptr);
+  sigaction(SIGPIPE, &before_->on_pipe, nullptr);
 }
 
 void Interruption::note_the_first() {

@@ -2,13 +2,18 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace etendue {
 
+/// Last words of a run that is repeated, whose results are there.
+inline constexpr const char* last_words_of_repetition =
+    "\ninterrupted: the results are whole, but for the estimate of their errors\n";
+
 /// What the program does on SIGINT and SIGTERM while this lives. At first it ends at once with exit code 130:
 /// nothing is written yet. A closed pipe behind standard output does not end it: the results are in files.
-/// One at a time in a process.
+/// One may live within the life of another, and while it does it decides alone.
 class Interruption {
  public:
   Interruption();
@@ -32,8 +37,11 @@ class Interruption {
   bool is_overdue() const;
 
  private:
+  struct Before;
+
   bool may_note_ = true;
-  std::function<bool()> asked_;  ///< in place of signals
+  std::unique_ptr<const Before> before_;  ///< what happened on signals before; null: signals stay as they are
+  std::function<bool()> asked_;           ///< in place of signals
 };
 
 /// While this lives, a run that is ended before it wrote anything ends with these words in place of "nothing

@@ -44,10 +44,6 @@ void add_exact(const ExactSetup& exact, const DirectionSet& directions, RunResul
   add_exact_powers(exact.input, result.walls, result.regions, result.balances);
 }
 
-/// Of a run that repeats another one, whose results are there.
-constexpr const char* last_words_of_repetition =
-    "\ninterrupted: the results are whole, but for the estimate of their errors\n";
-
 std::string mesh_line(const TetrahedralMesh& mesh) {
   return fmt::format("mesh: {} cells, {} vertices, {} faces on walls (regions: {}, walls: {})\n",
                      mesh.cell_count(), mesh.vertex_count(), mesh.boundary_face_count(),
