@@ -158,9 +158,16 @@ struct LightCase {
   Origin origin;
 };
 
+/// Heat that what flows along a wall carries away, h (T - T_a).
+struct Convection {
+  double heat_transfer_coefficient = 0;  ///< h [W/(m^2 K)]
+  double ambient = 0;                    ///< T_a [K]
+};
+
 struct WallCase {
   std::optional<BandValues> temperature;  ///< one value [K], from which `radiance` follows
   std::optional<double> heat_flux;        ///< into the domain [W/m^2]; the temperature follows
+  std::optional<Convection> convection;   ///< the temperature follows
   BandValues radiance;                    ///< empty values: 0
   BandValues diffuse, specular;           ///< numbers; empty values: 0
   BandValues transmittance;               ///< numbers; empty values: 0
@@ -169,7 +176,11 @@ struct WallCase {
   Uncollided uncollided = Uncollided::automatic;
   std::optional<LightCase> beam;
   Origin origin;
+  bool reradiates = false;  ///< whether the temperature follows from `heat_flux` by reflection alone
   std::vector<Glazing> glazing = {};  ///< [band] of what light from outside comes in by; empty: an opening
+
+  /// Whether the temperature follows, and takes more than one solution of the transport equation.
+  bool iterates_temperature() const { return (heat_flux || convection) && !reradiates; }
 };
 
 struct Probe {

@@ -9,7 +9,7 @@ namespace {
 bool has_temperature(const MediumCase& medium) {
   return medium.temperature || medium.heat_source || medium.conductivity;
 }
-bool has_temperature(const WallCase& wall) { return wall.temperature || wall.heat_flux; }
+bool has_temperature(const WallCase& wall) { return wall.temperature || wall.heat_flux || wall.convection; }
 
 template <class Entry>
 bool any_temperature(const std::map<std::string, Entry>& entries) {
@@ -23,8 +23,8 @@ bool has_temperatures(const Case& input) {
 }
 
 bool iterates_temperatures(const Case& input) {
-  return std::ranges::any_of(input.media,
-                             [](const auto& entry) { return entry.second.iterates_temperature(); });
+  const auto iterates = [](const auto& entry) { return entry.second.iterates_temperature(); };
+  return std::ranges::any_of(input.media, iterates) || std::ranges::any_of(input.walls, iterates);
 }
 
 }  // namespace etendue

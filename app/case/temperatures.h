@@ -8,7 +8,8 @@ namespace etendue {
 /// Whether a medium or wall of the case has a temperature, given or following from its heat.
 bool has_temperatures(const Case& input);
 
-/// Whether the temperature of a medium follows and takes more than one solution of the transport equation.
+/// Whether the temperature of a medium or wall follows and takes more than one solution of the transport
+/// equation.
 bool iterates_temperatures(const Case& input);
 
 }  // namespace etendue

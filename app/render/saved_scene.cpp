@@ -5,10 +5,11 @@
 #include <thread>
 
 #include "app/case/build/build.h"
-#include "app/case/temperatures.h"
+#include "app/case/build/build_heat.h"
 #include "app/readings/probes.h"
 #include "app/write/json/summary.h"
 #include "app/write/vtk/solution_file.h"
+#include "solver/heat/temperature_iteration.h"
 
 namespace etendue {
 namespace {
@@ -26,13 +27,19 @@ SolveOptions options_of_run(const Case& input, const std::filesystem::path& resu
   return options;
 }
 
-/// Saved results hold no emission of media whose temperatures followed.
-Case with_given_temperatures(Case input) {
-  if (!iterates_temperatures(input)) return input;
-  throw InputError(
-      "the temperatures of this case follow by iteration, and pictures of its saved results cannot be made "
-      "(not in this version); "
-      "run the case with its cameras");
+/// With the emission of the temperatures that a run has found.
+Problem problem_of_run(const Case& input, const TetrahedralMesh& mesh, const SavedState& state) {
+  Problem problem = build_problem(input, mesh);
+  const std::optional<HeatProblem> heat = build_heat(input, mesh);
+  if (!heat) return problem;
+  if (state.following.empty())
+    throw InputError(
+        "solution.vtu was written without the temperatures that follow (by an earlier version); run the case "
+        "again");
+  TemperatureIteration temperatures(problem, *heat);
+  temperatures.start_from(state.following);
+  problem.set_following(temperatures.sources());
+  return problem;
 }
 
 }  // namespace
@@ -45,13 +52,13 @@ std::optional<Case> case_of_results(const std::filesystem::path& results, const 
 
 SavedScene::SavedScene(Case asked, const std::filesystem::path& results, const std::string& command,
                        std::optional<int> threads, const Log& log)
-    : input(with_given_temperatures(std::move(asked))),
+    : input(std::move(asked)),
       mesh(build_mesh(input, log)),
-      problem(build_problem(input, mesh)),
+      result(read_result(InputFile{results / "solution.vtu", {"command line", 0, command}}, input, mesh)),
+      state(result.state),
+      problem(problem_of_run(input, mesh, state)),
       directions(build_directions(input, problem)),
       lights(problem),
-      options(options_of_run(input, results, threads, mesh)),
-      result(read_result(InputFile{results / "solution.vtu", {"command line", 0, command}}, input, mesh)),
-      state(result.state) {}
+      options(options_of_run(input, results, threads, mesh)) {}
 
 }  // namespace etendue

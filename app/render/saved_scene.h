@@ -29,12 +29,12 @@ class SavedScene {
 
   const Case input;
   const TetrahedralMesh mesh;
+  const SavedResult result;
+  const SavedState& state;  ///< that of the result
   const Problem problem;
   const DirectionSet directions;
   const LightSetup lights;
   const SolveOptions options;  ///< as the run had them: its probes decide in which cells moments were kept
-  const SavedResult result;
-  const SavedState& state;  ///< that of the result
 };
 
 }  // namespace etendue

@@ -2,7 +2,6 @@
 #include "app/run/ordinates_setup.h"
 
 #include "app/case/build/build_heat.h"
-#include "app/case/temperatures.h"
 #include "app/readings/probes.h"
 #include "app/readings/sensors.h"
 #include "app/render/pictures.h"
@@ -23,8 +22,8 @@ OrdinatesSetup::OrdinatesSetup(const Case& input, const Problem& problem)
       locator(problem.mesh()) {
   check_sensors(input.sensors, locator, problem);
   options = run_options(input, set(), place_probes(input.probes, problem.mesh(), locator));
-  if (iterates_temperatures(input)) {
-    heat = build_heat(input, problem.mesh());
+  heat = build_heat(input, problem.mesh());
+  if (heat) {
     temperatures = std::make_unique<TemperatureIteration>(problem, *heat);
     options.following_emission = temperatures.get();
   }
@@ -32,7 +31,7 @@ OrdinatesSetup::OrdinatesSetup(const Case& input, const Problem& problem)
 }
 
 void OrdinatesSetup::set_emission(Problem& problem) const {
-  if (temperatures) problem.set_following_emission(temperatures->emission());
+  if (temperatures) problem.set_following(temperatures->sources());
 }
 
 std::optional<HeatSolution> OrdinatesSetup::heat_solution() const {

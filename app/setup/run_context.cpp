@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/setup/run_context.h"
 
-#include "app/case/temperatures.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -25,7 +23,6 @@ std::string last_state(const RunResult& result) {
 }  // namespace
 
 std::string how_to_go_on(const Case& input) {
-  if (iterates_temperatures(input)) return "to go further: a larger solve.max_sweeps\n";
   const std::filesystem::path file = std::filesystem::absolute(input.output.directory) / "solution.vtu";
   return fmt::format("to go on from there: --set 'solve.initial=\"{}\"'\n", file.string());
 }

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/blackbody.h"
+#include "base/vector_sums.h"
 #include "mesh/tetrahedra/bounding_box.h"
 #include "solver/materials/phase/phase_function.h"
 #include "solver/problem/band_blackbody.h"
@@ -173,30 +174,67 @@ void add_cell(const TetrahedralMesh& mesh, const TemperatureSpace& space, CellIn
   }
 }
 
-/// Adds what flows into a wall that holds a temperature, (T0).
-void add_held_face(const TemperatureSpace& space, const HeldFace& held, GraySystem& system) {
-  for (const std::size_t k : held.corners) {
-    const std::size_t row = unknown_of(space, held.cell, k);
-    system.add(row, row, held.area / 3 * held.conductance);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t other = unknown_of(space, held.cell, i);
-      system.add(row, other, -held.area / 3 * held.normal_flow[i]);
-      system.add(other, row, -held.area / 3 * held.normal_flow[i]);
-    }
+/// Adds what flows into a wall that has a temperature, (T0).
+void add_held_face(const TemperatureSpace& space, const HeldFace& held, std::span<const double> temperature,
+                   GraySystem& system) {
+  const double third = held.area / 3;
+  const auto add = [&](std::size_t row, std::size_t column, double value) {
+    system.add(row, column, value * space.kelvin_per_value(column, temperature[column]));
+  };
+  const auto add_both = [&](std::size_t one, std::size_t other, double value) {
+    add(one, other, value);
+    add(other, one, value);
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t inside = unknown_of(space, held.cell, held.corners[k]);
+    add(inside, inside, third * held.conductance);
+    for (std::size_t i = 0; i < 4; ++i)
+      add_both(inside, unknown_of(space, held.cell, i), -third * held.normal_flow[i]);
+    if (held.unknowns[k] < 0) continue;
+    const auto wall = static_cast<std::size_t>(held.unknowns[k]);
+    add(wall, wall, third * held.conductance);
+    add_both(wall, inside, -third * held.conductance);
+    for (std::size_t i = 0; i < 4; ++i)
+      add_both(wall, unknown_of(space, held.cell, i), third * held.normal_flow[i]);
   }
+}
+
+double mean_reflectance(const Problem& problem, FaceIndex face, const std::vector<double>& share) {
+  const Wall& wall = problem.wall(problem.mesh().wall(face));
+  double reflectance = 0;
+  for (std::size_t band = 0; band < share.size(); ++band)
+    reflectance += share[band] * wall.mean_reflectance(band);
+  return reflectance;
 }
 
 /// Adds the light that leaves by a wall (Marshak 1947).
 void add_wall_face(const Problem& problem, FaceIndex face, const std::vector<double>& share,
                    GraySystem& system) {
   const TetrahedralMesh& mesh = problem.mesh();
-  const Wall& wall = problem.wall(mesh.wall(face));
-  double reflectance = 0;
-  for (std::size_t band = 0; band < share.size(); ++band)
-    reflectance += share[band] * wall.mean_reflectance(band);
+  const double reflectance = mean_reflectance(problem, face, share);
   const double leaving = (1 - reflectance) / (1 + reflectance) / 2;
   for (const std::int32_t vertex : mesh.vertices(face))
     system.add(system.fluence(vertex), system.fluence(vertex), mesh.area(face) / 3 * leaving);
+}
+
+/// Adds the rows of a face whose temperature follows. With the reflectance rho it sends j = rho H + w t, and
+/// F/2 = H + j: so it absorbs (1 - rho) H = ((1 - rho) F/2 - (1 - rho) w t)/(1 + rho). `kelvin` are the
+/// changes of the temperatures with the values of the unknowns.
+void add_following_face(const Problem& problem, const WallHeat& walls, const FollowingFace& face,
+                        const std::vector<double>& share, const Blackbodies& blackbodies,
+                        const std::array<double, 3>& kelvin, GraySystem& system) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  const double third = mesh.area(face.face) / 3;
+  const double reflectance = mean_reflectance(problem, face.face, share);
+  const double absorbed = (1 - reflectance) / (1 + reflectance) / 2;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t unknown = face.unknowns[i];
+    const std::size_t light = system.fluence(mesh.vertices(face.face)[i]);
+    const double emitted = 2 * walls.emission_slope(face, i, blackbodies) / (1 + reflectance);
+    system.add(unknown, unknown, third * (walls.convection_slope(face) * kelvin[i] + emitted));
+    system.add(unknown, light, -third * absorbed);
+    system.add(light, unknown, -third * emitted);
+  }
 }
 
 }  // namespace
@@ -212,24 +250,31 @@ std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
                                            const Blackbodies& blackbodies,
                                            std::span<const double> gains) const {
   const TetrahedralMesh& mesh = problem_.mesh();
-  const double highest = *std::max_element(temperature.begin(), temperature.end());
+  const double highest = largest_magnitude(temperature);
   const double kelvin = 1 / (16 * stefan_boltzmann * std::pow(highest, 3));
   const GrayCells gray(problem_, space_, blackbodies, highest, longest_path_);
   std::vector<GrayCell> cells;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) cells.push_back(gray.at(CellIndex(c)));
-  GraySystem system(space_.vertex_unknowns(), static_cast<std::size_t>(mesh.vertex_count()), kelvin);
+  GraySystem system(space_.unknowns_before_cells(), static_cast<std::size_t>(mesh.vertex_count()), kelvin);
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const double floor = least_absorption * cells[c].diffusion / (longest_path_ * longest_path_);
     add_cell(mesh, space_, CellIndex(static_cast<std::int32_t>(c)), cells[c], floor, gains, system);
   }
-  for (std::size_t unknown = 0; unknown < space_.vertex_unknowns(); ++unknown)
+  for (std::size_t unknown = 0; unknown < space_.unknowns_before_cells(); ++unknown)
     system.add_right(unknown, gains[unknown]);
-  for (const HeldFace& held : balance_.held_faces()) add_held_face(space_, held, system);
+  for (const HeldFace& held : balance_.held_faces()) add_held_face(space_, held, temperature, system);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     add_wall_face(problem_, FaceIndex(f), cells[mesh.owner(FaceIndex(f)).at()].share, system);
+  for (const FollowingFace& face : balance_.walls().faces()) {
+    std::array<double, 3> per_value;
+    for (std::size_t i = 0; i < 3; ++i)
+      per_value[i] = space_.kelvin_per_value(face.unknowns[i], temperature[face.unknowns[i]]);
+    add_following_face(problem_, balance_.walls(), face, cells[mesh.owner(face.face).at()].share, blackbodies,
+                       per_value, system);
+  }
   const Eigen::VectorXd solution = system.solve();
   std::vector<double> changes(space_.size(), 0);
-  for (std::size_t i = 0; i < space_.vertex_unknowns(); ++i) changes[i] = solution[at(i)];
+  for (std::size_t i = 0; i < space_.unknowns_before_cells(); ++i) changes[i] = solution[at(i)];
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const CellIndex cell(static_cast<std::int32_t>(c));
     if (!space_.has(cell) || space_.conducts(cell)) continue;

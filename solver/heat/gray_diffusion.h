@@ -14,7 +14,8 @@ namespace etendue {
 ///
 /// with the change t of the temperature and F of the fluence, w = 4 pi sum of sigma_a dI_b/dT, and bands
 /// weighted by what each sends out more by free paths (linear multifrequency-gray acceleration; Morel, Larsen
-/// and Matzen 1985). It is what preconditions the iteration for temperatures.
+/// and Matzen 1985). Walls whose temperature follows emit more by what they gain, and see the light of
+/// Marshak's condition. It is what preconditions the iteration for temperatures.
 class GrayDiffusion {
  public:
   /// The arguments must outlive it.

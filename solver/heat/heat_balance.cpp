@@ -31,11 +31,14 @@ double absorption_of_all_bands(const Problem& problem, CellIndex cell) {
 }
 
 HeatBalance::HeatBalance(const Problem& problem, const HeatProblem& heat, const TemperatureSpace& space)
-    : problem_(problem), heat_(heat), space_(space), volumes_(space.size(), 0) {
+    : problem_(problem), heat_(heat), space_(space), volumes_(space.size(), 0), walls_(problem, heat, space) {
   const TetrahedralMesh& mesh = problem.mesh();
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
     for (std::size_t i = 0; i < 4 && space.has(CellIndex(c)); ++i)
       volumes_[static_cast<std::size_t>(space.unknown(CellIndex(c), i))] += mesh.volume(CellIndex(c)) / 4;
+  for (const FollowingFace& face : walls_.faces())
+    for (const std::size_t unknown : face.unknowns)
+      volumes_[unknown] = mesh.volume(mesh.owner(face.face)) / 4;
   find_sources();
   find_held();
 }
@@ -63,17 +66,21 @@ void HeatBalance::find_held() {
     const FaceIndex face(f);
     const auto wall = static_cast<std::size_t>(mesh.wall(face));
     const CellIndex cell = mesh.owner(face);
-    if (!heat_.wall_temperatures[wall] || !space_.conducts(cell)) continue;
+    if (!(heat_.wall_temperatures[wall] || space_.has(face)) || !space_.conducts(cell)) continue;
     const double area = mesh.area(face), height = 3 * mesh.volume(cell) / area;
     const double conductivity = space_.conductivity(cell);
-    HeldFace held{cell, wall, {}, {}, area, penalty * conductivity / height, {}};
+    HeldFace held{cell, wall, {}, {}, {}, area, penalty * conductivity / height, {}};
     const Eigen::Matrix<double, 3, 4> slopes = barycentric_gradients(mesh, cell);
     const Vec3 normal = mesh.area_normal(face).normalized();
     std::size_t count = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       held.normal_flow[i] = conductivity * normal.dot(slopes.col(static_cast<Eigen::Index>(i)));
-      if (std::ranges::count(mesh.vertices(face), mesh.vertices(cell)[i]) == 0) continue;
-      held.temperature[count] = heat_.wall_temperatures[wall]->at(corner_of(mesh, cell, i));
+      const auto on_face = std::ranges::find(mesh.vertices(face), mesh.vertices(cell)[i]);
+      if (on_face == mesh.vertices(face).end()) continue;
+      held.unknowns[count] =
+          space_.unknown(face, static_cast<std::size_t>(on_face - mesh.vertices(face).begin()));
+      if (held.unknowns[count] < 0)
+        held.temperature[count] = heat_.wall_temperatures[wall]->at(corner_of(mesh, cell, i));
       held.corners[count++] = i;
     }
     held_.push_back(held);
@@ -89,12 +96,14 @@ Blackbodies HeatBalance::blackbodies(std::span<const double> temperature) const 
     const double kelvin = std::abs(temperature[i / bands]);
     result.radiance[i] =
         std::copysign(band_blackbody(problem_.bands(), band, kelvin), temperature[i / bands]);
-    result.slope[i] = space_.is_vertex(i / bands)
-                          ? band_blackbody_slope(problem_.bands(), band, kelvin)
-                          : stefan_boltzmann / std::numbers::pi * std::pow(space_.usual_temperature(), 3) *
-                                band_share_of_change(problem_.bands(), band, kelvin);
+    result.slope[i] = stefan_boltzmann / std::numbers::pi * space_.power_per_value(i / bands, kelvin) *
+                      band_share_of_change(problem_.bands(), band, kelvin);
   }
   return result;
+}
+
+FollowingSources HeatBalance::sources(const Blackbodies& blackbodies) const {
+  return {emission(blackbodies), walls_.radiance(blackbodies)};
 }
 
 CellEmission HeatBalance::emission(const Blackbodies& blackbodies) const {
@@ -133,10 +142,10 @@ void HeatBalance::add_conduction(CellIndex cell, std::span<const double> tempera
 }
 
 std::vector<double> HeatBalance::gains(std::span<const double> temperature, const Blackbodies& blackbodies,
-                                       std::span<const double> fluence) const {
+                                       const LightAtVertices& light) const {
   const TetrahedralMesh& mesh = problem_.mesh();
   const auto bands = static_cast<std::size_t>(problem_.band_count());
-  const ConstCellField light(fluence, bands);
+  const ConstCellField fluence(light.fluence, bands);
   std::vector<double> gains(space_.size(), 0);
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
@@ -147,12 +156,13 @@ std::vector<double> HeatBalance::gains(std::span<const double> temperature, cons
       for (std::size_t band = 0; band < bands; ++band)
         density +=
             problem_.absorption(cell, static_cast<int>(band)) *
-            (light(cell, i, band) - 4 * std::numbers::pi * blackbodies.radiance[unknown * bands + band]);
+            (fluence(cell, i, band) - 4 * std::numbers::pi * blackbodies.radiance[unknown * bands + band]);
       gains[unknown] += mesh.volume(cell) / 4 * density;
     }
     if (space_.conducts(cell)) add_conduction(cell, temperature, gains);
   }
   for (const HeldFace& held : held_) add_held(held, temperature, gains);
+  walls_.add_gains(temperature, blackbodies, light, gains);
   return gains;
 }
 
@@ -165,7 +175,9 @@ HeatBalance::WallFlow HeatBalance::flow_into(const HeldFace& held,
     conducted -= held.normal_flow[i] * temperature[static_cast<std::size_t>(space_.unknown(held.cell, i))];
   for (std::size_t k = 0; k < 3; ++k) {
     const auto unknown = static_cast<std::size_t>(space_.unknown(held.cell, held.corners[k]));
-    const double difference = temperature[unknown] - held.temperature[k];
+    const double of_wall =
+        held.unknowns[k] < 0 ? held.temperature[k] : temperature[static_cast<std::size_t>(held.unknowns[k])];
+    const double difference = temperature[unknown] - of_wall;
     flow.at[k] = conducted + held.conductance * difference;
     flow.mean_difference += difference / 3;
   }
@@ -175,8 +187,11 @@ HeatBalance::WallFlow HeatBalance::flow_into(const HeldFace& held,
 void HeatBalance::add_held(const HeldFace& held, std::span<const double> temperature,
                            std::vector<double>& gains) const {
   const WallFlow flow = flow_into(held, temperature);
-  for (std::size_t k = 0; k < 3; ++k)
+  for (std::size_t k = 0; k < 3; ++k) {
     gains[static_cast<std::size_t>(space_.unknown(held.cell, held.corners[k]))] -= held.area / 3 * flow.at[k];
+    if (held.unknowns[k] >= 0)
+      gains[static_cast<std::size_t>(held.unknowns[k])] += held.area / 3 * flow.at[k];
+  }
   for (std::size_t i = 0; i < 4; ++i)
     gains[static_cast<std::size_t>(space_.unknown(held.cell, i))] +=
         held.area * held.normal_flow[i] * flow.mean_difference;

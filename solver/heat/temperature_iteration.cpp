@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "base/vector_sums.h"
+#include "solver/transport/sweep/finite_check.h"
 
 namespace etendue {
 namespace {
@@ -23,14 +23,15 @@ constexpr double largest_change = 0.1;
 
 TemperatureIteration::TemperatureIteration(const Problem& problem, const HeatProblem& heat)
     : problem_(problem),
-      space_(problem.mesh(), heat),
+      space_(problem, heat),
       balance_(problem, heat, space_),
       diffusion_(problem, space_, balance_),
       mixing_(balance_.volumes(), remembered_steps),
-      values_(space_.size(), heat.start) {
+      values_(space_.size()) {
+  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = space_.value(i, heat.start);
   check_media();
   check_conductors();
-  set_emission();
+  set_sources();
 }
 
 void TemperatureIteration::check_media() const {
@@ -81,37 +82,49 @@ void TemperatureIteration::check_conductors() const {
   }
 }
 
-void TemperatureIteration::set_emission() {
+void TemperatureIteration::set_sources() {
   temperature_ = space_.temperatures(values_);
   blackbodies_ = balance_.blackbodies(temperature_);
-  emission_ = balance_.emission(blackbodies_);
+  sources_ = balance_.sources(blackbodies_);
 }
 
-double TemperatureIteration::improve(std::span<const double> fluence) {
-  std::vector<double> light(fluence.begin(), fluence.end());
-  if (!unswept_.empty()) add_to(light, unswept_);
-  const std::vector<double> gains = balance_.gains(temperature_, blackbodies_, light);
+void TemperatureIteration::start_from(std::span<const double> state) {
+  if (state.size() != values_.size())
+    throw InputError(
+        fmt::format("the solution to start from has {} temperatures where this case has {}; start without it",
+                    state.size(), values_.size()));
+  values_.assign(state.begin(), state.end());
+  set_sources();
+}
+
+double TemperatureIteration::improve(const LightAtVertices& light) {
+  std::vector<double> fluence(light.fluence.begin(), light.fluence.end());
+  std::vector<double> irradiance(light.irradiance.begin(), light.irradiance.end());
+  if (!unswept_.fluence.empty()) add_to(fluence, unswept_.fluence);
+  if (!unswept_.irradiance.empty()) add_to(irradiance, unswept_.irradiance);
+  const std::vector<double> gains =
+      balance_.gains(temperature_, blackbodies_, {fluence, irradiance, light.half_range});
   const std::vector<double> changes = diffusion_.changes(temperature_, blackbodies_, gains);
   const std::vector<double> step = mixing_.step(values_, changes);
-  const double highest = *std::ranges::max_element(temperature_);
-  const double emission_of_highest = highest * std::pow(highest / space_.usual_temperature(), 3);
+  const double highest = largest_magnitude(temperature_);
   change_ = 0;
   for (std::size_t i = 0; i < step.size(); ++i) {
-    const double scale = space_.is_vertex(i) ? highest : 4 * emission_of_highest;  // 4 dT/T = d(T^4)/T^4
-    if (!std::isfinite(step[i])) throw std::domain_error("a temperature is not finite");
-    change_ = std::max(change_, std::abs(changes[i]) / scale);
-    values_[i] += limited(i, step[i], emission_of_highest);
+    if (!std::isfinite(step[i]))
+      throw NotFiniteError(
+          "the temperatures that follow from heat grow without end: something must take the heat away");
+    change_ = std::max(change_, std::abs(changes[i]) * space_.kelvin_per_value(i, highest) / highest);
+    values_[i] += limited(i, step[i], highest);
   }
-  set_emission();
+  set_sources();
   return change_;
 }
 
-/// A change that does not go too far; `highest` is the largest of all values of T^4.
+/// A change that does not go too far; `highest` is the highest temperature [K].
 double TemperatureIteration::limited(std::size_t unknown, double change, double highest) const {
   const double value = values_[unknown];
-  if (space_.is_vertex(unknown))
+  if (space_.is_temperature(unknown))
     return std::clamp(change, value / largest_factor - value, value * largest_factor - value);
-  const double room = largest_change * highest;
+  const double room = largest_change * space_.value(unknown, highest);
   return std::clamp(change, -std::abs(value) - room, (largest_factor_of_power - 1) * std::abs(value) + room);
 }
 
@@ -127,6 +140,14 @@ std::vector<double> TemperatureIteration::temperatures() const {
     for (std::size_t i = 0; i < 4 && space_.has(cell); ++i)
       result[4 * c + i] = std::max(0.0, temperature_[static_cast<std::size_t>(space_.unknown(cell, i))]);
   }
+  return result;
+}
+
+std::vector<double> TemperatureIteration::wall_temperatures() const {
+  std::vector<double> result(static_cast<std::size_t>(3 * problem_.mesh().boundary_face_count()), 0);
+  for (const FollowingFace& face : balance_.walls().faces())
+    for (std::size_t i = 0; i < 3; ++i)
+      result[3 * face.face.at() + i] = std::max(0.0, temperature_[face.unknowns[i]]);
   return result;
 }
 
@@ -148,7 +169,8 @@ double TemperatureIteration::cells_per_layer() const {
 }
 
 HeatSolution TemperatureIteration::solution() const {
-  return {temperatures(), balance_.conducted(temperature_), cells_per_layer()};
+  return {temperatures(), wall_temperatures(), balance_.conducted(temperature_),
+          balance_.walls().convected(temperature_), cells_per_layer()};
 }
 
 }  // namespace etendue

@@ -5,13 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
+#include "base/blackbody.h"
 #include "base/errors.h"
 #include "mesh/tetrahedra/corners.h"
+#include "solver/problem/band_blackbody.h"
 
 namespace etendue {
 namespace {
+
+constexpr int most_steps = 50;
+constexpr double rounding = 1e-15;
 
 double conductivity_in(const HeatMedium& medium, const TetrahedralMesh& mesh, CellIndex cell) {
   const CellSample sample = medium.conductivity.sample(corners_of(mesh, cell));
@@ -60,40 +66,114 @@ class JoinedCorners {
   std::vector<std::size_t> before_;  ///< a joined corner, or itself
 };
 
+/// Part of the blackbody's power of all bands that a wall emits at a temperature.
+double emissivity(const Problem& problem, int wall, double kelvin) {
+  double sum = 0;
+  for (int band = 0; band < problem.band_count(); ++band)
+    sum += problem.wall(wall).absorptivity(static_cast<std::size_t>(band)) *
+           band_blackbody(problem.bands(), band, kelvin);
+  return sum * std::numbers::pi / (stefan_boltzmann * std::pow(kelvin, 4));
+}
+
 }  // namespace
 
-TemperatureSpace::TemperatureSpace(const TetrahedralMesh& mesh, const HeatProblem& heat)
-    : conductivity_(static_cast<std::size_t>(mesh.cell_count()), 0),
+TemperatureSpace::TemperatureSpace(const Problem& problem, const HeatProblem& heat)
+    : conductivity_(static_cast<std::size_t>(problem.mesh().cell_count()), 0),
       unknowns_(4 * conductivity_.size(), -1),
+      of_walls_(static_cast<std::size_t>(3 * problem.mesh().boundary_face_count()), -1),
       usual_(heat.start) {
-  const auto medium = [&](CellIndex cell) -> const std::optional<HeatMedium>& {
-    return heat.media[static_cast<std::size_t>(mesh.region(cell))];
-  };
+  const TetrahedralMesh& mesh = problem.mesh();
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
-    if (const CellIndex cell(c); medium(cell))
-      conductivity_[cell.at()] = conductivity_in(*medium(cell), mesh, cell);
+    if (const auto& medium = heat.media[static_cast<std::size_t>(mesh.region(CellIndex(c)))])
+      conductivity_[CellIndex(c).at()] = conductivity_in(*medium, mesh, CellIndex(c));
+  number_vertices(mesh);
+  number_walls(problem, heat);
+  unknowns_before_cells_ = size_;
+  number_cells(mesh, heat);
+}
+
+void TemperatureSpace::number_vertices(const TetrahedralMesh& mesh) {
   JoinedCorners corners(mesh, [&](CellIndex cell) { return conducts(cell); });
   std::vector<std::int32_t> of_corner(unknowns_.size(), -1);
-  std::int32_t count = 0;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
     for (std::size_t i = 0; i < 4 && conducts(CellIndex(c)); ++i) {
       std::int32_t& unknown = of_corner[corners.first_of(CellIndex(c), i)];
-      if (unknown < 0) unknown = count++;
+      if (unknown < 0) unknown = static_cast<std::int32_t>(size_++);
       unknowns_[4 * CellIndex(c).at() + i] = unknown;
     }
-  vertex_unknowns_ = static_cast<std::size_t>(count);
+  vertex_unknowns_ = size_;
+}
+
+void TemperatureSpace::number_walls(const Problem& problem, const HeatProblem& heat) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const auto& wall = heat.walls[static_cast<std::size_t>(mesh.wall(face))];
+    if (!wall) continue;
+    const CellIndex cell = mesh.owner(face);
+    const double height = 3 * mesh.volume(cell) / mesh.area(face);
+    const Loss loss{stefan_boltzmann * emissivity(problem, mesh.wall(face), usual_),
+                    wall->heat_transfer_coefficient + conductivity(cell) / height};
+    for (std::size_t i = 0; i < 3; ++i) {
+      of_walls_[3 * face.at() + i] = static_cast<std::int32_t>(size_++);
+      losses_.push_back(loss);
+    }
+  }
+}
+
+void TemperatureSpace::number_cells(const TetrahedralMesh& mesh, const HeatProblem& heat) {
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
-    if (!medium(cell) || conducts(cell)) continue;
-    for (std::size_t i = 0; i < 4; ++i) unknowns_[4 * cell.at() + i] = count++;
+    if (!heat.media[static_cast<std::size_t>(mesh.region(cell))] || conducts(cell)) continue;
+    for (std::size_t i = 0; i < 4; ++i) unknowns_[4 * cell.at() + i] = static_cast<std::int32_t>(size_++);
   }
-  size_ = static_cast<std::size_t>(count);
+}
+
+TemperatureSpace::Loss TemperatureSpace::loss(std::size_t unknown) const {
+  if (is_temperature(unknown)) return {0, 1};
+  if (unknown >= unknowns_before_cells_) return {1, 0};
+  return losses_[unknown - vertex_unknowns_];
+}
+
+double TemperatureSpace::value(std::size_t unknown, double kelvin) const {
+  const auto [radiation, linear] = loss(unknown);
+  return (radiation * std::abs(std::pow(kelvin, 3)) + linear) * kelvin /
+         (radiation * std::pow(usual_, 3) + linear);
+}
+
+double TemperatureSpace::power_per_value(std::size_t unknown, double kelvin) const {
+  const auto [radiation, linear] = loss(unknown);
+  const double usual = std::pow(usual_, 3), cube = std::abs(std::pow(kelvin, 3));
+  if (linear == 0) return usual;
+  return 4 * cube * (radiation * usual + linear) / (4 * radiation * cube + linear);
+}
+
+double TemperatureSpace::kelvin_per_value(std::size_t unknown, double kelvin) const {
+  const auto [radiation, linear] = loss(unknown);
+  const double usual = std::pow(usual_, 3), cube = std::abs(std::pow(kelvin, 3));
+  return (radiation * usual + linear) / (4 * radiation * cube + linear);
+}
+
+/// By Newton's method from above: the loss is convex.
+double TemperatureSpace::temperature(std::size_t unknown, double value) const {
+  const auto [radiation, linear] = loss(unknown);
+  const double given = std::abs(value) * (radiation * std::pow(usual_, 3) + linear);
+  if (given == 0) return 0;
+  double kelvin = radiation > 0 ? std::pow(given / radiation, 0.25) : given / linear;
+  if (linear > 0) kelvin = std::min(kelvin, given / linear);
+  for (int i = 0; radiation > 0 && linear > 0 && i < most_steps; ++i) {
+    const double cube = kelvin * kelvin * kelvin;
+    const double change =
+        (radiation * cube * kelvin + linear * kelvin - given) / (4 * radiation * cube + linear);
+    kelvin -= change;
+    if (std::abs(change) <= rounding * kelvin) break;
+  }
+  return std::copysign(kelvin, value);
 }
 
 std::vector<double> TemperatureSpace::temperatures(std::span<const double> values) const {
   std::vector<double> kelvin(values.begin(), values.end());
-  for (std::size_t i = vertex_unknowns_; i < kelvin.size(); ++i)
-    kelvin[i] = std::copysign(std::pow(std::abs(values[i]) * std::pow(usual_, 3), 0.25), values[i]);
+  for (std::size_t i = vertex_unknowns_; i < kelvin.size(); ++i) kelvin[i] = temperature(i, values[i]);
   return kelvin;
 }
 

@@ -32,6 +32,7 @@ void CellEmission::add(const CellEmission& other) {
 
 CellEmission CellEmission::of_bands(std::span<const int> bands) const {
   CellEmission result = *this;
+  if (empty()) return result;
   result.bands_ = bands.size();
   result.means_ = select_bands(std::span<const double>(means_), bands_, bands);
   result.slopes_ = select_bands(std::span<const double>(slopes_), bands_, bands);

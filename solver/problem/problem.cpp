@@ -130,11 +130,11 @@ Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> m
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-void Problem::set_following_emission(CellEmission emission) {
+void Problem::set_following(FollowingSources sources) {
   if (own_emission_.empty()) own_emission_ = emission_;
   emission_ = own_emission_;
-  emission_.add(emission);
-  following_emission_ = std::move(emission);
+  if (!sources.cells.empty()) emission_.add(sources.cells);
+  following_ = std::move(sources);
 }
 
 }  // namespace etendue

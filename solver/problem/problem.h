@@ -17,6 +17,7 @@
 #include "solver/materials/surfaces/reflectance.h"
 #include "solver/problem/bands.h"
 #include "solver/problem/cell_emission.h"
+#include "solver/problem/following_sources.h"
 #include "solver/problem/lights/light.h"
 #include "solver/problem/scattering_choice.h"
 
@@ -84,6 +85,8 @@ struct Wall {
   /// [band] the part of `diffuse` that is absorbed and sent out again as heat, of a gray wall whose
   /// temperature follows; empty: none
   std::vector<double> reradiation = {};
+  /// Whether it emits what Problem::following() says, beside `radiance`.
+  bool emission_follows = false;
 
   const Reflectance* glossy_in(std::size_t band) const {
     return band < glossy.size() ? glossy[band].get() : nullptr;
@@ -132,10 +135,22 @@ class Problem {
   /// Emission within the cells, of which emission() is the mean.
   const CellEmission& cell_emission() const { return emission_; }
 
-  /// Beside what media say: of those whose temperature follows from their heat. Empty: none.
-  const CellEmission& following_emission() const { return following_emission_; }
+  /// Beside what media and walls say: of those whose temperature follows from their heat.
+  const FollowingSources& following() const { return following_; }
   /// Sets it; cell_emission() is the sum of both from now on.
-  void set_following_emission(CellEmission emission);
+  void set_following(FollowingSources sources);
+  /// What a wall sends beside its own radiance from vertex i of a face [power/(length^2 sr)].
+  double following_radiance(FaceIndex face, std::size_t i, int band) const {
+    if (following_.radiance.empty()) return 0;
+    return following_.radiance[(face.at() * 3 + i) * static_cast<std::size_t>(bands_.count()) +
+                               static_cast<std::size_t>(band)];
+  }
+  /// Its mean over a face.
+  double following_radiance(FaceIndex face, int band) const {
+    return (following_radiance(face, 0, band) + following_radiance(face, 1, band) +
+            following_radiance(face, 2, band)) /
+           3;
+  }
 
   const Medium& medium(int region) const { return media_[static_cast<std::size_t>(region)]; }
   const Wall& wall(int wall) const { return walls_[static_cast<std::size_t>(wall)]; }
@@ -159,7 +174,7 @@ class Problem {
   std::vector<double> scattering_;
   CellEmission emission_;
   CellEmission own_emission_;  ///< that of media, once another one follows
-  CellEmission following_emission_;
+  FollowingSources following_;
 };
 
 }  // namespace etendue

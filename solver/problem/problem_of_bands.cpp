@@ -54,6 +54,9 @@ Problem Problem::of_bands(std::span<const int> bands) const {
   for (Light& light : result.lights_) std::visit([&](auto& kind) { selection.cut(kind); }, light.kind);
   selection.cut(result.absorption_, result.scattering_);
   result.emission_ = emission_.of_bands(bands);
+  result.own_emission_ = own_emission_.of_bands(bands);
+  result.following_.cells = following_.cells.of_bands(bands);
+  selection.cut(result.following_.radiance);
   return result;
 }
 

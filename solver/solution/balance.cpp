@@ -18,7 +18,7 @@ void add_face(WallPower& power, const Problem& problem, const Solution& solution
   const double area = problem.mesh().area(face);
   const int wall = problem.mesh().wall(face);
   const Wall& behind = problem.wall(wall);
-  const double radiance = behind.radiance[band];
+  const double radiance = behind.radiance[band] + problem.following_radiance(face, static_cast<int>(band));
   power.area += area;
   power.incoming += ConstFaceField(solution.irradiance, bands).mean(face, band) * area;
   power.outgoing += ConstFaceField(solution.exitance, bands).mean(face, band) * area;

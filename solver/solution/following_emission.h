@@ -3,24 +3,39 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
-#include "solver/problem/cell_emission.h"
+#include "solver/problem/following_sources.h"
 
 namespace etendue {
 
-/// Emission of media that follows from the light itself, as where a temperature follows from the heat that is
-/// absorbed. The transport equation is solved for an emission that is given; this one improves it.
+/// Light in the cells and on the walls [power/length^2].
+struct LightAtVertices {
+  std::span<const double> fluence;  ///< [cell][4][band]
+  std::span<const double>
+      irradiance;  ///< [boundary face][3][band]; of walls whose emission follows, at least
+  /// [boundary face] Exitance of a wall over its radiance, pi but for the directions [sr]; of light that is
+  /// swept.
+  std::span<const double> half_range = {};
+};
+
+/// Emission of media and walls that follows from the light itself, as where a temperature follows from the
+/// heat that is absorbed. The transport equation is solved for an emission that is given; this one improves
+/// it.
 class FollowingEmission {
  public:
   virtual ~FollowingEmission() = default;
-  /// Of the media, beside what the problem says.
-  virtual const CellEmission& emission() const = 0;
-  /// Takes light that is not swept into account: its fluence [cell][4][band] [power/length^2], which must
-  /// outlive the solution.
-  virtual void set_unswept(std::span<const double> fluence) = 0;
-  /// Improves the emission by the fluence [cell][4][band] of swept light that the last one gave. Returns the
-  /// estimated relative error of the emission before.
-  virtual double improve(std::span<const double> fluence) = 0;
+  /// Beside what the problem says.
+  virtual const FollowingSources& sources() const = 0;
+  /// Takes light that is not swept into account. It must outlive the solution.
+  virtual void set_unswept(const LightAtVertices& light) = 0;
+  /// Improves the emission by the swept light that the last one gave. Returns the estimated relative error of
+  /// the emission before.
+  virtual double improve(const LightAtVertices& light) = 0;
+  /// What start_from() takes: all that another run needs to continue from here.
+  virtual std::vector<double> state() const = 0;
+  /// Throws InputError where it is the state of another problem.
+  virtual void start_from(std::span<const double> state) = 0;
   /// Line on its state, for the user.
   virtual std::string note() const = 0;
 };

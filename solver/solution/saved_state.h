@@ -19,6 +19,7 @@ struct SavedState {
   /// Whether the ordinates of mirrors, lagged faces and radiance may be turned: these are then taken only as
   /// far as they fit.
   bool is_turned = false;
+  std::vector<double> following = {};  ///< FollowingEmission::state(), where an emission follows
 };
 
 }  // namespace etendue

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/build/build_heat.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/case/build/entry_of.h"
@@ -21,12 +22,17 @@ double usual_temperature(const Case& input, const TetrahedralMesh& mesh) {
     sum += std::pow(range.mean, 4);
     ++count;
   }
+  for (const std::string& name : mesh.wall_names())
+    if (const WallCase wall = entry_of(input.walls, name); wall.convection) {
+      sum += std::pow(wall.convection->ambient, 4);
+      ++count;
+    }
   return sum > 0 ? std::pow(sum / count, 0.25) : HeatProblem{}.start;
 }
 
 }  // namespace
 
-HeatProblem build_heat(const Case& input, const TetrahedralMesh& mesh) {
+std::optional<HeatProblem> build_heat(const Case& input, const TetrahedralMesh& mesh) {
   HeatProblem heat;
   heat.start = usual_temperature(input, mesh);
   for (const std::string& name : mesh.region_names()) {
@@ -40,7 +46,15 @@ HeatProblem build_heat(const Case& input, const TetrahedralMesh& mesh) {
     const WallCase wall = entry_of(input.walls, name);
     heat.wall_temperatures.emplace_back();
     if (wall.temperature) heat.wall_temperatures.back() = coefficient_of(wall.temperature->values.front());
+    heat.walls.emplace_back();
+    if (!wall.iterates_temperature()) continue;
+    const Convection convection = wall.convection.value_or(Convection{});
+    heat.walls.back() =
+        HeatWall{wall.heat_flux.value_or(0), convection.heat_transfer_coefficient, convection.ambient};
   }
+  const auto follows = [](const auto& entry) { return entry.has_value(); };
+  if (std::ranges::none_of(heat.media, follows) && std::ranges::none_of(heat.walls, follows))
+    return std::nullopt;
   return heat;
 }
 

@@ -256,6 +256,19 @@ void require_outer_glazing(const Case& input, const TetrahedralMesh& mesh, std::
   }
 }
 
+/// The heat of such a wall is that of all light which meets it or leaves it.
+void require_no_following(const LightCase& light, const std::vector<int>& numbers,
+                          const std::vector<Wall>& walls, std::vector<Fault>& faults) {
+  for (const int w : numbers)
+    if (const Wall& wall = walls[static_cast<std::size_t>(w)]; wall.emission_follows)
+      return faults.push_back(fault_at(
+          light.origin, "",
+          fmt::format(
+              "the light \"{}\" comes from the wall {}, whose temperature follows from its heat (not in "
+              "this version); give the wall a temperature, or the light another one",
+              light.name, wall.name)));
+}
+
 void shine(const LightCase& light, const std::vector<int>& numbers, std::vector<Wall>& walls,
            std::vector<Fault>& faults) {
   for (const int w : numbers) {
@@ -289,6 +302,7 @@ std::vector<Light> build_lights(const Case& input, const TetrahedralMesh& mesh, 
     const bool by_walls = light.kind == LightKind::sun || light.kind == LightKind::beam ||
                           light.kind == LightKind::sky || light.kind == LightKind::wall;
     const std::vector<int> numbers = by_walls ? walls_of(light, as_written, mesh) : std::vector<int>{};
+    require_no_following(light, numbers, as_written, faults);
     if (light.kind == LightKind::point || light.kind == LightKind::spot) {
       require_inside(light, std::span(&light.position, 1), locator, faults);
       lights.push_back({light.name, lamp(light, locator, mesh, faults), light.origin, light.uncollided});

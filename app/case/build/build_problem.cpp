@@ -166,7 +166,8 @@ Wall wall_of(const WallCase& entry, const std::string& name, int bands) {
   wall.refractive_index = entry.refractive_index;
   wall.glossy = entry.glossy;
   if (!entry.transmittance.values.empty()) wall.transmittance = band_numbers(entry.transmittance, bands);
-  if (entry.heat_flux) {
+  wall.emission_follows = entry.iterates_temperature();
+  if (entry.reradiates) {
     // A gray wall gives back what it absorbs, and its heat flux is the radiance times pi.
     wall.reradiation = {wall.absorptivity(0)};
     wall.diffuse.front() += wall.reradiation.front();

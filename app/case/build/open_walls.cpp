@@ -13,7 +13,7 @@ bool is_bare(const Wall& wall) {
     return std::ranges::all_of(values, [](double v) { return v == 0; });
   };
   return zero(wall.radiance) && zero(wall.diffuse) && zero(wall.specular) && !wall.is_glossy() &&
-         !wall.transmits();
+         !wall.transmits() && !wall.emission_follows;
 }
 
 }  // namespace

@@ -50,6 +50,9 @@ std::vector<TableDeclaration> make_tables() {
       {.path = "walls.NAME.glossy",
        .help = "A reflectance f_r beside the diffuse and the mirror one; of all together at most 1 is "
                "reflected at every angle."},
+      {.path = "walls.NAME.convection",
+       .help = "Heat that what flows along the wall carries away; the wall's temperature follows "
+               "(docs/user/heat.md)."},
       {.path = "walls.NAME.glazing",
        .help = "Panes of clear or tinted glass in an outer, flat wall, by which the sun and the sky come in: "
                "Fresnel's reflection and absorption by the angle of incidence. Light that arrives there from "

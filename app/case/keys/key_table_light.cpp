@@ -27,9 +27,10 @@ KeyTable wall_keys() {
   t.key("temperature", place_value, {.unit = "K", .range = not_negative},
         "Instead of `radiance`: the wall emits emissivity times the radiance of a blackbody, divided among "
         "the bands by `bands.edges` (docs/user/heat.md).");
-  t.key("heat_flux", number, {.unit = "W/m^2", .range = not_negative},
-        "Instead of `temperature`: the heat that the wall gives to the domain by radiation; its temperature "
-        "follows; 0: an adiabatic (reradiating, refractory) wall. Of one gray band.");
+  t.key(
+      "heat_flux", number, {.unit = "W/m^2", .range = not_negative},
+      "Instead of `temperature`: the heat that the wall gives to the domain; its temperature follows; 0: an "
+      "adiabatic (reradiating, refractory) wall.");
   t.key("emissivity", band_numbers,
         {.default_note = "what is neither reflected nor transmitted", .range = fraction},
         "Hemispherical emissivity, which equals the absorptivity (Kirchhoff's law). Without `diffuse` the "
@@ -58,6 +59,16 @@ KeyTable glossy_keys() {
   t.key("file", text, {},
         "Of table: a CSV file of angle_in, angle_out, azimuth [degree] and value [1/sr], a whole grid; the "
         "azimuth is 180 on the mirror's side.");
+  return t;
+}
+
+KeyTable convection_keys() {
+  KeyTable t("walls.NAME.convection");
+  t.key("h", number, {.unit = "W/(m^2 K)", .range = not_negative, .need = required},
+        "Heat transfer coefficient: h (T - ambient) is carried away from the wall. Instead of `temperature`, "
+        "which follows; `heat_flux` may be given too.");
+  t.key("ambient", number, {.unit = "K", .range = not_negative, .need = required},
+        "Temperature of what flows along the wall, inside or outside.");
   return t;
 }
 
@@ -187,8 +198,8 @@ KeyTable sun_position_keys() {
 }  // namespace
 
 std::vector<KeyDeclaration> light_keys() {
-  return declarations_of(
-      {wall_keys(), glossy_keys(), glazing_keys(), beam_keys(), single_light_keys(), sun_position_keys()});
+  return declarations_of({wall_keys(), glossy_keys(), convection_keys(), glazing_keys(), beam_keys(),
+                          single_light_keys(), sun_position_keys()});
 }
 
 }  // namespace etendue

@@ -6,26 +6,51 @@
 #include <algorithm>
 
 #include "app/case/read/materials/read_temperature.h"
+#include "app/case/values/medium_coefficients.h"
+#include "app/case/values/value_algebra.h"
 
 namespace etendue {
 namespace {
 
-/// The first medium whose temperature follows by iteration; null: none.
-const MediumCase* iterating_medium(const Case& input) {
-  const auto found = std::ranges::find_if(
-      input.media, [](const auto& entry) { return entry.second.iterates_temperature(); });
-  return found == input.media.end() ? nullptr : &found->second;
+/// Of the first medium or wall whose temperature follows by iteration; none: there is none.
+std::optional<Origin> iterating_place(const Case& input) {
+  for (const auto& [name, medium] : input.media)
+    if (medium.iterates_temperature()) return medium.origin;
+  for (const auto& [name, wall] : input.walls)
+    if (wall.iterates_temperature()) return wall.origin;
+  return std::nullopt;
+}
+
+/// Whether what a medium or wall emits is to be a light though its temperature follows by iteration.
+bool shines_by_iteration(const Case& input) {
+  const auto shines = [](const auto& entry) {
+    return entry.second.iterates_temperature() && entry.second.uncollided == Uncollided::yes;
+  };
+  return std::ranges::any_of(input.media, shines) || std::ranges::any_of(input.walls, [&](const auto& entry) {
+           return shines(entry) && !entry.second.beam;
+         });
 }
 
 /// Whether something takes heat away: a wall that absorbs, or holds a temperature.
 bool has_heat_sink(const Case& input) {
   const auto takes_heat = [&](const WallCase& wall) {
     if (wall.temperature || wall.refractive_index != 1) return true;
+    if (wall.heat_flux || wall.convection)
+      return wall.convection && wall.convection->heat_transfer_coefficient > 0;
     for (int band = 0; band < input.bands.count(); ++band)
-      if (!wall.heat_flux && absorptivity(wall, band) > 0) return true;
+      if (absorptivity(wall, band) > 0) return true;
     return false;
   };
-  const auto keeps_temperature = [](const MediumCase& medium) { return medium.temperature.has_value(); };
+  const auto absorbs = [&](const MediumCase& medium) {
+    for (int band = 0; band < input.bands.count(); ++band) {
+      const Value absorption = matter_values(medium, band).absorption;
+      if (!is_number(absorption) || std::get<double>(absorption) > 0) return true;
+    }
+    return false;
+  };
+  const auto keeps_temperature = [&](const MediumCase& medium) {
+    return medium.temperature && absorbs(medium);
+  };
   return std::ranges::any_of(input.walls, [&](const auto& entry) { return takes_heat(entry.second); }) ||
          std::ranges::any_of(input.media, [&](const auto& entry) { return keeps_temperature(entry.second); });
 }
@@ -33,12 +58,13 @@ bool has_heat_sink(const Case& input) {
 }  // namespace
 
 void check_heat(const Case& input, std::vector<Fault>& faults) {
-  const MediumCase* medium = iterating_medium(input);
-  if (medium == nullptr) return;
+  const std::optional<Origin> origin = iterating_place(input);
+  if (!origin) return;
   const auto refuse = [&](const char* what) {
     faults.push_back(fault_at(
-        medium->origin, "",
-        fmt::format("its temperature follows by iteration (conductivity, or several bands), {}", what)));
+        *origin, "",
+        fmt::format("its temperature follows by iteration (conductivity, convection, or several bands), {}",
+                    what)));
   };
   if (input.photons) refuse("not by photons (not in this version); use solve.method = \"auto\"");
   if (input.radiosity) refuse("not by radiosity (not in this version); use solve.method = \"auto\"");
@@ -46,11 +72,9 @@ void check_heat(const Case& input, std::vector<Fault>& faults) {
     refuse("not on several rotations of the directions (not in this version); use one");
   if (input.first_collided)
     refuse("not with directions.first_collided (not in this version); leave them out");
-  if (input.initial)
-    refuse("not from a solution (not in this version: it has no temperatures); leave solve.initial out");
   if (input.solve.positivity != Positivity::none)
     refuse("not with space.positivity (not in this version); leave it out");
-  if (medium->uncollided == Uncollided::yes)
+  if (shines_by_iteration(input))
     refuse("and its emission with it: not as a light (not in this version); leave uncollided out");
   if (input.exact) refuse("not with [exact] (not in this version); leave it out");
   if (!has_heat_sink(input))

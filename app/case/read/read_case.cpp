@@ -46,8 +46,11 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   result.media =
       read_media(top.section("media"), {result.bands, result.units, result.angular_space, file.parent_path(),
                                         [&result] { return ordinate_count(result); }});
-  result.walls = read_walls(top.section("walls"),
-                            {result.bands, result.units, result.angular_space, file.parent_path()});
+  result.walls =
+      read_walls(top.section("walls"), {result.bands, result.units, result.angular_space, file.parent_path(),
+                                        std::ranges::any_of(result.media, [](const auto& entry) {
+                                          return entry.second.conductivity.has_value();
+                                        })});
   result.lights = read_lights(top, {result.bands, result.units, file.parent_path()});
   for (const auto& [name, wall] : result.walls)
     if (wall.beam) result.lights.push_back(*wall.beam);

@@ -34,19 +34,24 @@ std::string layer_caution(const RunResult& result) {
       result.heat->cells_per_layer);
 }
 
-/// With what is conducted into walls, where media conduct.
-std::string conduction_text(const RunResult& result, const std::vector<HeatRow>& rows) {
+/// With what is conducted into walls and carried away from them by convection.
+std::string other_heat_text(const RunResult& result, const std::vector<HeatRow>& rows) {
   if (!result.heat) return "";
-  TextTable table({"wall", "conducted [W]", "with radiation [W]"}, {Align::left, Align::right, Align::right});
-  double sum = 0;
+  TextTable table({"wall", "conducted [W]", "with radiation [W]", "convected [W]"},
+                  {Align::left, Align::right, Align::right, Align::right});
+  double conducted = 0, convected = 0;
   for (const HeatRow& row : rows)
-    if (row.conducted != 0) {
-      table.add_row({row.name, number(row.conducted, 0), number(row.conducted + row.net, 0)});
-      sum += row.conducted;
+    if (row.conducted != 0 || row.convected != 0) {
+      table.add_row(
+          {row.name, number(row.conducted, 0), number(row.conducted + row.net, 0), number(row.convected, 0)});
+      conducted += row.conducted;
+      convected += row.convected;
     }
-  if (sum == 0 && table.empty()) return "";
-  return fmt::format("\nconducted heat\n{}  {:.6g} W are conducted into the walls\n{}", table.text(), sum,
-                     layer_caution(result));
+  if (table.empty()) return "";
+  return fmt::format(
+      "\nheat besides radiation\n{}  {:.6g} W are conducted into the walls, and {:.6g} W carried away by "
+      "convection\n{}",
+      table.text(), conducted, convected, layer_caution(result));
 }
 
 void add(TextTable& table, const HeatRow& row) {
@@ -95,7 +100,8 @@ double thickest_cell(const RunResult& result) {
 std::string range_caution(const RunResult& result) {
   if (!result.heat) return "";
   const Bands& bands = result.problem.bands();
-  const double highest = *std::ranges::max_element(result.heat->temperature);
+  const double highest =
+      std::max(std::ranges::max(result.heat->temperature), std::ranges::max(result.heat->wall_temperature));
   if (!bands.wsgg.gases.empty() && highest > bands.wsgg.highest)
     return fmt::format(
         "caution: temperatures of up to {:.5g} K: the gray gases of bands.wsgg are known up to {:g} K\n",
@@ -137,7 +143,7 @@ std::string heat_text(const RunResult& result) {
                                       : "";
   return fmt::format("\nradiative heat\n{}{}  {:.6g} W leave the media, {}and {:.6g} W enter the walls\n{}{}",
                      walls.text(), regions.text(), out_of_regions, from_lights, into_walls,
-                     caution_of(result), conduction_text(result, rows));
+                     caution_of(result), other_heat_text(result, rows));
 }
 
 }  // namespace etendue

@@ -94,13 +94,14 @@ std::string regions_csv(const RunResult& result) {
 
 std::string heat_csv(const RunResult& result) {
   std::string table = "kind,name,extent,emitted,absorbed,net,density,temperature";
-  if (result.heat) table += ",conducted";
+  if (result.heat) table += ",conducted,convected";
   table += result.errors ? ",net_error\n" : "\n";
   for (const HeatRow& row : heat_rows(result))
-    table += fmt::format("{},{},{},{},{},{},{},{}{}{}\n", row.is_wall ? "wall" : "region",
-                         csv_field(row.name), row.extent, row.emitted, row.absorbed, row.net, row.density(),
-                         row.temperature, result.heat ? fmt::format(",{}", row.conducted) : "",
-                         result.errors ? fmt::format(",{}", row.error) : "");
+    table +=
+        fmt::format("{},{},{},{},{},{},{},{}{}{}\n", row.is_wall ? "wall" : "region", csv_field(row.name),
+                    row.extent, row.emitted, row.absorbed, row.net, row.density(), row.temperature,
+                    result.heat ? fmt::format(",{},{}", row.conducted, row.convected) : "",
+                    result.errors ? fmt::format(",{}", row.error) : "");
   return table;
 }
 

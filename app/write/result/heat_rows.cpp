@@ -19,18 +19,14 @@ double absorbed_by(const Wall& wall, std::size_t band, const WallPower& power) {
 
 /// [wall] mean temperature over the area, by the faces' vertices; 0 where the case gives none.
 std::vector<double> mean_wall_temperatures(const RunResult& result) {
-  const std::vector<WallTemperature> temperatures = wall_temperatures(result);
+  const std::vector<double> temperatures = vertex_temperatures_of_walls(result);
   const TetrahedralMesh& mesh = result.problem.mesh();
-  const auto bands = static_cast<std::size_t>(result.problem.band_count());
-  std::vector<double> sums(temperatures.size(), 0), areas(temperatures.size(), 0);
+  std::vector<double> sums(result.walls.size(), 0), areas(result.walls.size(), 0);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
     const auto wall = static_cast<std::size_t>(mesh.wall(face));
     areas[wall] += mesh.area(face);
-    for (std::size_t i = 0; i < 3; ++i)
-      sums[wall] += mesh.area(face) / 3 *
-                    temperatures[wall].at(corner_of(mesh, face, i),
-                                          result.solution.irradiance[(3 * face.at() + i) * bands]);
+    for (std::size_t i = 0; i < 3; ++i) sums[wall] += mesh.area(face) / 3 * temperatures[3 * face.at() + i];
   }
   for (std::size_t wall = 0; wall < sums.size(); ++wall)
     if (areas[wall] > 0) sums[wall] /= areas[wall];
@@ -52,6 +48,7 @@ HeatRow wall_row(const RunResult& result, std::size_t wall, double temperature) 
     if (result.errors) variance += std::pow(result.errors->net[wall][band], 2);
   }
   if (result.heat) row.conducted = result.heat->conducted[wall];
+  if (result.heat) row.convected = result.heat->convected[wall];
   row.net = row.absorbed - row.emitted;
   row.error = std::sqrt(variance);
   return row;

@@ -8,7 +8,7 @@
 
 namespace etendue {
 
-/// Heat that one wall or region exchanges: by radiation, all bands together, and by conduction.
+/// Heat that one wall or region exchanges: by radiation, all bands together, by conduction and convection.
 struct HeatRow {
   bool is_wall = false;
   std::string name;
@@ -18,6 +18,7 @@ struct HeatRow {
   double net = 0;          ///< into a wall: absorbed - emitted; out of a region: emitted - absorbed [W]
   double error = 0;        ///< standard error of `net` by photons [W]
   double conducted = 0;    ///< into a wall [W]; 0 where no medium beside it conducts
+  double convected = 0;    ///< what convection carries away from a wall [W]
   double temperature = 0;  ///< mean over the area or volume [K]; 0 where the case gives none
 
   /// Radiative heat flux into the wall [W/m^2], or divergence of the heat flux in the region [W/m^3].

@@ -67,14 +67,16 @@ WallTemperature::WallTemperature(const RunResult& result, int wall) {
   const Wall& behind = result.problem.wall(wall);
   const WallCase entry = entry_of(result.input.walls, behind.name);
   if (entry.temperature) given_ = coefficient_of(entry.temperature->values.front());
-  if (!entry.heat_flux) return;
+  if (entry.iterates_temperature() && result.heat) iterated_ = result.heat->wall_temperature;
+  if (!entry.reradiates) return;
   emissivity_ = behind.reradiation.front();
   heat_flux_ = *entry.heat_flux;
 }
 
 // A wall that gives the heat flux q: epsilon sigma T^4 = epsilon H + q.
-double WallTemperature::at(const Vec3& point, double irradiance) const {
+double WallTemperature::at(const Vec3& point, double irradiance, std::size_t corner) const {
   if (given_) return given_->at(point);
+  if (!iterated_.empty()) return iterated_[corner];
   return emissivity_ > 0 ? temperature_of(irradiance + heat_flux_ / emissivity_) : 0;
 }
 
@@ -83,6 +85,19 @@ std::vector<WallTemperature> wall_temperatures(const RunResult& result) {
   for (int wall = 0; wall < static_cast<int>(result.problem.walls().size()); ++wall)
     walls.emplace_back(result, wall);
   return walls;
+}
+
+std::vector<double> vertex_temperatures_of_walls(const RunResult& result) {
+  const std::vector<WallTemperature> walls = wall_temperatures(result);
+  const TetrahedralMesh& mesh = result.problem.mesh();
+  const auto bands = static_cast<std::size_t>(result.problem.band_count());
+  std::vector<double> kelvin;
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    for (std::size_t i = 0; i < 3; ++i)
+      kelvin.push_back(walls[static_cast<std::size_t>(mesh.wall(FaceIndex(f)))].at(
+          corner_of(mesh, FaceIndex(f), i), result.solution.irradiance[kelvin.size() * bands],
+          kelvin.size()));
+  return kelvin;
 }
 
 }  // namespace etendue

@@ -28,6 +28,7 @@ namespace {
 
 constexpr const char* file_name = "solution.vtu";
 constexpr const char* direction_error_name = "direction_error";
+constexpr const char* following_name = "temperature_unknowns";
 // Changes with the meaning of what is in the file.
 constexpr const char* format = "etendue solution 2";
 
@@ -92,6 +93,7 @@ int read_to_file(const std::filesystem::path& path, std::FILE* file) {
   write_array(file, values_of(grid->GetCellData()->GetArray("collided_fluence")));
   for (const Part& part : parts) write_array(file, values_of(fields.GetArray(part.name)));
   write_array(file, values_of(grid->GetCellData()->GetArray(direction_error_name)));
+  write_array(file, values_of(fields.GetArray(following_name)));
   return 0;
 }
 
@@ -121,6 +123,7 @@ SavedSolution take_solution(std::string_view bytes) {
   saved.result.state.fluence = take_array<double>(bytes);
   for (const Part& part : parts) saved.result.state.*part.values = take_array<double>(bytes);
   saved.result.direction_error = take_array<double>(bytes);
+  saved.result.state.following = take_array<double>(bytes);
   return saved;
 }
 
@@ -192,6 +195,7 @@ void write_solution(const Case& input, const Problem& problem, const SavedState&
     const std::vector<double>& values = state.*part.values;
     if (!values.empty()) fields.AddArray(vtk_array({part.name, {}, {}}, state.bands, values));
   }
+  if (!state.following.empty()) fields.AddArray(vtk_array({following_name, {}, {}}, 1, state.following));
   write_vtk(*grid, {path, shown, input.output.encoding, input.title, input.units.length});
 }
 

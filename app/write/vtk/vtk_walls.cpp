@@ -61,7 +61,7 @@ std::vector<double> temperatures_at_corners(const RunResult& result, const std::
   for (std::size_t i = 0; i < 3 * walls.size(); ++i) {
     const double* point = surface.GetPoint(static_cast<vtkIdType>(i));
     kelvin.push_back(of_walls[static_cast<std::size_t>(walls[i / 3])].at(Vec3(point[0], point[1], point[2]),
-                                                                         irradiance[i * bands]));
+                                                                         irradiance[i * bands], i));
   }
   return kelvin;
 }

@@ -90,8 +90,13 @@ std::vector<double> bake_radiosity(const std::vector<BakePlace>& places, const P
   std::vector<double> values(irradiance.size());
   for (std::size_t p = 0; p < places.size(); ++p) {
     const Wall& wall = problem.wall(problem.mesh().wall(places[p].face));
-    for (std::size_t b = 0; b < bands; ++b)
-      values[p * bands + b] = wall.diffuse[b] * irradiance[p * bands + b] + pi * wall.radiance[b];
+    for (std::size_t b = 0; b < bands; ++b) {
+      double& value = values[p * bands + b];
+      value = wall.diffuse[b] * irradiance[p * bands + b] + pi * wall.radiance[b];
+      for (std::size_t i = 0; i < 3; ++i)
+        value +=
+            pi * places[p].weights[i] * problem.following_radiance(places[p].face, i, static_cast<int>(b));
+    }
   }
   return values;
 }

@@ -253,6 +253,7 @@ void RayRadiance::add_wall(FaceIndex face, const Vec3& point, const RaySegment& 
   if (segment.wall_is_diffuse)
     walls_.add_reflected(face, point, view.brought != nullptr ? *view.brought : walls_.brought(),
                          view.shadow_rays, work.beams, work.at_point);
+  walls_.add_following(face, point, work.at_point);
   for (std::size_t b = 0; b < bands_; ++b) {
     const double rest = std::exp(-work.depth_rest[b]);
     double emitted = rest;

@@ -19,13 +19,12 @@ std::vector<std::vector<WallCorner>> corners_at_vertices(const TetrahedralMesh& 
   return corners;
 }
 
-}  // namespace
-
-std::vector<std::vector<WallCorner>> corners_by_plane(const TetrahedralMesh& mesh) {
+std::vector<std::vector<WallCorner>> joined_corners(const TetrahedralMesh& mesh, WallBorders borders) {
   const std::vector<std::array<std::int32_t, 3>> beyond = flat_neighbours(mesh);
   const auto is_beside = [&](const WallCorner& a, const WallCorner& b) {
     const auto& next = beyond[a.face.at()];
-    return std::ranges::find(next, b.face.value()) != next.end();
+    return std::ranges::find(next, b.face.value()) != next.end() &&
+           (borders == WallBorders::continuous || mesh.wall(a.face) == mesh.wall(b.face));
   };
   std::vector<std::vector<WallCorner>> planes;
   for (std::vector<WallCorner>& left : corners_at_vertices(mesh))
@@ -43,10 +42,16 @@ std::vector<std::vector<WallCorner>> corners_by_plane(const TetrahedralMesh& mes
   return planes;
 }
 
+}  // namespace
+
+std::vector<std::vector<WallCorner>> corners_by_plane(const TetrahedralMesh& mesh) {
+  return joined_corners(mesh, WallBorders::continuous);
+}
+
 std::vector<double> joined_on_planes(const TetrahedralMesh& mesh, std::span<const double> values,
-                                     std::size_t face_nodes, std::size_t bands) {
+                                     std::size_t face_nodes, std::size_t bands, WallBorders borders) {
   std::vector<double> joined(static_cast<std::size_t>(mesh.boundary_face_count()) * 3 * bands, 0);
-  for (const std::vector<WallCorner>& plane : corners_by_plane(mesh))
+  for (const std::vector<WallCorner>& plane : joined_corners(mesh, borders))
     for (std::size_t b = 0; b < bands; ++b) {
       double area = 0, sum = 0;
       for (const WallCorner& corner : plane) {

@@ -17,10 +17,14 @@ struct WallCorner {
 };
 std::vector<std::vector<WallCorner>> corners_by_plane(const TetrahedralMesh& mesh);
 
+/// Irradiance is continuous across the border of two walls in one plane; exitance is not.
+enum class WallBorders { continuous, cut };
+
 /// Values [boundary face][`face_nodes`: 3 or 1][band] made continuous, [boundary face][3][band]: the mean,
 /// weighted by area, over the faces of one plane around a vertex (Clément 1975).
 std::vector<double> joined_on_planes(const TetrahedralMesh& mesh, std::span<const double> values,
-                                     std::size_t face_nodes, std::size_t bands);
+                                     std::size_t face_nodes, std::size_t bands,
+                                     WallBorders borders = WallBorders::continuous);
 
 /// Barycentric coordinates of a point of a boundary face, in the order of its vertices.
 std::array<double, 3> barycentric(const TetrahedralMesh& mesh, FaceIndex face, const Vec3& point);

@@ -66,6 +66,10 @@ WallLight::WallLight(const LightSetup& lights, const DirectionSet& directions, c
   brought_.values = values == WallValues::raw && face_nodes == 3
                         ? state.irradiance
                         : joined_on_planes(mesh, state.irradiance, face_nodes, bands_);
+  const std::vector<double>& following = problem_.following().radiance;
+  if (!following.empty())
+    following_ = values == WallValues::raw ? following
+                                           : joined_on_planes(mesh, following, 3, bands_, WallBorders::cut);
 }
 
 void WallLight::add_reflected(FaceIndex face, const Vec3& point, const WallIrradiance& brought,
@@ -108,6 +112,14 @@ void WallLight::add_sent_on(FaceIndex face, const Vec3& point, std::span<const d
     for (std::size_t b = 0; b < bands_; ++b)
       radiance[b] += share[b] / half_range * weights[i] * values(face, i, b);
   for (std::size_t b = 0; b < bands_; ++b) radiance[b] += share[b] * std::numbers::inv_pi * irradiance[b];
+}
+
+void WallLight::add_following(FaceIndex face, const Vec3& point, std::span<double> radiance) const {
+  if (following_.empty() || !problem_.wall(problem_.mesh().wall(face)).emission_follows) return;
+  const std::array<double, 3> weights = barycentric(problem_.mesh(), face, point);
+  const ConstFaceField values(following_, bands_);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t b = 0; b < bands_; ++b) radiance[b] += weights[i] * values(face, i, b);
 }
 
 void WallLight::add_light(const PointInCell& point, const Vec3& normal, int shadow_rays, LightBeams& beams,

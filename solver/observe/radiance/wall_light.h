@@ -75,6 +75,9 @@ class WallLight {
   void add_light(const PointInCell& point, const Vec3& normal, int shadow_rays, LightBeams& beams,
                  std::span<double> irradiance) const;
 
+  /// Adds the radiance [band] of a wall whose emission follows from the light (Problem::following()).
+  void add_following(FaceIndex face, const Vec3& point, std::span<double> radiance) const;
+
   /// What directions brought, as the solution has it.
   const WallIrradiance& brought() const { return brought_; }
 
@@ -93,6 +96,7 @@ class WallLight {
   std::vector<ShadowEdge> edges_;     ///< of walls
   std::vector<std::int32_t> behind_;  ///< [boundary face] other side of a sheet, -1: none
   WallIrradiance brought_;
+  std::vector<double> following_;  ///< [boundary face][3][band]; empty: none
 };
 
 }  // namespace etendue

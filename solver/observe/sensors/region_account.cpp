@@ -62,7 +62,8 @@ class Radiance {
       irradiance += ConstFaceField(solution_.irradiance, bands_)(face, i, band) / 3;
       sent += added[i * bands_ + band] / 3;
     }
-    if (fed_ == FedBy::everything) sent += emitted;
+    if (fed_ == FedBy::everything)
+      sent += emitted + problem_.following_radiance(face, static_cast<int>(band));
     if (fed_ == FedBy::everything && wall.diffuse[band] > 0)
       sent += wall.diffuse[band] * irradiance / solution_.half_range[face.at()];
     if (mirrored > 0)

@@ -7,6 +7,7 @@
 
 #include "base/field_view.h"
 #include "solver/solution/following_emission.h"
+#include "solver/transport/state/state_copy.h"
 #include "solver/transport/sweep/finite_check.h"
 
 namespace etendue {
@@ -18,19 +19,30 @@ constexpr double coarsest = 0.02;  ///< error of the first light
 /// Sweeps of the tolerance that the last iteration is left with.
 constexpr int last_sweeps = 2;
 
-/// [cell][4][band]; constant elements have their value at every vertex.
-std::vector<double> fluence_of(const TransportSweep& sweep, const TransportState& state) {
-  const auto bands = static_cast<std::size_t>(sweep.problem().band_count());
-  const auto cells = static_cast<std::size_t>(sweep.mesh().cell_count());
-  const auto nodes = static_cast<std::size_t>(sweep.cells().nodes());
-  const auto stride = static_cast<std::size_t>(sweep.cells().stride());
-  std::vector<double> fluence(cells * 4 * bands);
-  const CellField values(fluence, bands);
-  for (std::size_t c = 0; c < cells; ++c)
-    for (std::size_t i = 0; i < 4; ++i)
+/// Values [item][vertices][band] of a part of a state, [item][nodes][stride]; constant elements have their
+/// value at every vertex.
+template <std::size_t vertices>
+std::vector<double> at_vertices(std::span<const double> part, std::size_t items, std::size_t stride,
+                                std::size_t bands) {
+  const std::size_t nodes = part.size() / (items * stride);
+  std::vector<double> result(items * vertices * bands);
+  const FieldView<double, vertices> values(result, bands);
+  for (std::size_t item = 0; item < items; ++item)
+    for (std::size_t i = 0; i < vertices; ++i)
       for (std::size_t b = 0; b < bands; ++b)
-        values(c, i, b) = state.fluence()[(c * nodes + i % nodes) * stride + b];
-  return fluence;
+        values(item, i, b) = part[(item * nodes + i % nodes) * stride + b];
+  return result;
+}
+
+/// Progress whose state is that of the emission too.
+SweepProgress with_emission(const SweepProgress& progress, const FollowingEmission& emission) {
+  SweepProgress all = progress;
+  all.state = [light = progress.state, &emission] {
+    SavedState state = light();
+    state.following = emission.state();
+    return state;
+  };
+  return all;
 }
 
 /// The steps from one emission to the next.
@@ -41,13 +53,13 @@ class EmissionSteps {
 
   void run() {
     const double tolerance = setup_.options.tolerance;
-    while (true) {
-      problem_.set_following_emission(emission_.emission());
+    problem_.set_following(emission_.sources());
+    while (has_sweeps_left()) {
       find_light(std::clamp(share_of_light * error_, tolerance / 2, coarsest));
       ++steps_;
-      error_ = emission_.improve(fluence_of(setup_.sweep, state_));
-      problem_.set_following_emission(emission_.emission());
-      if (error_ <= tolerance || interrupted_ || !has_sweeps_left()) return;
+      error_ = improve();
+      problem_.set_following(emission_.sources());
+      if (error_ <= tolerance || interrupted_) return;
     }
   }
 
@@ -88,6 +100,7 @@ class EmissionSteps {
     for (int band = 0; band < problem_.band_count(); ++band) history_.push_back({sweeps_, band, error_});
     SweepProgress progress;
     progress.sweep = 0;
+    progress.state = [&] { return saved(state_, problem_.band_count()); };
     const std::vector<double> residual(static_cast<std::size_t>(problem_.band_count()), error_);
     progress.residual = residual;
     interrupted_ = observe(progress) == SolveControl::stop;
@@ -95,7 +108,7 @@ class EmissionSteps {
 
   SolveControl observe(const SweepProgress& progress) const {
     if (!setup_.observer) return SolveControl::proceed;
-    SweepProgress all = progress;
+    SweepProgress all = with_emission(progress, emission_);
     all.sweep += sweeps_;
     all.max_sweeps = setup_.options.max_sweeps;
     all.tolerance = setup_.options.tolerance;
@@ -104,6 +117,18 @@ class EmissionSteps {
   }
 
   const IterationSetup& setup_;
+  double improve() {
+    const auto bands = static_cast<std::size_t>(problem_.band_count());
+    const auto stride = static_cast<std::size_t>(setup_.sweep.cells().stride());
+    const TransportState& state = state_;
+    const std::vector<double> fluence = at_vertices<4>(
+        state.fluence(), static_cast<std::size_t>(setup_.sweep.mesh().cell_count()), stride, bands);
+    const std::vector<double> irradiance =
+        at_vertices<3>(state.irradiance(),
+                       static_cast<std::size_t>(setup_.sweep.mesh().boundary_face_count()), stride, bands);
+    return emission_.improve({fluence, irradiance, setup_.sweep.walls().half_range()});
+  }
+
   FollowingEmission& emission_;
   Problem& problem_;
   TransportState& state_;
@@ -123,7 +148,7 @@ void iterate_emission(const IterationSetup& setup, Problem& problem, TransportSt
   SolveOptions options = setup.options;
   options.max_sweeps = std::max(1, options.max_sweeps - steps.sweeps());
   const auto shifted = [&](const SweepProgress& progress) {
-    SweepProgress all = progress;
+    SweepProgress all = with_emission(progress, *setup.options.following_emission);
     all.sweep += steps.sweeps();
     all.max_sweeps = setup.options.max_sweeps;
     return steps.interrupted() ? SolveControl::stop : setup.observer(all);

@@ -18,7 +18,7 @@ constexpr double first_angle = 1e-4, ratio = 1.02;
 
 bool shines(const Wall& wall) {
   const auto positive = [](double value) { return value > 0; };
-  return std::ranges::any_of(wall.radiance, positive) ||
+  return wall.emission_follows || std::ranges::any_of(wall.radiance, positive) ||
          std::ranges::any_of(wall.radiance_by_direction,
                              [](const auto& formula) { return formula.has_value(); });
 }

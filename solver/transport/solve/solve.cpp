@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "solver/solution/following_emission.h"
 #include "solver/transport/order/sweep_stopped.h"
 #include "solver/transport/solve/acceleration_policy.h"
 #include "solver/transport/solve/iterate.h"
@@ -80,7 +81,12 @@ Solution solve_fixed_or_following(const Problem& problem, Problem* changing, con
   const DirectionalSources sources(problem, directions, options);
   TransportSweep sweep(problem, directions, extinction, sources.options);
   TransportState state(sweep.layout());
-  if (options.initial != nullptr) restore(*options.initial, problem.band_count(), state);
+  FollowingEmission* const following = options.following_emission;
+  if (options.initial != nullptr) {
+    restore(*options.initial, problem.band_count(), state);
+    if (following != nullptr && !options.initial->following.empty())
+      following->start_from(options.initial->following);
+  }
   Solution solution;
   solution.method = iteration_name(options.method);
   solution.directions = directions.count();
@@ -100,9 +106,12 @@ Solution solve_fixed_or_following(const Problem& problem, Problem* changing, con
     else
       iterate(setup, state, record, solution);
   } catch (const SweepStopped&) {
-    throw SolveStopped{saved(state, problem.band_count())};
+    SolveStopped stopped{saved(state, problem.band_count())};
+    if (following != nullptr) stopped.state.following = following->state();
+    throw stopped;
   }
   read_out(sweep, state, record, solution);
+  if (following != nullptr) solution.state.following = following->state();
   if (low_order.diffusion) {
     solution.seconds.low_order_setup = low_order.diffusion->setup_seconds();
     solution.seconds.low_order = low_order.diffusion->seconds() + solution.seconds.low_order_setup;

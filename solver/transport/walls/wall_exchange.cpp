@@ -42,7 +42,8 @@ WallExchange::Coefficients::Coefficients(std::span<const Wall> walls, std::size_
       specular(padded(walls, &Wall::specular, stride)),
       transmitted(padded(walls, &Wall::transmittance, stride)) {
   for (const Wall& wall : walls)
-    reflects.push_back(any_positive(wall.diffuse) || is_mirror(wall) || wall.is_glossy() || wall.transmits());
+    reflects.push_back(any_positive(wall.diffuse) || is_mirror(wall) || wall.is_glossy() ||
+                       wall.transmits() || wall.emission_follows);
   for (std::size_t w = 0; w < walls.size(); ++w)
     for (std::size_t b = 0; b < stride; ++b)
       radiance[w * stride + b] *= std::pow(walls[w].refractive_index, 2);
@@ -117,6 +118,7 @@ void WallExchange::form_inflow(const TransportState& last, Emission emission, in
       own[i] = sent + walls_.diffuse[wall + i % stride_] * faces_.geometry[f].by_half_range * irradiance[i];
     }
   }
+  if (emission == Emission::included && !problem_.following().radiance.empty()) add_following(inflow);
   // Both sides of a sheet have the same half range and the same nodes.
   for (std::size_t f = 0; f < behind_.size(); ++f) {
     if (behind_[f] < 0) continue;
@@ -124,6 +126,19 @@ void WallExchange::form_inflow(const TransportState& last, Emission emission, in
     for (std::size_t i = 0; i < face_length_; ++i)
       inflow[f * face_length_ + i] += walls_.transmitted[faces_.geometry[f].wall * stride_ + i % stride_] *
                                       faces_.geometry[f].by_half_range * irradiance[i];
+  }
+}
+
+void WallExchange::add_following(std::span<double> inflow) const {
+  const std::size_t nodes = face_length_ / stride_;
+  for (std::size_t f = 0; f < faces_.geometry.size(); ++f) {
+    if (!problem_.walls()[faces_.geometry[f].wall].emission_follows) continue;
+    for (std::size_t i = 0; i < nodes; ++i)
+      for (int band = 0; band < problem_.band_count(); ++band) {
+        const FaceIndex face(static_cast<std::int32_t>(f));
+        inflow[f * face_length_ + i * stride_ + static_cast<std::size_t>(band)] +=
+            nodes == 3 ? problem_.following_radiance(face, i, band) : problem_.following_radiance(face, band);
+      }
   }
 }
 

@@ -15,12 +15,14 @@
 
 namespace etendue {
 
-/// Walls at which a sweep accumulates the irradiance: those that reflect, or all.
+/// Walls at which a sweep accumulates the irradiance: those that reflect or whose emission follows from it,
+/// or all.
 enum class AccumulateAt { reflecting, all };
 
 /// Exchange of light between the walls and the ordinates, equation (13) of docs/theory/theory.md:
 ///
-///     u_in = radiance + (diffuse / pi_h) E + (transmittance / pi_h) E(behind) + specular u_out(mirrored)
+///     u_in = radiance + (following radiance) + (diffuse / pi_h) E + (transmittance / pi_h) E(behind) +
+///     specular u_out(mirrored)
 ///            + f_r by a matrix (GlossyWalls),    pi_h = sum of w |w.n| over w.n < 0,
 ///
 /// with the discrete half range pi_h in place of pi, so that a wall gives back exactly what it reflects.
@@ -46,7 +48,7 @@ class WallExchange {
   /// [boundary face] what a radiance of 1 of its wall sends in [sr]: the half range but where it refracts
   std::vector<double> emission_range() const;
   const GlossyWalls& glossy() const { return glossy_; }
-  /// Boundary faces whose walls reflect or transmit in some band.
+  /// Boundary faces whose walls reflect or transmit in some band, or emit what follows from the irradiance.
   bool reflects(FaceIndex face) const {
     return walls_.reflects[static_cast<std::size_t>(problem_.mesh().wall(face))] != 0;
   }
@@ -97,7 +99,7 @@ class WallExchange {
     std::vector<double> diffuse;      ///< [wall][stride]
     std::vector<double> specular;     ///< [wall][stride]
     std::vector<double> transmitted;  ///< [wall][stride]
-    std::vector<char> reflects;       ///< [wall]
+    std::vector<char> reflects;       ///< [wall] or its emission follows
   };
 
   /// All boundary faces. The lists are in an order that helps branch prediction: faces through which light
@@ -109,6 +111,8 @@ class WallExchange {
   };
 
   void list_faces();
+  /// Adds the radiance of walls whose emission follows.
+  void add_following(std::span<double> inflow) const;
   /// Of linear elements with as many bands as `LinearBands` says, or 0 for any.
   template <std::size_t LinearBands, class Real>
   void add_irradiance(OrdinateIndex m, const SweepSlotsOf<Real>& slots, std::span<const std::int32_t> faces,

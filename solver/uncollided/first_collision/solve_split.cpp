@@ -160,7 +160,8 @@ Solution UncollidedLight::sweep_rest(const DirectionSet& directions, const Direc
                                      const DirectionSetObserver& reader) const {
   const Problem remaining = lights_.remaining();
   SolveOptions with_input = options;
-  if (options.following_emission != nullptr) options.following_emission->set_unswept(field_.fluence);
+  if (options.following_emission != nullptr)
+    options.following_emission->set_unswept({field_.fluence, field_.irradiance, {}});
   if (first_collided != nullptr) {
     const FirstCollidedSolution first(lights_, field_, remaining, *first_collided, directions, options,
                                       threads_);

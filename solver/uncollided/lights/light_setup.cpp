@@ -288,7 +288,7 @@ Problem LightSetup::remaining() const {
                        [](const Light& light) { return light.uncollided == Uncollided::no; });
   Problem remaining(problem_.mesh(), problem_.bands(), std::move(media), std::move(walls), problem_.space(),
                     std::move(swept));
-  if (!problem_.following_emission().empty()) remaining.set_following_emission(problem_.following_emission());
+  if (!problem_.following().empty()) remaining.set_following(problem_.following());
   return remaining;
 }
 

@@ -33,6 +33,158 @@ TEST(TemperaturesRun, ConductNoHeatThroughASheet) {
   EXPECT_NEAR(heat.number({"wall", "xmax"}, "conducted"), 0, 1e-3);
 }
 
+const std::string kOven =
+    "[bands]\nnames = [\"short\", \"long\"]\nedges = [1, 4000, 1e9]\n"
+    "[media.gas]\nabsorption = [0.2, 0.6]\nscattering = 0.2\ntemperature = 1200\n"
+    "[walls.\"*\"]\nemissivity = [0.5, 0.8]\nheat_flux = 0\n"
+    "[walls.zmin]\nemissivity = 0.9\ntemperature = 500\n"
+    "[walls.zmax]\nemissivity = [0.3, 0.7]\nheat_flux = 2000\nconvection = { h = 40, ambient = 320 }\n";
+
+TEST(TemperaturesRun, OfWallsCloseTheirHeat) {
+  const CaseFolder folder(cube_with(kOven));
+  const Outcome outcome = etendue_says({"run", folder.file(), "--set", "solve.tolerance=1e-9"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "carried away by convection")) << outcome.out;
+  const CsvTable heat(text_of(folder.path() / "results" / "heat.csv"));
+  const auto of = [&](const char* wall, const char* what) { return heat.number({"wall", wall}, what); };
+  const double into_floor = of("zmin", "net");
+  EXPECT_GT(into_floor, 1000);
+  for (const char* wall : {"xmin", "xmax", "ymin", "ymax"}) {
+    EXPECT_NEAR(of(wall, "net") / into_floor, 0, 1e-7) << wall;
+    EXPECT_GT(of(wall, "temperature"), 500) << wall;
+    EXPECT_LT(of(wall, "temperature"), 1200) << wall;
+  }
+  EXPECT_NEAR((of("zmax", "net") + 2000) / of("zmax", "convected"), 1, 1e-7);
+  EXPECT_NEAR(of("zmax", "convected") / (40 * (of("zmax", "temperature") - 320)), 1, 1e-9);
+}
+
+// The light of the lamp is not swept before it meets a wall.
+TEST(TemperaturesRun, OfWallsTakeTheLightOfLamps) {
+  const CaseFolder folder(
+      cube_with("[media.gas]\nabsorption = 0\n[walls.\"*\"]\nemissivity = 0.8\nheat_flux = 0\n"
+                "[walls.zmin]\nemissivity = 1\nconvection = { h = 10, ambient = 300 }\n"
+                "[[light]]\nname = \"lamp\"\nkind = \"point\"\nposition = [0.5, 0.5, 0.7]\npower = 700\n"));
+  const Outcome outcome = etendue_says({"run", folder.file(), "--set", "solve.tolerance=1e-9"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err << outcome.out;
+  const CsvTable heat(text_of(folder.path() / "results" / "heat.csv"));
+  EXPECT_NEAR(heat.number({"wall", "zmin"}, "convected") / 700, 1, 1e-5);
+  EXPECT_NEAR(heat.number({"wall", "zmin"}, "temperature"), 370, 1e-3);
+}
+
+TEST(TemperaturesRun, OfWallsAreSeenBySensors) {
+  const CaseFolder folder(
+      cube_with(kOven + "[[sensor]]\nname = \"roof\"\nkind = \"flux\"\nwall = \"zmax\"\nparts = [2]\n"));
+  const Outcome outcome = etendue_says({"run", folder.file(), "--set", "directions.order=8"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err << outcome.out;
+  const CsvTable sensors(text_of(folder.path() / "results" / "sensors.csv"));
+  const CsvTable walls(text_of(folder.path() / "results" / "walls.csv"));
+  for (const char* band : {"short", "long"}) {
+    double sent = 0;
+    for (std::size_t row = 0; row < sensors.rows().size(); ++row)
+      if (sensors.column("quantity")[row] == "flux_backward" && sensors.column("band")[row] == band)
+        sent = sensors.numbers("value")[row];
+    EXPECT_NEAR(sent / walls.number({"zmax", band}, "outgoing"), 1, 0.02) << band;
+  }
+}
+
+TEST(TemperaturesRun, GoOnFromASolution) {
+  const CaseFolder folder(cube_with(kOven));
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"run", folder.file(), "--set", "solve.tolerance=1e-8"};
+    words.insert(words.end(), more.begin(), more.end());
+    return etendue_says(words);
+  };
+  ASSERT_EQ(run({}).code, ExitCode::done);
+  const auto results = folder.path() / "results";
+  const double whole = CsvTable(text_of(results / "heat.csv")).number({"wall", "zmax"}, "temperature");
+  // A run that is cut off, and one that continues from it.
+  ASSERT_EQ(run({"--set", "solve.max_sweeps=8"}).code, ExitCode::not_converged);
+  const std::string start = "solve.initial=\"" + (results / "solution.vtu").string() + "\"";
+  const Outcome outcome =
+      run({"--set", start, "--set", "output.directory=\"" + (folder.path() / "again").string() + "\""});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err << outcome.out;
+  const CsvTable again(text_of(folder.path() / "again" / "heat.csv"));
+  EXPECT_NEAR(again.number({"wall", "zmax"}, "temperature") / whole, 1, 1e-6);
+  // From the end nothing is left to do.
+  const std::string end = "solve.initial=\"" + (folder.path() / "again" / "solution.vtu").string() + "\"";
+  const Outcome last =
+      run({"--set", end, "--set", "output.directory=\"" + (folder.path() / "last").string() + "\""});
+  ASSERT_EQ(last.code, ExitCode::done) << last.err << last.out;
+  EXPECT_TRUE(has(last.out, "  1 steps to the temperatures")) << last.out;
+}
+
+TEST(TemperaturesRun, AreSeenInPicturesOfSavedResults) {
+  const std::string camera =
+      "[[camera]]\nname = \"view\"\nposition = [0.1, 0.1, 0.1]\nlook_at = [1, 1, 1]\npixels = [8, 6]\n";
+  const CaseFolder folder(cube_with(kOven + camera));
+  ASSERT_EQ(etendue_says({"run", folder.file()}).code, ExitCode::done);
+  const std::string taken = text_of(folder.path() / "results" / "view.png");
+  std::filesystem::remove(folder.path() / "results" / "view.png");
+  const Outcome outcome = etendue_says({"render", (folder.path() / "results").string()});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err << outcome.out;
+  EXPECT_EQ(text_of(folder.path() / "results" / "view.png"), taken);
+}
+
+// The patch has half of the emissivity of the wall about it, and another temperature.
+TEST(TemperaturesRun, OfWallsEndAtTheirBorders) {
+  const CaseFolder folder(
+      cube_with("[[mesh.patch]]\nwall = \"door\"\nmin = [1, 0.3, 0.3]\nmax = [1, 0.7, "
+                "0.7]\n[media.gas]\nabsorption = 0\n"
+                "[walls.\"*\"]\nemissivity = 1\ntemperature = 300\n[walls.door]\nemissivity = 0.5\n"
+                "convection = { h = 1e4, ambient = 1000 }\n"
+                "[[sensor]]\nname = \"door\"\nkind = \"flux\"\nwall = \"door\"\nparts = [3]\n"));
+  const Outcome outcome = etendue_says({"run", folder.file(), "--set", "directions.order=8"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err << outcome.out;
+  const CsvTable sensors(text_of(folder.path() / "results" / "sensors.csv"));
+  const CsvTable walls(text_of(folder.path() / "results" / "walls.csv"));
+  double sent = 0;
+  for (std::size_t row = 0; row < sensors.rows().size(); ++row)
+    if (sensors.column("quantity")[row] == "flux_backward") sent = sensors.numbers("value")[row];
+  EXPECT_NEAR(sent / walls.number({"door"}, "outgoing"), 1, 0.02);
+}
+
+TEST(TemperaturesRun, OfWallsLetNoLightIn) {
+  const std::string box =
+      "[media.gas]\nabsorption = 0\n[walls.\"*\"]\ntemperature = 300\n[walls.zmax]\n"
+      "convection = { h = 10, ambient = 300 }\n[[light]]\nname = \"light\"\n";
+  for (const char* light : {"kind = \"sun\"\ndirection = [0, 0, -1]\nirradiance = 1000\n",
+                            "kind = \"sun\"\nwalls = [\"zmax\"]\ndirection = [0, 0, -1]\nirradiance = 1000\n",
+                            "kind = \"wall\"\nwalls = [\"zmax\"]\nradiance = 1000\n"})
+    EXPECT_EQ(etendue_says({"check", CaseFolder(cube_with(box + light)).file()}).code, ExitCode::input_error)
+        << light;
+}
+
+TEST(TemperaturesRun, NeedNoWallThatFollowsOfAnEntryThatSaysSo) {
+  const CaseFolder folder(
+      cube_with("[media.gas]\nabsorption = 1\n[walls.\"*\"]\nconvection = { h = 10, ambient = 300 }\n"
+                "[walls.xmin]\ntemperature = 400\n[walls.xmax]\ntemperature = 400\n[walls.ymin]\n"
+                "temperature = 400\n[walls.ymax]\ntemperature = 400\n[walls.zmin]\ntemperature = 400\n"
+                "[walls.zmax]\ntemperature = 500\n"));
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err << outcome.out;
+}
+
+TEST(TemperaturesRun, NeedSomethingThatTakesTheHeatAway) {
+  const CaseFolder folder(
+      cube_with("[bands]\nnames = [\"a\", \"b\"]\nedges = [1, 3000, 1e9]\n[media.gas]\nabsorption = 0\n"
+                "temperature = 300\n[walls.\"*\"]\nheat_flux = 100\n"));
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  EXPECT_EQ(outcome.code, ExitCode::input_error) << outcome.out;
+  EXPECT_TRUE(has(outcome.err, "nothing takes its heat away")) << outcome.err;
+}
+
+TEST(TemperaturesRun, OfASavedStateAreReadOutByOneSweep) {
+  const CaseFolder folder(cube_with(kOven));
+  ASSERT_EQ(etendue_says({"run", folder.file()}).code, ExitCode::done);
+  const auto results = folder.path() / "results";
+  const double found = CsvTable(text_of(results / "heat.csv")).number({"wall", "zmax"}, "temperature");
+  const std::string start = "solve.initial=\"" + (results / "solution.vtu").string() + "\"";
+  etendue_says({"run", folder.file(), "--set", start, "--set", "solve.max_sweeps=1", "--set",
+                "output.directory=\"" + (folder.path() / "again").string() + "\""});
+  const CsvTable again(text_of(folder.path() / "again" / "heat.csv"));
+  EXPECT_EQ(again.number({"wall", "zmax"}, "temperature"), found);
+}
+
 TEST(TemperaturesRun, AreSeenBySensorsOfRegions) {
   const CaseFolder folder(
       cube_with("[media.gas]\nabsorption = 1\nconductivity = 1\nheat_source = 1e4\n"

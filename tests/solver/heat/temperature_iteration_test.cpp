@@ -55,6 +55,7 @@ struct Room {
     HeatProblem heat;
     heat.media.assign(mesh.region_names().size(), HeatMedium{conductivity, source});
     for (const double kelvin : wall_temperatures) heat.wall_temperatures.emplace_back(Coefficient(kelvin));
+    heat.walls.resize(wall_temperatures.size());
     return heat;
   }
 };
@@ -76,7 +77,7 @@ Heated solved(const Room& room, const DirectionSet& directions = directions_prod
   Heated result{solve(problem, directions, options), {}, {}};
   result.temperatures = temperatures.solution().temperature;
   result.conducted = temperatures.solution().conducted;
-  problem.set_following_emission(temperatures.emission());
+  problem.set_following(temperatures.sources());
   for (const auto& wall : wall_powers(problem, result.solution))
     for (const WallPower& band : wall) result.radiated_into_walls += band.incoming - band.outgoing;
   return result;
@@ -124,7 +125,7 @@ TEST(TemperatureIteration, ConductsAsFourierSays) {
   const Problem problem = room.problem();
   TemperatureIteration temperatures(problem, heat);
   const std::vector<double> dark(static_cast<std::size_t>(4 * mesh.cell_count()), 0);
-  for (int step = 0; step < 8; ++step) temperatures.improve(dark);
+  for (int step = 0; step < 8; ++step) temperatures.improve({dark, dark, {}});
   const Heated heated{{}, temperatures.solution().temperature, temperatures.solution().conducted};
   EXPECT_LT(largest_difference(room, heated, [](const Vec3& p) { return 400 + 300 * p.z(); }), 1e-6);
   for (std::size_t w = 0; w < mesh.wall_names().size(); ++w) {

@@ -216,6 +216,29 @@ TEST(Problem, OfSomeBandsHasTheirCoefficientsAlone) {
   EXPECT_EQ(std::get<PointLight>(blue.lights()[0].kind).power, std::vector<double>{4});
 }
 
+TEST(Problem, OfSomeBandsEmitsWhatFollowsInThem) {
+  const TetrahedralMesh mesh = cube_mesh();
+  Problem both(mesh, Asked().bands, Asked().media, Asked().walls);
+  const CellIndex cell(3);
+  const FaceIndex face(5);
+  FollowingSources sources{CellEmission(static_cast<std::size_t>(mesh.cell_count()), 2),
+                           std::vector<double>(static_cast<std::size_t>(mesh.boundary_face_count()) * 6, 0)};
+  sources.cells.add(cell, 1, 7, {1, -1, 2, -2});
+  for (std::size_t i = 0; i < 3; ++i)
+    sources.radiance[face.at() * 6 + 2 * i + 1] = static_cast<double>(i + 1);
+  const double own = both.emission(cell, 1);
+  both.set_following(sources);
+  const int wanted[] = {1};
+  const Problem one = both.of_bands(wanted);
+  EXPECT_EQ(one.emission(cell, 0), own + 7);
+  EXPECT_EQ(one.following_radiance(face, 2, 0), 3);
+  EXPECT_EQ(one.following_radiance(face, 0), 2);
+  EXPECT_EQ(both.following_radiance(face, 0), 0);
+  both.set_following({});
+  EXPECT_EQ(both.emission(cell, 1), own);
+  EXPECT_EQ(both.following_radiance(face, 2, 1), 0);
+}
+
 TEST(Problem, EmitsLinearlyWithinCells) {
   const TetrahedralMesh mesh = cube_mesh();
   Asked asked;

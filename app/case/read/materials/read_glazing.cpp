@@ -50,6 +50,8 @@ void check_glazed_wall(Section& section, const WallCase& wall) {
     if (is_there) section.fault(key, "beside glazing; remove one of them");
   };
   refuse(any_but_zero(wall.radiance), "radiance");
+  refuse(wall.heat_flux.has_value(), "heat_flux");
+  refuse(wall.convection.has_value(), "convection");
   refuse(any_but_zero(wall.specular), "specular");
   refuse(any_but_zero(wall.transmittance), "transmittance");
   refuse(!wall.glossy.empty(), "glossy");

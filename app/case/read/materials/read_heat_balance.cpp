@@ -16,14 +16,25 @@ namespace {
 bool is_one_gray_band(const Bands& bands) { return bands.count() == 1 && bands.edges.empty(); }
 
 /// Why the temperature of a wall cannot follow from its heat; empty where it can.
-std::string wall_problem(const Section& section, const ThermalContext& context,
-                         std::initializer_list<const char*> others) {
-  if (std::string problem = temperature_problem(section, context, others); !problem.empty()) return problem;
-  if (!is_one_gray_band(context.bands))
-    return "needs one gray band without bands.edges (several bands are not in this version); give a "
-           "temperature";
+std::string wall_problem(const Section& section, const ThermalContext& context, const WallCase& wall) {
+  if (std::string problem = temperature_problem(section, context, {"temperature", "radiance"});
+      !problem.empty())
+    return problem;
+  bool absorbs = false, transmits = false;
+  for (int band = 0; band < context.bands.count(); ++band) {
+    absorbs = absorbs || absorptivity(wall, band) > 0;
+    transmits = transmits || std::get<double>(value_of(wall.transmittance, band)) > 0;
+  }
+  if (!wall.glossy.empty() || wall.refractive_index != 1 || transmits)
+    return "not beside glossy, refractive_index or transmittance (not in this version); give a temperature";
+  if (!absorbs)
+    return "the wall does not absorb, so its temperature does not follow from light; reflect less, or leave "
+           "it "
+           "out";
   return "";
 }
+
+Convection read_convection(Section section) { return {section.number("h"), section.number("ambient")}; }
 
 /// Why a medium with these coefficients cannot reradiate; empty where it can.
 std::string reradiation_problem(const MediumCase& medium) {
@@ -56,19 +67,16 @@ void read_heat_source(Section& section, const ThermalContext& context, MediumCas
                                  medium.heat_source->origin};
 }
 
-void read_heat_flux(Section& section, const ThermalContext& context, WallCase& wall) {
-  if (!section.has("heat_flux")) return;
-  const double flux = section.number("heat_flux");
-  std::string problem = wall_problem(section, context, {"temperature", "radiance"});
-  const bool transmits = std::get<double>(value_of(wall.transmittance, 0)) > 0;
-  if (problem.empty() && (!wall.glossy.empty() || wall.refractive_index != 1 || transmits))
-    problem =
-        "not beside glossy, refractive_index or transmittance (not in this version); give a temperature";
-  if (problem.empty() && absorptivity(wall, 0) <= 0)
-    problem = "the wall does not absorb, so it has no temperature; leave heat_flux out, or reflect less";
-  if (!problem.empty()) return section.fault("heat_flux", problem);
-  wall.heat_flux = flux;
-  wall.radiance = BandValues{{flux / std::numbers::pi}, section.origin("heat_flux")};
+void read_wall_heat(Section& section, const ThermalContext& context, bool beside_conductors, WallCase& wall) {
+  if (!section.has("heat_flux") && !section.has("convection")) return;
+  const std::string problem = wall_problem(section, context, wall);
+  if (!problem.empty()) return section.fault(section.has("heat_flux") ? "heat_flux" : "convection", problem);
+  if (section.has("heat_flux")) wall.heat_flux = section.number("heat_flux");
+  if (section.has("convection")) wall.convection = read_convection(section.section("convection"));
+  // What a gray wall absorbs it gives back, as if it reflected it.
+  wall.reradiates = !wall.convection && !beside_conductors && is_one_gray_band(context.bands);
+  if (wall.reradiates)
+    wall.radiance = BandValues{{*wall.heat_flux / std::numbers::pi}, section.origin("heat_flux")};
 }
 
 }  // namespace etendue

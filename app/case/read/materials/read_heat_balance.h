@@ -11,7 +11,8 @@ namespace etendue {
 /// temperature follows: of one gray band without conduction the medium reradiates what it absorbs.
 void read_heat_source(Section& section, const ThermalContext& context, MediumCase& medium);
 
-/// Reads `heat_flux` of a wall whose other values are read, from which its temperature follows.
-void read_heat_flux(Section& section, const ThermalContext& context, WallCase& wall);
+/// Reads `heat_flux` and `convection` of a wall whose other values are read, from which its temperature
+/// follows.
+void read_wall_heat(Section& section, const ThermalContext& context, bool beside_conductors, WallCase& wall);
 
 }  // namespace etendue

@@ -263,11 +263,12 @@ WallCase read_wall(const std::string& name, Section section, const WallContext& 
   wall.transmittance = read_band_values_or_default(section, "transmittance", bands);
   if (section.has("glossy")) wall.glossy = read_glossy(section.section("glossy"), bands, context.case_folder);
   wall.refractive_index = section.number("refractive_index");
-  if (section.has("radiance") || !(section.has("temperature") || section.has("heat_flux")))
+  if (section.has("radiance") ||
+      !(section.has("temperature") || section.has("heat_flux") || section.has("convection")))
     wall.radiance = read_band_values_or_default(section, "radiance", bands, FormulaOf::place_and_direction);
   if (!any_faulty(section, {"diffuse", "specular", "transmittance"})) {
     read_thermal_wall(section, {bands, context.units, context.space}, wall);
-    read_heat_flux(section, {bands, context.units, context.space}, wall);
+    read_wall_heat(section, {bands, context.units, context.space}, context.beside_conductors, wall);
   }
   wall.uncollided = read_uncollided(section);
   check_uncollided(section, wall.uncollided,

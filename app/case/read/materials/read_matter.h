@@ -26,6 +26,7 @@ struct WallContext {
   const Units& units;
   AngularSpace space;
   std::filesystem::path case_folder;
+  bool beside_conductors = false;  ///< whether a medium conducts heat
 };
 
 std::map<std::string, MediumCase> read_media(Section media, const MatterContext& context);

@@ -80,17 +80,5 @@ TEST(HeatReport, AddsUpConductionAndRadiation) {
   EXPECT_NEAR((conducted + sum_of_walls(heat, "net")) / 4000, 1, 2e-3);
 }
 
-TEST(HeatReport, MakesNoPicturesOfTemperaturesThatFollowed) {
-  const CaseFolder folder(
-      conducting_cube +
-      "[[camera]]\nname = \"view\"\nposition = [0.5, 0.1, 0.5]\nlook_at = [0.5, 0.9, 0.5]\n"
-      "pixels = [8, 6]\n");
-  const Outcome run = etendue_says({"run", folder.file()});
-  ASSERT_EQ(run.code, ExitCode::done) << run.err;
-  const Outcome outcome = etendue_says({"render", folder.results()});
-  EXPECT_EQ(outcome.code, ExitCode::input_error);
-  EXPECT_TRUE(has(outcome.err, "temperatures of this case follow")) << outcome.err;
-}
-
 }  // namespace
 }  // namespace etendue

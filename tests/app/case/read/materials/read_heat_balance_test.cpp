@@ -98,12 +98,59 @@ TEST(ReadHeatBalance, IteratesWhereMediaConductOrBandsAreSeveral) {
     EXPECT_TRUE(iterates_temperatures(input));
     const TetrahedralMesh mesh = build_mesh(input);
     EXPECT_EQ(build_problem(input, mesh).absorption(CellIndex(0), 0), 1);
-    const HeatProblem heat = build_heat(input, mesh);
+    const HeatProblem heat = build_heat(input, mesh).value();
     ASSERT_TRUE(heat.media.at(0));
     EXPECT_EQ(heat.media[0]->source.at(Vec3::Zero()), input.media.at("air").heat_source ? 1 : 0);
     EXPECT_EQ(heat.media[0]->conductivity.at(Vec3::UnitX()), input.media.at("air").conductivity ? 0.2 : 0);
   }
   EXPECT_FALSE(iterates_temperatures(case_of(air("absorption = 1\nheat_source = 1\n"))));
+}
+
+TEST(ReadHeatBalance, IteratesWallsBesideConductorsBySeveralBandsOrConvection) {
+  const std::string adiabatic = "emissivity = 0.7\nheat_flux = 30\n";
+  const std::string convective = "emissivity = 0.7\nconvection = { h = 5, ambient = 290 }\n";
+  for (const std::string& text :
+       {floor_wall(convective), floor_wall(convective + "heat_flux = 30\n"),
+        floor_wall(adiabatic) + two_bands,
+        floor_wall(adiabatic) + "[media.air]\nabsorption = 1\nconductivity = 1\n"}) {
+    const Case input = case_of(text);
+    EXPECT_TRUE(has_temperatures(input)) << text;
+    EXPECT_TRUE(iterates_temperatures(input)) << text;
+    const TetrahedralMesh mesh = build_mesh(input);
+    const Problem problem = build_problem(input, mesh);
+    const HeatProblem heat = build_heat(input, mesh).value();
+    int following = 0;
+    for (std::size_t w = 0; w < mesh.wall_names().size(); ++w) {
+      const bool follows = mesh.wall_names()[w] == "zmin";
+      EXPECT_EQ(problem.walls()[w].emission_follows, follows) << text;
+      ASSERT_EQ(heat.walls.at(w).has_value(), follows) << text;
+      if (!follows) continue;
+      ++following;
+      EXPECT_EQ(problem.walls()[w].radiance[0], 0);
+      EXPECT_NEAR(problem.walls()[w].diffuse[0], 0.3, 1e-15);
+      EXPECT_EQ(heat.walls[w]->heat_flux, input.walls.at("zmin").heat_flux ? 30 : 0);
+      EXPECT_EQ(heat.walls[w]->heat_transfer_coefficient, input.walls.at("zmin").convection ? 5 : 0);
+      EXPECT_EQ(heat.walls[w]->ambient, input.walls.at("zmin").convection ? 290 : 0);
+    }
+    EXPECT_EQ(following, 1);
+  }
+  EXPECT_FALSE(iterates_temperatures(case_of(floor_wall(adiabatic))));
+}
+
+TEST(ReadHeatBalance, RefusesConvectionThatSaysTooLittleOrTooMuch) {
+  const auto says = [](const std::string& wall, const char* what) {
+    EXPECT_NE(faults_of(floor_wall(wall)).find(what), std::string::npos)
+        << wall << faults_of(floor_wall(wall));
+  };
+  says("convection = { h = 5 }\n", "convection.ambient");
+  says("convection = { ambient = 300 }\n", "convection.h");
+  says("convection = { h = -1, ambient = 300 }\n", "at least 0");
+  says("convection = { h = 1, ambient = 300 }\ntemperature = 400\n", "temperature is given too");
+  says("convection = { h = 1, ambient = 300 }\nspecular = 1\n", "does not absorb");
+  says("convection = { h = 1, ambient = 300 }\nrefractive_index = 1.5\n", "not beside glossy");
+  says("convection = { h = 1, ambient = 300 }\n[solve]\nmethod = \"photons\"\n", "not by photons");
+  says("convection = { h = 1, ambient = 300 }\nuncollided = true\n", "not as a light");
+  says("convection = { h = 1, ambient = 300 }\nglazing = { transmittance = 0.9 }\n", "beside glazing");
 }
 
 TEST(ReadHeatBalance, StartsFromTheMeanEmissivePower) {
@@ -112,7 +159,7 @@ TEST(ReadHeatBalance, StartsFromTheMeanEmissivePower) {
               "[media.air]\nabsorption = 1\nconductivity = 1\n[walls.zmin]\ntemperature = 300\n"
               "[walls.zmax]\ntemperature = 900\n");
   const TetrahedralMesh mesh = build_mesh(input);
-  const HeatProblem heat = build_heat(input, mesh);
+  const HeatProblem heat = build_heat(input, mesh).value();
   EXPECT_NEAR(heat.start, std::pow((std::pow(300.0, 4) + std::pow(900.0, 4)) / 2, 0.25), 1e-9);
   for (std::size_t wall = 0; wall < mesh.wall_names().size(); ++wall)
     EXPECT_EQ(heat.wall_temperatures[wall].has_value(),
