@@ -6,8 +6,11 @@
 
 #include "app/api/solution_impl.h"
 #include "app/api/translated.h"
+#include "app/case/temperatures.h"
 #include "app/readings/probes.h"
 #include "app/write/csv/sensor_rows.h"
+#include "app/write/result/heat_rows.h"
+#include "app/write/result/temperature_fields.h"
 #include "app/write/results.h"
 #include "app/write/vtk/vtk_files.h"
 
@@ -118,6 +121,26 @@ std::vector<RegionTotals> Solution::regions() const {
                       power.absorbed, power.emitted});
     }
   return list;
+}
+
+std::vector<HeatTotals> Solution::heat() const {
+  std::vector<HeatTotals> list;
+  const RunResult& result = impl_->result();
+  if (!has_temperatures(result.input)) return list;
+  for (const HeatRow& row : heat_rows(result))
+    list.push_back({row.is_wall ? "wall" : "region", row.name, row.extent, row.emitted, row.absorbed, row.net,
+                    row.conducted, row.convected, row.temperature});
+  return list;
+}
+
+std::vector<double> Solution::cell_temperature() const {
+  const RunResult& result = impl_->result();
+  return has_temperatures(result.input) ? cell_temperatures(result) : std::vector<double>();
+}
+
+std::vector<double> Solution::wall_temperature() const {
+  const RunResult& result = impl_->result();
+  return has_temperatures(result.input) ? vertex_temperatures_of_walls(result) : std::vector<double>();
 }
 
 std::vector<ProbeReading> Solution::probes() const {

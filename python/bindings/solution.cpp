@@ -73,6 +73,27 @@ py::list regions(const Solution& solution) {
   });
 }
 
+py::list heat(const Solution& solution) {
+  return list_of(solution.heat(), [](const HeatTotals& row) {
+    return py::dict("kind"_a = row.kind, "name"_a = row.name, "extent"_a = row.extent,
+                    "emitted"_a = row.emitted, "absorbed"_a = row.absorbed, "net"_a = row.net,
+                    "conducted"_a = row.conducted, "convected"_a = row.convected,
+                    "temperature"_a = row.temperature);
+  });
+}
+
+py::array cell_temperature(const Solution& solution) {
+  std::vector<double> kelvin = solution.cell_temperature();
+  const auto cells = static_cast<py::ssize_t>(kelvin.size());
+  return owned(std::move(kelvin), {cells});
+}
+
+py::array wall_temperature(const Solution& solution) {
+  std::vector<double> kelvin = solution.wall_temperature();
+  const auto faces = static_cast<py::ssize_t>(kelvin.size() / 3);
+  return owned(std::move(kelvin), {faces, 3});
+}
+
 py::list probes(const Solution& solution) {
   return list_of(solution.probes(), [](const ProbeReading& row) {
     return py::dict("probe"_a = row.probe, "index"_a = row.index, "x"_a = row.point[0], "y"_a = row.point[1],
@@ -126,6 +147,9 @@ void bind_solution(py::module_& module) {
       .def("balances", &balances)
       .def("walls", &walls)
       .def("regions", &regions)
+      .def("heat", &heat)
+      .def("cell_temperature", &cell_temperature)
+      .def("wall_temperature", &wall_temperature)
       .def("probes", &probes)
       .def("sensors", &sensors)
       .def("render", &render)

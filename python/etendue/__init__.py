@@ -8,6 +8,9 @@
     solution.fluence.mean(axis=1)
 """
 
+from collections.abc import Callable, Mapping
+from typing import Any
+
 from etendue._etendue import version
 from etendue.case import Case, checked, load
 from etendue.errors import FileError, InputError, NotFiniteError, Stopped
@@ -21,7 +24,8 @@ __all__ = ["Case", "FileError", "InputError", "Mesh", "NotFiniteError", "Picture
 __version__ = version()
 
 
-def solve(case, mesh=None, threads=0, progress=None):
+def solve(case: Mapping[str, Any], mesh: _etendue.Mesh | None = None, threads: int = 0,
+          progress: Callable[[dict[str, Any]], object] | bool | None = None) -> Solution:
     """Meshes and solves a case. Not converging is a result, marked in the solution.
 
     case      a Case, or a dictionary with the tree of a case file
@@ -34,22 +38,24 @@ def solve(case, mesh=None, threads=0, progress=None):
     Raises InputError, FileError and NotFiniteError.
     """
     found = checked(case, mesh)
-    shown = _print_progress if progress is True else progress or None
+    if progress and progress is not True and not callable(progress):
+        raise TypeError(f"progress: {progress!r} cannot be called; give a function, or True to print")
+    shown = _print_progress if progress is True else progress if callable(progress) else None
     return Solution(_etendue.solve(found, mesh, threads, shown), case if isinstance(case, Case) else Case(case))
 
 
-def check(case, mesh=None):
+def check(case: Mapping[str, Any], mesh: _etendue.Mesh | None = None) -> None:
     """Finds all that a solve refuses before its first sweep. Raises InputError."""
     found = checked(case, mesh)
     _etendue.check(found, found.mesh() if mesh is None else mesh)
 
 
-def mesh(case):
+def mesh(case: Mapping[str, Any]) -> _etendue.Mesh:
     """The mesh of a case: its geometry filled with tetrahedra, or its mesh file."""
     return checked(case).mesh()
 
 
-def command(*arguments):
+def command(*arguments: object) -> tuple[int, str, str]:
     """Does what the program does with these arguments; returns (exit code, output, errors).
 
         etendue.command("study", "room.toml")
@@ -57,6 +63,6 @@ def command(*arguments):
     return _etendue.command([str(argument) for argument in arguments])
 
 
-def _print_progress(state):
+def _print_progress(state: dict[str, Any]) -> None:
     residual = f" {state['sweep']}, residual {max(state['residual']):.1e}" if state["residual"] else ""
     print(f"{state['stage']}{residual}", flush=True)

@@ -2,37 +2,41 @@
 """Cases as dictionaries."""
 
 import copy
+import os
 import pathlib
 import tomllib
+from collections.abc import Iterable, Mapping
+from typing import Any
 
 from etendue import _etendue, toml
 
 
-class Case(dict):
+class Case(dict[str, Any]):
     """A case: the tree of the case file as a dictionary, with the keys that docs/user/keys.md lists.
 
     `file` is where it was read from; paths in the case start in its folder, and its name is in messages."""
 
-    def __init__(self, tree=(), file="case.toml", **tables):
+    def __init__(self, tree: Mapping[str, Any] | Iterable[tuple[str, Any]] = (), file: str | os.PathLike[str] = "case.toml",
+                 **tables: Any) -> None:
         super().__init__(tree, **tables)
         self.file = pathlib.Path(file)
-        self._read = None
+        self._read: dict[str, Any] | None = None
 
-    def copy(self):
+    def copy(self) -> "Case":
         """Another case that can be changed apart from this one."""
         other = Case(copy.deepcopy(dict(self)), self.file)
         other._read = self._read
         return other
 
-    def resolved(self):
+    def resolved(self) -> "Case":
         """The case with all defaults filled in. Raises InputError."""
         return Case(tomllib.loads(checked(self).resolved_toml), self.file)
 
-    def to_toml(self):
+    def to_toml(self) -> str:
         return toml.dumps(self)
 
 
-def load(file, overrides=()):
+def load(file: str | os.PathLike[str], overrides: Iterable[str] = ()) -> Case:
     """Reads a case file, and checks it: raises InputError with all faults and their lines, and FileError.
 
     `overrides` change keys: "solve.tolerance=1e-8"."""
@@ -45,7 +49,7 @@ def load(file, overrides=()):
     return case
 
 
-def checked(case, mesh=None):
+def checked(case: Mapping[str, Any], mesh: _etendue.Mesh | None = None) -> _etendue.Case:
     """The case as the library has it; `mesh` replaces the table of the case."""
     if not isinstance(case, Case):
         case = Case(case)

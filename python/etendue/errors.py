@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Exceptions of the module."""
 
+from collections.abc import Iterable
+
 
 class InputError(ValueError):
     """The case, the mesh or an argument is wrong. The text has one line for each fault.
 
     `faults` is a list of (file, line, text); the file is empty and the line 0 where there is none."""
 
-    def __init__(self, text, faults=()):
+    def __init__(self, text: str, faults: Iterable[tuple[str, int, str]] = ()) -> None:
         super().__init__(text)
         self.faults = list(faults)
 

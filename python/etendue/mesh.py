@@ -1,14 +1,20 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Meshes from arrays and files."""
 
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any
+
 import numpy
+from numpy.typing import ArrayLike, NDArray
 
 from etendue import _etendue
 
 _NONE = numpy.empty(0, dtype=numpy.int32)
 
 
-def Mesh(points, cells, region=None, walls=None):  # noqa: N802 (it makes one, as a class would)
+def Mesh(points: ArrayLike, cells: ArrayLike, region: Sequence[str] | NDArray[Any] | None = None,  # noqa: N802 (as a class)
+         walls: Mapping[str, ArrayLike] | None = None) -> _etendue.Mesh:
     """A conforming tetrahedral mesh. Cells and points are renumbered: those of fields are the mesh's.
 
     points   (n, 3) coordinates [length]
@@ -28,23 +34,24 @@ def Mesh(points, cells, region=None, walls=None):  # noqa: N802 (it makes one, a
         numpy.concatenate(triangles) if triangles else _NONE, numpy.concatenate(of_walls) if of_walls else _NONE, list(walls))
 
 
-def _numbered(region):
+def _numbered(region: Sequence[str] | NDArray[Any]) -> tuple[list[str], NDArray[numpy.int32]]:
     names, numbers = numpy.unique(numpy.asarray(region).astype(str), return_inverse=True)
     return names.tolist(), numbers.astype(numpy.int32)
 
 
-def read_mesh(file, scale=1.0):
+def read_mesh(file: str | os.PathLike[str], scale: float = 1.0) -> _etendue.Mesh:
     """A mesh of a file: Gmsh .msh, VTK .vtu or TetGen .node; coordinates are multiplied by `scale`."""
     return _etendue.Mesh.from_file(file, scale)
 
 
-def from_meshio(mesh):
+def from_meshio(mesh: Any) -> _etendue.Mesh:
     """A mesh of a meshio.Mesh with tetrahedra: regions and walls are its cell sets, by their names, of tetrahedra and triangles."""
     blocks = [(block.type, numpy.asarray(block.data)) for block in mesh.cells]
     cells = [data for kind, data in blocks if kind == "tetra"]
     if not cells:
         raise ValueError("the mesh has no tetrahedra")
-    region, walls = numpy.full(sum(map(len, cells)), "medium", dtype=object), {}
+    region = numpy.full(sum(map(len, cells)), "medium", dtype=object)
+    walls: dict[str, list[NDArray[Any]]] = {}
     for name, chosen in mesh.cell_sets.items():
         first = 0
         for (kind, data), rows in zip(blocks, chosen):

@@ -3,22 +3,24 @@
 
 import json
 import re
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
-def dumps(table):
+def dumps(table: Mapping[str, Any]) -> str:
     """TOML of a dictionary of strings, numbers, booleans, lists and dictionaries; numpy's numbers and arrays too."""
     return "".join(f"{key_of(key)} = {value_of(value)}\n" for key, value in table.items() if not is_table(value)) + \
         "".join(text for key, value in table.items() if is_table(value) for text in tables_of((key,), value))
 
 
-def is_table(value):
+def is_table(value: Any) -> bool:
     return isinstance(value, dict) or (isinstance(value, (list, tuple)) and len(value) > 0 and
                                        all(isinstance(entry, dict) for entry in value))
 
 
-def tables_of(path, value):
+def tables_of(path: tuple[str, ...], value: Any) -> Iterator[str]:
     """Of a dictionary [path], and of a list of them [[path]]."""
     name = ".".join(map(key_of, path))
     for table in [value] if isinstance(value, dict) else value:
@@ -31,13 +33,13 @@ def tables_of(path, value):
                 yield from tables_of((*path, key), entry)
 
 
-def key_of(key):
+def key_of(key: Any) -> str:
     if not isinstance(key, str):
         raise TypeError(f"{key!r}: a key of a case is a string")
     return key if BARE.fullmatch(key) else json.dumps(key)
 
 
-def value_of(value):
+def value_of(value: Any) -> str:
     if hasattr(value, "tolist"):  # numpy
         value = value.tolist()
     if isinstance(value, bool):

@@ -51,6 +51,18 @@ struct RegionTotals {
   double emitted = 0;       ///< [power]
 };
 
+/// Heat of a wall or region, all bands together.
+struct HeatTotals {
+  std::string kind, name;  ///< "wall" or "region"
+  double extent = 0;       ///< area [m^2] or volume [m^3]
+  double emitted = 0;      ///< [W]
+  double absorbed = 0;     ///< [W]
+  double net = 0;          ///< by radiation: into a wall, out of a region [W]
+  double conducted = 0;    ///< from media into a wall [W]
+  double convected = 0;    ///< away from a wall [W]
+  double temperature = 0;  ///< mean [K]; 0 where there is none
+};
+
 /// The field at a point of a probe of the case.
 struct ProbeReading {
   std::string probe;
@@ -103,6 +115,11 @@ class ETENDUE_EXPORT Solution {
       const;                                 ///< [boundary face][3 vertices][band] arriving [power/length^2]
   std::span<const double> exitance() const;  ///< [boundary face][3 vertices][band] sent in [power/length^2]
 
+  /// [cell] at the centroid [K]; 0 where there is none. Empty where nothing has a temperature.
+  std::vector<double> cell_temperature() const;
+  /// [boundary face][3 vertices] [K]; 0 where there is none. Empty where nothing has a temperature.
+  std::vector<double> wall_temperature() const;
+
   /// [point][band] [power/length^2], as probes read it: by ordinates uncollided light is exact at the
   /// point. NaN outside of the mesh. `points` are [point][x, y, z].
   std::vector<double> fluence_at(std::span<const double> points) const;
@@ -110,6 +127,7 @@ class ETENDUE_EXPORT Solution {
   std::vector<BandBalance> balances() const;   ///< [band]
   std::vector<WallTotals> walls() const;       ///< [wall][band]
   std::vector<RegionTotals> regions() const;   ///< [region][band]
+  std::vector<HeatTotals> heat() const;        ///< walls, then regions; empty where nothing has a temperature
   std::vector<ProbeReading> probes() const;    ///< [point][band], in the order of the case
   std::vector<SensorReading> sensors() const;  ///< the rows of sensors.csv; empty of photons, which read none
 
