@@ -71,6 +71,8 @@ struct SolveOptions {
   const SavedState* initial = nullptr;
   /// Whether to end at once, within a sweep: asked by all threads, often. Then SolveStopped is thrown.
   std::function<bool()> stops = {};
+  /// Told the share of the sweep orders that are made, in (0, 1], by one thread at a time.
+  std::function<void(double share)> orders_share = {};
   /// Told the share of a sweep that is done, in (0, 1], after every few batches of ordinates by one thread.
   std::function<void(double share)> sweep_share = {};
 };

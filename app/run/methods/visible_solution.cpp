@@ -39,9 +39,10 @@ std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const Visible
   const Interruption& interruption = solving.interruption;
   Checkpoints checkpoints(solving.input, solving.problem, solving.err);
   ProgressDisplay display(solving.stages.style, solving.stages.out);
-  std::optional<ShownStage> first_sweep(std::in_place, solving.stages, "sweep orders and first sweep");
+  std::optional<ShownStage> stage(std::in_place, solving.stages, "sweep orders");
+  bool is_sweeping = false;
   const auto observe = [&](const SweepProgress& progress) {
-    first_sweep.reset();
+    stage.reset();
     solving.interruption.note_the_first();
     display.show(progress);
     checkpoints.consider(progress);
@@ -49,13 +50,18 @@ std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const Visible
   };
   SolveOptions options = solving.options;
   options.stops = [&] { return interruption.is_overdue(); };
-  options.sweep_share = [&, show = first_sweep->observer()](double share) {
-    if (first_sweep) show(share);
+  options.orders_share = [&](double share) {
+    if (stage && !is_sweeping) stage->observer()(share);
+  };
+  options.sweep_share = [&](double share) {
+    if (stage && !is_sweeping) stage.emplace(solving.stages, "first sweep");
+    is_sweeping = true;
+    if (stage) stage->observer()(share);
   };
   try {
     Solution solution = solve_rotated(uncollided, solving.directions.sets, options, observe,
                                       solving.directions.first_collided, reader);
-    first_sweep.reset();
+    stage.reset();
     display.finish();
     return solution;
   } catch (const SolveStopped& stopped) {

@@ -10,7 +10,7 @@ namespace etendue {
 
 SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions,
                          std::size_t cells_per_tile, LevelOrder levels, std::size_t bytes, int threads,
-                         const std::function<bool()>& stops)
+                         const std::function<bool()>& stops, const std::function<void(double)>& share)
     : graph_(mesh),
       tiles_(mesh, cells_per_tile),
       directions_(directions),
@@ -24,6 +24,7 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
   std::vector<std::size_t> lagged(orders_.size(), 0);
   std::vector<std::uint32_t> slots(orders_.size(), 0);
   std::atomic<bool> stopped = false;
+  std::int32_t made = 0;
 #pragma omp parallel num_threads(threads)
   {
     SweepOrderMaker maker(graph_, tiles_, levels_);
@@ -39,6 +40,9 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
       lagged[p] = order.lagged.size();
       slots[p] = order.slot_count;
       if (is_kept) orders_[p] = std::move(order);
+      if (!share) continue;
+#pragma omp critical(share_of_sweep_orders)
+      share(static_cast<double>(++made) / pairs);
     }
   }
   if (stopped) throw SweepStopped{};

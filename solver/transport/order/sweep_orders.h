@@ -25,10 +25,11 @@ struct OwnedOrder {
 /// the memory that is allowed; the others are made again whenever they are needed.
 class SweepOrders {
  public:
-  /// The arguments but for `stops` must outlive it. `bytes` bounds what is kept. Where `stops`, asked by all
-  /// threads, says so, SweepStopped is thrown.
+  /// The mesh and the directions must outlive it. `bytes` bounds what is kept. Where `stops`, asked by all
+  /// threads, says so, SweepStopped is thrown. `share` is told by one thread at a time which share is made.
   SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t cells_per_tile,
-              LevelOrder levels, std::size_t bytes, int threads, const std::function<bool()>& stops = {});
+              LevelOrder levels, std::size_t bytes, int threads, const std::function<bool()>& stops = {},
+              const std::function<void(double)>& share = {});
 
   /// The order of ordinate 2 `pair`; 2 `pair` + 1 walks it backwards. `remade` holds it if it was not kept;
   /// `maker`, null at first, is one of the calling thread.

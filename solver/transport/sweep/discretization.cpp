@@ -54,7 +54,7 @@ std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, con
   auto orders = std::make_shared<const SweepOrders>(
       mesh, directions, cells_per_tile(cell_count, cell_bytes, options.cache_bytes),
       skips_faces(cells.stride()) ? LevelOrder::alike : LevelOrder::neighbours, options.order_memory,
-      thread_count(options.threads), options.stops);
+      thread_count(options.threads), options.stops, options.orders_share);
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return orders;
 }

@@ -73,9 +73,16 @@ TEST(SweepShare, RisesToOneInASweep) {
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 1, 0, 0.2), uniform_wall(1, 0.3, 0, 0));
   SolveOptions options;
   options.threads = 2;
-  std::vector<double> shares;
+  std::vector<double> shares, made;
   options.sweep_share = [&](double share) { shares.push_back(share); };
+  options.orders_share = [&](double share) {
+    EXPECT_TRUE(shares.empty());
+    made.push_back(share);
+  };
   ASSERT_EQ(solve(problem, directions_product(8), options).convergence.at(0).sweeps, 1);
+  ASSERT_EQ(made.size(), static_cast<std::size_t>(directions_product(8).count() / 2));
+  EXPECT_TRUE(std::ranges::is_sorted(made));
+  EXPECT_EQ(made.back(), 1);
   ASSERT_GT(shares.size(), 1u);
   EXPECT_GT(shares.front(), 0);
   EXPECT_TRUE(std::ranges::is_sorted(shares));
