@@ -8,6 +8,9 @@
 
 namespace etendue {
 
+/// Where all is colder, changes are judged as if something had this temperature [K].
+inline constexpr double least_highest_temperature = 1;
+
 /// Temperatures that bring the heat of media into balance where light diffuses and all bands are one,
 ///
 ///     -div(k grad t) + w t - kappa F = gain,    -div(D grad F) + kappa F = w t,

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/vector_sums.h"
+#include "solver/heat/heat_sinks.h"
 #include "solver/transport/sweep/finite_check.h"
 
 namespace etendue {
@@ -31,6 +32,7 @@ TemperatureIteration::TemperatureIteration(const Problem& problem, const HeatPro
   for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = space_.value(i, heat.start);
   check_media();
   check_conductors();
+  check_heat_sinks(problem, heat, space_);
   set_sources();
 }
 
@@ -106,7 +108,7 @@ double TemperatureIteration::improve(const LightAtVertices& light) {
       balance_.gains(temperature_, blackbodies_, {fluence, irradiance, light.half_range});
   const std::vector<double> changes = diffusion_.changes(temperature_, blackbodies_, gains);
   const std::vector<double> step = mixing_.step(values_, changes);
-  const double highest = largest_magnitude(temperature_);
+  const double highest = std::max(largest_magnitude(temperature_), least_highest_temperature);
   change_ = 0;
   for (std::size_t i = 0; i < step.size(); ++i) {
     if (!std::isfinite(step[i]))

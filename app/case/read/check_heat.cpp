@@ -78,7 +78,7 @@ void check_heat(const Case& input, std::vector<Fault>& faults) {
     refuse("and its emission with it: not as a light (not in this version); leave uncollided out");
   if (input.exact) refuse("not with [exact] (not in this version); leave it out");
   if (!has_heat_sink(input))
-    refuse("and nothing takes its heat away; give a wall a temperature or emissivity");
+    refuse("and nothing takes its heat away; give a wall a temperature, or convection with h above 0");
 }
 
 }  // namespace etendue

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/case/temperatures.h"
 #include "app/progress/text_table.h"
 #include "app/run/report/run_log.h"
 #include "app/write/result/balance_check.h"
@@ -123,9 +124,11 @@ std::string negative_text(const RunResult& result) {
         band.place.y(), band.place.z());
   }
   if (text.empty()) return "";
+  const char* rescaling = iterates_temperatures(result.input)
+                              ? ""
+                              : ", or space.positivity = \"rescale\" where no value may be negative";
   return text + "    " + weight_of_negative(largest) +
-         "\n    what helps: smaller cells there, or space.positivity = \"rescale\" where no value may be "
-         "negative (docs/user/positivity.md)\n";
+         fmt::format("\n    what helps: smaller cells there{} (docs/user/positivity.md)\n", rescaling);
 }
 
 }  // namespace

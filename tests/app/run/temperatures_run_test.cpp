@@ -173,6 +173,44 @@ TEST(TemperaturesRun, NeedSomethingThatTakesTheHeatAway) {
   EXPECT_TRUE(has(outcome.err, "nothing takes its heat away")) << outcome.err;
 }
 
+// The sheet seals the upper half, whose walls give heat and take none.
+TEST(TemperaturesRun, NeedAWayOutOfEachVolume) {
+  const std::string halves =
+      "[[mesh.sheet]]\nfront = \"up\"\nback = \"down\"\nmin = [0, 0, 0.5]\nmax = [1, 1, 0.5]\n"
+      "[bands]\nnames = [\"a\", \"b\"]\nedges = [1, 3000, 1e9]\n[media.gas]\nabsorption = 0\n"
+      "[walls.\"*\"]\nspecular = 1\n[walls.zmin]\ntemperature = 1000\n[walls.down]\nemissivity = 0.5\n"
+      "[walls.up]\nemissivity = 0.6\nheat_flux = 300\n[walls.zmax]\nemissivity = 0.6\n";
+  const Outcome sealed = etendue_says({"run", CaseFolder(cube_with(halves + "heat_flux = 0\n")).file()});
+  EXPECT_EQ(sealed.code, ExitCode::input_error) << sealed.out;
+  EXPECT_TRUE(has(sealed.err, "no way out of the volume")) << sealed.err;
+  const CaseFolder folder(cube_with(halves + "convection = { h = 10, ambient = 300 }\n"));
+  const Outcome cooled = etendue_says({"run", folder.file(), "--set", "solve.tolerance=1e-8"});
+  ASSERT_EQ(cooled.code, ExitCode::done) << cooled.err;
+  const CsvTable heat(text_of(folder.path() / "results" / "heat.csv"));
+  EXPECT_NEAR(heat.number({"wall", "zmax"}, "temperature"), 330, 1e-3);
+}
+
+TEST(TemperaturesRun, OfAColdRoomAreZero) {
+  const CaseFolder folder(
+      cube_with("[media.gas]\nabsorption = 0\n[walls.\"*\"]\nemissivity = 0.8\n"
+                "convection = { h = 10, ambient = 0 }\n"));
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err << outcome.out;
+  const CsvTable heat(text_of(folder.path() / "results" / "heat.csv"));
+  EXPECT_NEAR(heat.number({"wall", "zmax"}, "temperature"), 0, 1e-3);
+}
+
+TEST(TemperaturesRun, OfAWallThatDoesNotAbsorbIsThatOfTheConductorBesideIt) {
+  const CaseFolder folder(
+      cube_with("[media.gas]\nabsorption = 0\nconductivity = 5\n[walls.\"*\"]\nspecular = 1\n"
+                "[walls.zmin]\nemissivity = 0.0\ntemperature = 700\n[walls.zmax]\nemissivity = 0.0\n"
+                "convection = { h = 20, ambient = 300 }\n"));
+  const Outcome outcome = etendue_says({"run", folder.file(), "--set", "solve.tolerance=1e-9"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err << outcome.out;
+  const CsvTable heat(text_of(folder.path() / "results" / "heat.csv"));
+  EXPECT_NEAR(heat.number({"wall", "zmax"}, "temperature"), 380, 1e-4);  // 20 (T - 300) = 5 (700 - T)
+}
+
 TEST(TemperaturesRun, OfASavedStateAreReadOutByOneSweep) {
   const CaseFolder folder(cube_with(kOven));
   ASSERT_EQ(etendue_says({"run", folder.file()}).code, ExitCode::done);

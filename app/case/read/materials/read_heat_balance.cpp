@@ -27,7 +27,7 @@ std::string wall_problem(const Section& section, const ThermalContext& context, 
   }
   if (!wall.glossy.empty() || wall.refractive_index != 1 || transmits)
     return "not beside glossy, refractive_index or transmittance (not in this version); give a temperature";
-  if (!absorbs)
+  if (!absorbs && !(wall.convection && wall.convection->heat_transfer_coefficient > 0))
     return "the wall does not absorb, so its temperature does not follow from light; reflect less, or leave "
            "it "
            "out";
@@ -69,10 +69,10 @@ void read_heat_source(Section& section, const ThermalContext& context, MediumCas
 
 void read_wall_heat(Section& section, const ThermalContext& context, bool beside_conductors, WallCase& wall) {
   if (!section.has("heat_flux") && !section.has("convection")) return;
-  const std::string problem = wall_problem(section, context, wall);
-  if (!problem.empty()) return section.fault(section.has("heat_flux") ? "heat_flux" : "convection", problem);
   if (section.has("heat_flux")) wall.heat_flux = section.number("heat_flux");
   if (section.has("convection")) wall.convection = read_convection(section.section("convection"));
+  const std::string problem = wall_problem(section, context, wall);
+  if (!problem.empty()) return section.fault(section.has("heat_flux") ? "heat_flux" : "convection", problem);
   // What a gray wall absorbs it gives back, as if it reflected it.
   wall.reradiates = !wall.convection && !beside_conductors && is_one_gray_band(context.bands);
   if (wall.reradiates)
