@@ -146,7 +146,7 @@ TEST(ReadHeatBalance, RefusesConvectionThatSaysTooLittleOrTooMuch) {
   says("convection = { ambient = 300 }\n", "convection.h");
   says("convection = { h = -1, ambient = 300 }\n", "at least 0");
   says("convection = { h = 1, ambient = 300 }\ntemperature = 400\n", "temperature is given too");
-  says("convection = { h = 1, ambient = 300 }\nspecular = 1\n", "does not absorb");
+  says("convection = { h = 0, ambient = 300 }\nspecular = 1\n", "does not absorb");
   says("convection = { h = 1, ambient = 300 }\nrefractive_index = 1.5\n", "not beside glossy");
   says("convection = { h = 1, ambient = 300 }\n[solve]\nmethod = \"photons\"\n", "not by photons");
   says("convection = { h = 1, ambient = 300 }\nuncollided = true\n", "not as a light");
