@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "base/blackbody.h"
-#include "base/vector_sums.h"
 #include "mesh/tetrahedra/bounding_box.h"
 #include "solver/materials/phase/phase_function.h"
 #include "solver/problem/band_blackbody.h"
@@ -250,7 +249,7 @@ std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
                                            const Blackbodies& blackbodies,
                                            std::span<const double> gains) const {
   const TetrahedralMesh& mesh = problem_.mesh();
-  const double highest = std::max(largest_magnitude(temperature), least_highest_temperature);
+  const double highest = highest_temperature(temperature);
   const double kelvin = 1 / (16 * stefan_boltzmann * std::pow(highest, 3));
   const GrayCells gray(problem_, space_, blackbodies, highest, longest_path_);
   std::vector<GrayCell> cells;

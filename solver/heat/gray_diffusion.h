@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
+#include "base/vector_sums.h"
 #include "solver/heat/heat_balance.h"
 
 namespace etendue {
 
-/// Where all is colder, changes are judged as if something had this temperature [K].
-inline constexpr double least_highest_temperature = 1;
+/// The highest of some temperatures by its magnitude, at least 1 K: of what is colder, changes are judged by
+/// that.
+inline double highest_temperature(std::span<const double> kelvin) {
+  return std::max(largest_magnitude(kelvin), 1.0);
+}
 
 /// Temperatures that bring the heat of media into balance where light diffuses and all bands are one,
 ///

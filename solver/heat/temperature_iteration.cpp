@@ -108,7 +108,7 @@ double TemperatureIteration::improve(const LightAtVertices& light) {
       balance_.gains(temperature_, blackbodies_, {fluence, irradiance, light.half_range});
   const std::vector<double> changes = diffusion_.changes(temperature_, blackbodies_, gains);
   const std::vector<double> step = mixing_.step(values_, changes);
-  const double highest = std::max(largest_magnitude(temperature_), least_highest_temperature);
+  const double highest = highest_temperature(temperature_);
   change_ = 0;
   for (std::size_t i = 0; i < step.size(); ++i) {
     if (!std::isfinite(step[i]))

@@ -6,6 +6,7 @@
 
 #include "app/case/build/entry_of.h"
 #include "app/case/build/temperature_range.h"
+#include "app/case/temperatures.h"
 #include "app/case/values/value_algebra.h"
 
 namespace etendue {
@@ -33,6 +34,7 @@ double usual_temperature(const Case& input, const TetrahedralMesh& mesh) {
 }  // namespace
 
 std::optional<HeatProblem> build_heat(const Case& input, const TetrahedralMesh& mesh) {
+  if (!iterates_temperatures(input)) return std::nullopt;
   HeatProblem heat;
   heat.start = usual_temperature(input, mesh);
   for (const std::string& name : mesh.region_names()) {

@@ -26,7 +26,8 @@ struct OwnedOrder {
 class SweepOrders {
  public:
   /// The mesh and the directions must outlive it. `bytes` bounds what is kept. Where `stops`, asked by all
-  /// threads, says so, SweepStopped is thrown. `share` is told by one thread at a time which share is made.
+  /// threads, says so, SweepStopped is thrown. `share` is called by one thread at a time with the share that
+  /// is made.
   SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t cells_per_tile,
               LevelOrder levels, std::size_t bytes, int threads, const std::function<bool()>& stops = {},
               const std::function<void(double)>& share = {});
