@@ -111,6 +111,7 @@ struct DirectionChoice {
   std::string set;
   int order = 1;
   Origin origin;
+  std::string reason = {};  ///< for people, where the case does not choose it; else empty
 };
 
 enum class LightKind { point, spot, sun, beam, disc, rectangle, wall, sky };

@@ -62,8 +62,10 @@ std::string summary_of(const Case& input) {
                                  input.rotations > 1 ? fmt::format(", {} rotations", input.rotations) : "")});
   if (input.first_collided) {
     const DirectionSet first = make_directions(input.first_collided->set, input.first_collided->order);
-    table.add_row({"of light that collided once",
-                   fmt::format("{} {}: {}", first.name(), first.order(), first.count())});
+    const std::string& reason = input.first_collided->reason;
+    table.add_row(
+        {"of light that collided once", fmt::format("{} {}: {}{}", first.name(), first.order(), first.count(),
+                                                    reason.empty() ? "" : " (" + reason + ")")});
   }
   table.add_row({"solve", fmt::format("tolerance {}, at most {} sweeps", input.solve.tolerance,
                                       input.solve.max_sweeps)});

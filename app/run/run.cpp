@@ -124,8 +124,8 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
   const RunMemory expected = setup.memory();
   const std::string memory = memory_text(expected, problem);
   const Resolution resolution = setup.resolution(problem);
-  out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions), problem.band_count(),
-                     options.threads)
+  out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions, input),
+                     problem.band_count(), options.threads)
       << refraction_caution(all_directions, problem) << resolution_text(resolution) << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
   for (const std::string& plan : plan_texts(problem, directions))

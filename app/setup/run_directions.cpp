@@ -18,15 +18,17 @@ const DirectionSet& finest(const RunDirections& directions) {
   return directions.first_collided.empty() ? directions.sets.front() : directions.first_collided.front();
 }
 
-std::string directions_line(const RunDirections& directions) {
+std::string directions_line(const RunDirections& directions, const Case& input) {
   const DirectionSet& set = directions.sets.front();
   const std::size_t rotations = directions.sets.size();
   std::string line = fmt::format("directions: {} ({} {}){}", set.count(), set.name(), set.order(),
                                  rotations > 1 ? fmt::format(", {} rotations", rotations) : "");
   if (directions.first_collided.empty()) return line;
   const DirectionSet& first = directions.first_collided.front();
-  return line + fmt::format(", once {} ({} {}) for light that has collided once", first.count(), first.name(),
-                            first.order());
+  line += fmt::format(", once {} ({} {}) for light that has collided once", first.count(), first.name(),
+                      first.order());
+  const std::string& reason = input.first_collided->reason;
+  return reason.empty() ? line : line + " (" + reason + ")";
 }
 
 std::string refraction_caution(const RunDirections& directions, const Problem& problem) {

@@ -21,8 +21,8 @@ RunDirections run_directions(const Case& input, const Problem& problem, const Li
 /// Of light that has collided once, where that is swept on a set of its own.
 const DirectionSet& finest(const RunDirections& directions);
 
-/// For people.
-std::string directions_line(const RunDirections& directions);
+/// For people; with the reason of a set that the case did not ask for.
+std::string directions_line(const RunDirections& directions, const Case& input);
 
 /// Says which refracting walls have too few directions within their critical angle for weights of their own.
 std::string refraction_caution(const RunDirections& directions, const Problem& problem);

@@ -24,10 +24,16 @@ KeyTable refinement_keys() {
 
 KeyTable first_collided_keys() {
   KeyTable t("directions.first_collided");
-  t.key("set", text, {.default_value = "\"ldfe-sq\"", .choices = direction_set_names()},
-        "As of [directions]; turned with it.");
-  t.key("order", integer, {.range = {.lowest = 1, .highest = 1e4}, .need = required},
-        "What it means depends on the set.");
+  std::vector<std::string> sets = direction_set_names();
+  sets.emplace_back("none");
+  t.key(
+      "set", text, {.default_value = "\"ldfe-sq\"", .choices = std::move(sets)},
+      "As of [directions]; turned with it. none: light that has collided once stays on the directions of the "
+      "rest. Without this table a spot in a medium that scatters into a lobe narrower than the directions "
+      "are "
+      "apart has the set ldfe-sq of order 4, and the run says so.");
+  t.key("order", integer, {.range = {.lowest = 1, .highest = 1e4}},
+        "What it means depends on the set; needed but for none.");
   return t;
 }
 

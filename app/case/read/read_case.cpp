@@ -9,6 +9,7 @@
 #include "app/case/keys/section.h"
 #include "app/case/read/check_heat.h"
 #include "app/case/read/eye_check.h"
+#include "app/case/read/first_collided_default.h"
 #include "app/case/read/lights/read_light.h"
 #include "app/case/read/materials/read_matter.h"
 #include "app/case/read/read_camera.h"
@@ -116,6 +117,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
     check_seen_by_eye(result, faults);
     check_sensors_see_lights(result, faults);
   }
+  if (faults.empty()) choose_first_collided(top.section("directions").has("first_collided"), result);
   report_unused(root, faults);
   check_mesh_files(result.mesh, faults);
   if (!faults.empty()) throw InputError(std::move(faults));

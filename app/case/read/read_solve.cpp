@@ -42,12 +42,18 @@ std::optional<DirectionChoice> read_first_collided(Section& directions, AngularS
   if (!directions.has("first_collided")) return std::nullopt;
   Section table = directions.section("first_collided");
   const std::string set = table.text("set");
+  if (set == "none") {
+    table.unused("order", "there is no set of directions of its own");
+    return std::nullopt;
+  }
   const auto order = table.number_if("order");
   if (space == AngularSpace::plane || angular_space(set) == AngularSpace::plane) {
     directions.fault("first_collided", "no light is followed along rays in flatland; use sets on the sphere");
     return std::nullopt;
   }
-  if (!order || table.node().find("set")->faulty) return std::nullopt;
+  if (table.node().find("set")->faulty) return std::nullopt;
+  if (!table.has("order")) table.fault("order", "missing; an integer from 1 to 10000");
+  if (!order) return std::nullopt;
   DirectionChoice choice{set, static_cast<int>(*order), table.origin("order")};
   const std::string problem = check_direction_order(choice.set, choice.order);
   if (!problem.empty()) table.fault("order", problem);

@@ -7,14 +7,12 @@
 #include <set>
 
 #include "base/order_statistics.h"
+#include "solver/materials/phase/half_width.h"
 #include "solver/transport/cells/cell_coefficients.h"
 #include "solver/transport/scattering/scattering_plan.h"
 
 namespace etendue {
 namespace {
-
-/// Angles at which a phase function is sampled, from 1e-4 rad on, each larger by this factor.
-constexpr double first_angle = 1e-4, ratio = 1.02;
 
 bool shines(const Wall& wall) {
   const auto positive = [](double value) { return value > 0; };
@@ -103,13 +101,6 @@ std::optional<NarrowPhase> narrowest_phase(const Problem& problem) {
 }
 
 }  // namespace
-
-double half_width(const PhaseFunction& phase) {
-  const double forward = phase_value(phase, 1);
-  for (double angle = first_angle; angle < std::numbers::pi; angle *= ratio)
-    if (phase_value(phase, std::cos(angle)) < forward / 2) return angle;
-  return std::numbers::pi;
-}
 
 Resolution resolution_of(const Problem& problem, const DirectionSet& directions, const CellLocator& cells) {
   const TetrahedralMesh& mesh = problem.mesh();

@@ -36,7 +36,4 @@ struct Resolution {
 /// `cells` locates the points of the mesh of the problem.
 Resolution resolution_of(const Problem& problem, const DirectionSet& directions, const CellLocator& cells);
 
-/// Angle [rad] at which a phase function has fallen to half of its value at deflection 0, pi if it does not.
-double half_width(const PhaseFunction& phase);
-
 }  // namespace etendue

@@ -74,6 +74,10 @@ const Check later[] = {
      "the ordinates of the other; use no output field \"radiance:K\", or no first_collided"},
     {"FirstCollidedWithoutOrder", "[directions]\nfirst_collided = { set = \"product\" }\n",
      "slab.toml:8: directions.first_collided.order: missing; an integer from 1 to 10000"},
+    {"FirstCollidedOfNoneWithOrder", "[directions]\nfirst_collided = { set = \"none\", order = 4 }\n",
+     "slab.toml:8: directions.first_collided.order = 4: unused (there is no set of directions of its own); "
+     "remove "
+     "it"},
     {"FirstCollidedOfOddOrder", "[directions]\nfirst_collided = { set = \"product\", order = 3 }\n",
      "slab.toml:8: directions.first_collided.order = 3: must be even (the levels of a product set lie in "
      "pairs above and below the equator); use 2, 4, 6 … 222"},

@@ -15,16 +15,6 @@ namespace {
 
 using std::numbers::pi;
 
-TEST(HalfWidth, OfHenyeyGreensteinIsInClosedForm) {
-  for (const double g : {0.5, 0.9, 0.99}) {
-    // (1 + g^2 - 2 g cos)^(3/2) = 2 (1 - g)^3
-    const double cosine = (1 + g * g - std::pow(2, 2. / 3) * (1 - g) * (1 - g)) / (2 * g);
-    EXPECT_NEAR(half_width(PhaseHenyeyGreenstein{g}) / std::acos(cosine), 1, 0.02) << g;
-  }
-  EXPECT_EQ(half_width(PhaseIsotropic{}), pi);
-  EXPECT_EQ(half_width(PhaseHenyeyGreenstein{-0.5}), pi);
-}
-
 Resolution found_for(const TetrahedralMesh& mesh, const Medium& medium, const Light& light) {
   const Problem problem(mesh, {}, {medium},
                         std::vector<Wall>(mesh.wall_names().size(), uniform_wall(1, 0, 0, 0)),
