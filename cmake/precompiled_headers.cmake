@@ -24,17 +24,6 @@ function(etendue_precompiled_header name flags)
        CONTENT "${ARGN} ${CMAKE_CXX_COMPILER_VERSION} ${Eigen3_VERSION} ${fmt_VERSION} ${GTest_VERSION}\n")
 endfunction()
 
-# The targets of a folder and of those in it.
-function(etendue_targets_below folder result)
-  get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
-  get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
-  foreach(below IN LISTS folders)
-    etendue_targets_below(${below} more)
-    list(APPEND targets ${more})
-  endforeach()
-  set(${result} ${targets} PARENT_SCOPE)
-endfunction()
-
 # Lets every compiled target below a folder read a precompiled header. Targets with instruction sets of their own
 # (ETENDUE_OWN_ISA), with CGAL's rounding, or with the language standard of VTK and OpenEXR cannot.
 function(etendue_use_precompiled_header name flags folder)

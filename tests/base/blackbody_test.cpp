@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace etendue {
+namespace etendue::blackbody_test {
 namespace {
 
 // Modest, Radiative Heat Transfer, appendix C: F over lambda T [um K] to five digits.
@@ -65,4 +65,4 @@ TEST(BlackbodyFraction, IsNothingWhereNothingGlows) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::blackbody_test

@@ -13,7 +13,7 @@
 
 #include "base/errors.h"
 
-namespace etendue {
+namespace etendue::child_process_test {
 namespace {
 
 TEST(ChildProcess, GivesBackLinesResultAndExitCode) {
@@ -141,4 +141,4 @@ TEST(ChildProcess, ReportsAnExceptionOfTheWork) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::child_process_test

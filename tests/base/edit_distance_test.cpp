@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace etendue {
+namespace etendue::edit_distance_test {
 namespace {
 
 const std::vector<std::string> names = {"absorption", "scattering", "phase"};
@@ -38,4 +38,4 @@ TEST(Enumeration, EndsWithOr) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::edit_distance_test

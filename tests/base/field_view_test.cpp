@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace etendue {
+namespace etendue::field_view_test {
 namespace {
 
 /// 0, 1, 2, …: each value tells where it lies.
@@ -47,4 +47,4 @@ TEST(FieldView, TakesMeansOfOneBandOverTheCorners) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::field_view_test

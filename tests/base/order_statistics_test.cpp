@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::order_statistics_test {
 namespace {
 
 TEST(Median, IsInTheMiddleOrAboveIt) {
@@ -22,4 +22,4 @@ TEST(Quantile, HasItsShareOfTheOthersBelow) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::order_statistics_test

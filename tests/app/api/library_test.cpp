@@ -12,11 +12,12 @@
 #include <etendue/etendue.h>
 
 #include "app/write/image/image_files.h"
+#include "tests/support/checkout.h"
 
-namespace etendue {
+namespace etendue::library_test {
 namespace {
 
-const std::filesystem::path small_case = ETENDUE_SOURCE_DIR "/tests/app/api/small_case.toml";
+const std::filesystem::path small_case = test::checkout("tests/app/api/small_case.toml");
 const Case::Overrides by_photons = {"solve.method=\"photons\"", "solve.photons=20000",
                                     "solve.probe_photons=2000"};
 const Case::Overrides by_radiosity = {"solve.method=\"radiosity\"", "media.air.absorption=0",
@@ -211,4 +212,4 @@ TEST(Library, ChecksACaseOnAMesh) {
 TEST(Library, HasAVersion) { EXPECT_EQ(version().find('.'), 1U); }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::library_test

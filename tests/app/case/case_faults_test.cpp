@@ -3,7 +3,7 @@
 
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::case_faults_test {
 namespace {
 
 struct Check {
@@ -376,4 +376,4 @@ TEST(CaseFaults, OfAFormulaWithAUnitSayThatItIsNone) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::case_faults_test

@@ -7,7 +7,7 @@
 
 #include "solver/exact/exact_radiance.h"
 
-namespace etendue {
+namespace etendue::exact_family_test {
 namespace {
 
 const Vec3 point(0.3, 0.9, 0.6);
@@ -70,4 +70,4 @@ TEST(ExactFamily, HasTheOrderThatItsSmoothnessAllows) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::exact_family_test

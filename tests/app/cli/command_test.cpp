@@ -10,7 +10,7 @@
 #include "tests/app/run/small_case.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::command_test {
 namespace {
 
 using test::CaseFolder;
@@ -380,4 +380,4 @@ TEST(Memory, RefusesWhatTheMachineDoesNotHaveWithTheFigure) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::command_test

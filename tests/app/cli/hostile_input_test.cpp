@@ -7,7 +7,7 @@
 
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::hostile_input_test {
 namespace {
 
 using test::CaseFolder;
@@ -121,4 +121,4 @@ TEST(HostileInput, LimitsOfTheSystemAreFileErrorsWithTheirCause) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::hostile_input_test

@@ -9,7 +9,7 @@
 #include "tests/app/run/small_case.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::compare_test {
 namespace {
 
 using test::CaseFolder;
@@ -54,4 +54,4 @@ TEST(Compare, OrdinatesAndPhotonsAgree) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::compare_test

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace etendue {
+namespace etendue::error_estimate_test {
 namespace {
 
 using nlohmann::json;
@@ -123,4 +123,4 @@ TEST(ErrorEstimate, IsWrittenAsTableAndAsJson) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::error_estimate_test

@@ -12,7 +12,7 @@
 
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::estimate_test {
 namespace {
 
 using nlohmann::json;
@@ -207,4 +207,4 @@ TEST(Estimate, TellsPhotometryAndRatiosOfSensors) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::estimate_test

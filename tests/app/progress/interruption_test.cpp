@@ -10,8 +10,9 @@
 #include <thread>
 
 #include "tests/app/run/small_case.h"
+#include "tests/support/checkout.h"
 
-namespace etendue {
+namespace etendue::interruption_test {
 namespace {
 
 using nlohmann::json;
@@ -285,7 +286,7 @@ TEST(Interruption, BeforeABatchOfHistoriesIsWholeLeavesNothing) {
 TEST(Interruption, WhileFollowingLightsLeavesNothing) {
   const ScratchFolder folder;
   const std::filesystem::path said = folder.path() / "said";
-  Process run({"run", std::string(ETENDUE_SOURCE_DIR) + "/cases/kobayashi-3/uncollided.toml", "--output",
+  Process run({"run", test::checkout("cases/kobayashi-3/uncollided.toml"), "--output",
                (folder.path() / "results").string(), "--set",
                R"(mesh.max_volume={ "*" = 400, void = 2, source = 0.1 })"},
               said);
@@ -333,4 +334,4 @@ TEST(Interruption, KilledRunLeavesItsLastWholeCheckpoint) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::interruption_test

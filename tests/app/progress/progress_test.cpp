@@ -8,7 +8,7 @@
 #include <limits>
 #include <sstream>
 
-namespace etendue {
+namespace etendue::progress_test {
 namespace {
 
 /// Shows sweeps of a tenth of a second each, the residual falling by ten.
@@ -71,4 +71,4 @@ TEST(Progress, IsPlainWhereThereIsNoTerminal) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::progress_test

@@ -14,7 +14,7 @@
 #include "app/progress/stage_progress.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::stage_forecast_test {
 namespace {
 
 using nlohmann::json;
@@ -163,4 +163,4 @@ TEST(StageSeconds, OfRadiosityAddUpToo) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::stage_forecast_test

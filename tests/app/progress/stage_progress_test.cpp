@@ -12,7 +12,7 @@
 
 #include "base/child_process.h"
 
-namespace etendue {
+namespace etendue::stage_progress_test {
 namespace {
 
 std::string shown(ProgressStyle style) {
@@ -71,4 +71,4 @@ TEST(ShownStage, LetsProcessesBeStarted) {
 TEST(StageProgress, CanBeSilent) { EXPECT_EQ(shown(ProgressStyle::none), ""); }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::stage_progress_test

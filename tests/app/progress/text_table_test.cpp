@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::text_table_test {
 namespace {
 
 TEST(TextTable, AlignsItsColumns) {
@@ -42,4 +42,4 @@ TEST(TextTable, NumbersWithAnErrorHaveTheDigitsThatItLeaves) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::text_table_test

@@ -15,7 +15,7 @@
 #include "tests/app/run/csv_table.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::cie171_test {
 namespace {
 
 using std::numbers::pi;
@@ -126,4 +126,4 @@ TEST(Cie171, SkyComponentBesideAFacadeOpening) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::cie171_test

@@ -13,7 +13,7 @@
 #include "tests/app/run/box_case.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::glare_sensor_test {
 namespace {
 
 using std::numbers::pi;
@@ -154,4 +154,4 @@ TEST(GlareSensor, TellsPlainNumbersWithoutAUnitAndWhereNothingGlares) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::glare_sensor_test

@@ -10,8 +10,9 @@
 #include "tests/app/readings/sensor_table.h"
 #include "tests/app/run/small_case.h"
 #include "tests/solver/observe/sensors/reference_rows.h"
+#include "tests/support/checkout.h"
 
-namespace etendue {
+namespace etendue::irradiance_references_test {
 namespace {
 
 using std::numbers::pi;
@@ -67,9 +68,9 @@ std::string open_sky() {
 /// A mesh of validation/benchmarks/occlusion one of whose walls shines.
 std::string shining_wall(const std::string& file, int wall) {
   return fmt::format(
-      "[mesh]\nsurface = \"{}/validation/benchmarks/occlusion/{}\"\nmax_volume = 100\nquality = "
+      "[mesh]\nsurface = \"{}\"\nmax_volume = 100\nquality = "
       "10\n[walls.{}]\nradiance = 1\nuncollided = true\n[walls.\"*\"]\n",
-      ETENDUE_SOURCE_DIR, file, wall);
+      test::checkout("validation/benchmarks/occlusion/" + file), wall);
 }
 
 /// A room of a reference, and where a meter is in it and faces.
@@ -171,4 +172,4 @@ TEST(Sensors, ShowThePartOfTheSkyThatIsOpen) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::irradiance_references_test

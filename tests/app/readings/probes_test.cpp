@@ -6,7 +6,7 @@
 #include "base/errors.h"
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::probes_test {
 namespace {
 
 using test::SampleRun;
@@ -51,4 +51,4 @@ TEST(Probes, WithANormalGetAMeterForEachPoint) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::probes_test

@@ -10,7 +10,7 @@
 #include "tests/app/run/csv_table.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::sensor_regions_test {
 namespace {
 
 using std::numbers::pi;
@@ -245,4 +245,4 @@ TEST(Sensors, BetweenWhatDoesNotTouchAreRefused) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sensor_regions_test

@@ -19,7 +19,7 @@
 #include "tests/app/run/csv_table.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::sensors_test {
 namespace {
 
 using std::numbers::pi;
@@ -293,4 +293,4 @@ TEST(Sensors, OutsideOfTheMeshAreRefused) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sensors_test

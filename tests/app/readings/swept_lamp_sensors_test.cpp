@@ -9,7 +9,7 @@
 #include "tests/app/readings/sensor_table.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::swept_lamp_sensors_test {
 namespace {
 
 using test::CaseFolder;
@@ -84,4 +84,4 @@ TEST(SweptLampSensors, TellLampsApartOfWhichOneIsLeftToTheDirections) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::swept_lamp_sensors_test

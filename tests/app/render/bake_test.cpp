@@ -3,7 +3,7 @@
 
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::bake_test {
 namespace {
 
 using test::CaseFolder;
@@ -59,4 +59,4 @@ TEST(Bake, SaysWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::bake_test

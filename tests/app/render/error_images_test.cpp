@@ -14,7 +14,7 @@
 #include "tests/solver/transport/linear_fits.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::error_images_test {
 namespace {
 
 std::vector<CameraCase> cameras() {
@@ -222,4 +222,4 @@ TEST(ErrorImages, ErrorOfDirectionsTracksTheSpreadOfRotations) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::error_images_test

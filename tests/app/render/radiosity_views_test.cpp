@@ -12,7 +12,7 @@
 #include "tests/app/run/empty_cube.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::radiosity_views_test {
 namespace {
 
 using test::CaseFolder;
@@ -114,4 +114,4 @@ TEST(RadiosityViews, RefusesToLookForWhatThereIsNone) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::radiosity_views_test

@@ -5,7 +5,7 @@
 
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::render_test {
 namespace {
 
 using test::CaseFolder;
@@ -200,4 +200,4 @@ TEST(Run, PhotographsLeavesAndRefusesKernels) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::render_test

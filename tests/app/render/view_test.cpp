@@ -6,8 +6,9 @@
 #include <cstdlib>
 
 #include "tests/app/run/small_case.h"
+#include "tests/support/checkout.h"
 
-namespace etendue {
+namespace etendue::view_test {
 namespace {
 
 using test::CaseFolder;
@@ -22,7 +23,7 @@ class View : public testing::Test {
   bool draws(const std::string& arguments) const {
     const std::filesystem::path picture = folder.path() / "picture.png";
     std::filesystem::remove(picture);
-    const std::string command = ETENDUE_SOURCE_DIR "/scripts/view " + (folder.path() / "results").string() +
+    const std::string command = test::checkout("scripts/view") + " " + (folder.path() / "results").string() +
                                 "/" + arguments + " --pixels 300 200 --output " + picture.string() + " 2>" +
                                 (folder.path() / "view.log").string();
     if (std::system(command.c_str()) != 0 || !std::filesystem::exists(picture)) return false;
@@ -51,4 +52,4 @@ TEST_F(View, SaysWhatThereIsInstead) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::view_test

@@ -5,7 +5,7 @@
 
 #include "base/errors.h"
 
-namespace etendue {
+namespace etendue::command_line_test {
 namespace {
 
 template <class Wanted>
@@ -136,4 +136,4 @@ TEST(CommandLine, ReadsWhatToRender) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::command_line_test

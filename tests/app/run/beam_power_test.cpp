@@ -5,7 +5,7 @@
 
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::beam_power_test {
 namespace {
 
 using test::CaseFolder;
@@ -61,4 +61,4 @@ TEST(BeamPower, ComesInByTheWallThatItMeetsWhereNoneIsNamed) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::beam_power_test

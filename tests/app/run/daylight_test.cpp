@@ -9,7 +9,7 @@
 #include "tests/app/run/box_case.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::daylight_test {
 namespace {
 
 using std::numbers::pi;
@@ -193,4 +193,4 @@ TEST(DaylightFactor, IsOfOneSkyAlone) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::daylight_test

@@ -12,7 +12,7 @@
 #include "tests/app/run/csv_table.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::glazing_test {
 namespace {
 
 using std::numbers::pi;
@@ -156,4 +156,4 @@ TEST(Glazing, StandsInOuterWallsThatDoNothingElse) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::glazing_test

@@ -10,7 +10,7 @@
 #include "tests/app/run/box_case.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::lamp_light_test {
 namespace {
 
 using std::numbers::pi;
@@ -140,4 +140,4 @@ sun_position = { altitude = 40, azimuth = 180 }
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::lamp_light_test

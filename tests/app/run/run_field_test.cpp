@@ -7,7 +7,7 @@
 
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::run_field_test {
 namespace {
 
 using test::CaseFolder;
@@ -190,4 +190,4 @@ TEST(RunField, GivesARadianceOfWallsAndAValueOutside) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::run_field_test

@@ -8,7 +8,7 @@
 
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::run_labels_test {
 namespace {
 
 using nlohmann::json;
@@ -111,4 +111,4 @@ TEST(RunLabels, AreRefusedWithTheirPlace) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::run_labels_test

@@ -6,8 +6,9 @@
 
 #include "tests/app/run/csv_table.h"
 #include "tests/app/run/small_case.h"
+#include "tests/support/checkout.h"
 
-namespace etendue {
+namespace etendue::run_test {
 namespace {
 
 using nlohmann::json;
@@ -50,7 +51,7 @@ TEST(Run, ClosesTheBalanceOfEachBand) {
 TEST(Run, SendsRaysThroughTheFlatCellsOfADuct) {
   // A ray along the planes of this duct met edges whose signs contradicted each other by rounding.
   const ScratchFolder folder;
-  const std::string file = std::string(ETENDUE_SOURCE_DIR) + "/cases/kobayashi-3/uncollided-ii.toml";
+  const std::string file = test::checkout("cases/kobayashi-3/uncollided-ii.toml");
   const Outcome outcome =
       etendue_says({"run", file, "--output", (folder.path() / "duct").string(), "--set", "directions.order=1",
                     "--set", R"(mesh.max_volume={ "*" = 4000, source = 40 })"});
@@ -70,7 +71,7 @@ TEST(Run, TakesTheMeanOfRotatedSets) {
 
 TEST(Run, SweepsLightThatCollidedOnceOnASetOfItsOwn) {
   const ScratchFolder folder;
-  const std::string file = std::string(ETENDUE_SOURCE_DIR) + "/cases/kobayashi-1/uncollided-ii.toml";
+  const std::string file = test::checkout("cases/kobayashi-1/uncollided-ii.toml");
   const auto run = [&](const std::string& first_collided) {
     std::vector<std::string> words = {"run",      file,
                                       "--output", (folder.path() / "ladder").string(),
@@ -227,4 +228,4 @@ TEST(Run, MeasuresTheIrradianceOfAProbeWithANormal) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::run_test

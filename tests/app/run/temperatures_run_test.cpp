@@ -5,7 +5,7 @@
 #include "tests/app/run/csv_table.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::temperatures_run_test {
 namespace {
 
 using test::CaseFolder;
@@ -263,4 +263,4 @@ TEST(TemperaturesRun, WarnsBeyondTheRangeOfGrayGases) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::temperatures_run_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace etendue {
+namespace etendue::richardson_test {
 namespace {
 
 TEST(Richardson, FindsLimitAndOrderOfAPowerWhateverTheRatios) {
@@ -29,4 +29,4 @@ TEST(Richardson, SaysNothingWhereThereIsNoLimit) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::richardson_test

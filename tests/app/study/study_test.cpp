@@ -8,8 +8,9 @@
 
 #include "app/study/study_trust.h"
 #include "tests/app/run/small_case.h"
+#include "tests/support/checkout.h"
 
-namespace etendue {
+namespace etendue::study_test {
 namespace {
 
 using nlohmann::json;
@@ -386,8 +387,7 @@ TEST(ExactRun, RefusesCamerasAndSensors) {
 /// A study of a case in this repository on three meshes that TetGen makes anew.
 json study_of_case(const std::string& name, const std::vector<std::string>& changes) {
   const test::ScratchFolder folder;
-  std::vector<std::string> arguments =
-      study_of(ETENDUE_SOURCE_DIR "/cases/" + name + "/case.toml", "mesh", 3);
+  std::vector<std::string> arguments = study_of(test::checkout("cases/" + name + "/case.toml"), "mesh", 3);
   arguments.insert(arguments.end(), {"--output", folder.path().string()});
   for (const std::string& change : changes) arguments.insert(arguments.end(), {"--set", change});
   const Outcome outcome = etendue_says(arguments);
@@ -415,8 +415,8 @@ TEST(SmoothCase, IsOfFirstOrderWithConstants) {
 
 TEST(LinearCase, IsReproducedToRounding) {
   const test::ScratchFolder folder;
-  const Outcome outcome = etendue_says(
-      {"run", ETENDUE_SOURCE_DIR "/cases/mms-linear/case.toml", "--output", folder.path().string()});
+  const Outcome outcome =
+      etendue_says({"run", test::checkout("cases/mms-linear/case.toml"), "--output", folder.path().string()});
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
   const json summary = json::parse(text_of(folder.path() / "summary.json"));
   EXPECT_LT(summary["exact"][0]["fluence_L2"], 1e-11);
@@ -424,4 +424,4 @@ TEST(LinearCase, IsReproducedToRounding) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::study_test

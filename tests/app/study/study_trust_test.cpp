@@ -7,7 +7,7 @@
 
 #include "app/study/study_forecast.h"
 
-namespace etendue {
+namespace etendue::study_trust_test {
 namespace {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -135,4 +135,4 @@ TEST(StudyForecast, IsToldBeforeAndBetweenLevels) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::study_trust_test

@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::results_test {
 namespace {
 
 using test::SampleRun;
@@ -101,4 +101,4 @@ TEST(Results, InAPlaceThatIsAFileAreRefused) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::results_test

@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "base/expression/expression.h"
 
-namespace etendue {
+namespace etendue::differentiable_test {
 namespace {
 
 const std::vector<std::string> names = {"x", "y", "z"};
@@ -105,4 +105,4 @@ TEST(DifferentiableExpression, RefusesWhatIsNoFormula) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::differentiable_test

@@ -11,7 +11,7 @@
 #include "base/blackbody.h"
 #include "base/errors.h"
 
-namespace etendue {
+namespace etendue::expression_test {
 namespace {
 
 double value_at(const Expression& formula, double x, double y, double z) {
@@ -98,4 +98,4 @@ TEST(Expression, RefusesAssignments) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::expression_test

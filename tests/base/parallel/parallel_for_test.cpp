@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace etendue {
+namespace etendue::parallel_for_test {
 namespace {
 
 struct Count {
@@ -77,4 +77,4 @@ TEST(ParallelFor, StopsWhereItIsAskedTo) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::parallel_for_test

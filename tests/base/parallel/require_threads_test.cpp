@@ -6,7 +6,7 @@
 #include "base/child_process.h"
 #include "base/errors.h"
 
-namespace etendue {
+namespace etendue::require_threads_test {
 namespace {
 
 TEST(RequireThreads, AcceptsWhatTheSystemStarts) {
@@ -36,4 +36,4 @@ TEST(RequireThreads, SaysHowManyThereAre) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::require_threads_test

@@ -8,7 +8,7 @@
 
 #include "base/parallel/parallel_for.h"
 
-namespace etendue {
+namespace etendue::stage_observer_test {
 namespace {
 
 TEST(StageCounter, TellsTheObserverSharesThatGrowToOne) {
@@ -55,4 +55,4 @@ TEST(StageCounter, GoesOnWithoutAnObserver) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::stage_observer_test

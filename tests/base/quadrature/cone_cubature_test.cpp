@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace etendue {
+namespace etendue::cone_cubature_test {
 namespace {
 
 using std::numbers::pi;
@@ -53,4 +53,4 @@ TEST(ConeCubature, ConeHoldsWhatIsWithinItsAngle) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::cone_cubature_test

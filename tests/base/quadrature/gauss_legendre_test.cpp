@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace etendue {
+namespace etendue::gauss_legendre_test {
 namespace {
 
 double integral_of_power(const GaussRule& rule, int power) {
@@ -44,4 +44,4 @@ TEST(GaussLegendre, HasExactlySymmetricRisingNodes) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::gauss_legendre_test

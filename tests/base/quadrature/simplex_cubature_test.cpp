@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace etendue {
+namespace etendue::simplex_cubature_test {
 namespace {
 
 const std::array<Vec3, 4> corner = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
@@ -44,4 +44,4 @@ TEST(SimplexCubature, RefinesWhereFunctionsGrow) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::simplex_cubature_test

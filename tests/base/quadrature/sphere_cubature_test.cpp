@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace etendue {
+namespace etendue::sphere_cubature_test {
 namespace {
 
 using std::numbers::pi;
@@ -46,4 +46,4 @@ TEST(SphereCubature, FindsAPeakWhereItIsSuspected) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sphere_cubature_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::philox_test {
 namespace {
 
 // Known answers of Philox4x32-10 that come with the authors' library Random123 (kat_vectors).
@@ -16,4 +16,4 @@ TEST(Philox, GivesThePublishedWords) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::philox_test

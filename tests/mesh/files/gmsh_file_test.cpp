@@ -4,7 +4,7 @@
 #include "tests/mesh/files/read_message.h"
 #include "tests/mesh/files/scratch_folder.h"
 
-namespace etendue {
+namespace etendue::gmsh_file_test {
 namespace {
 
 const std::string kNames =
@@ -172,4 +172,4 @@ TEST(GmshFile, RejectsGroupsThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::gmsh_file_test

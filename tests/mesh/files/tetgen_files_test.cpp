@@ -4,7 +4,7 @@
 #include "tests/mesh/files/read_message.h"
 #include "tests/mesh/files/scratch_folder.h"
 
-namespace etendue {
+namespace etendue::tetgen_files_test {
 namespace {
 
 const std::string kNodes =
@@ -121,4 +121,4 @@ TEST(TetgenFiles, RejectCellsAndFacesThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::tetgen_files_test

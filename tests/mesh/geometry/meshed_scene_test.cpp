@@ -9,7 +9,7 @@
 #include "tests/mesh/geometry/scene.h"
 #include "tests/mesh/geometry/surface_measures.h"
 
-namespace etendue {
+namespace etendue::meshed_scene_test {
 namespace {
 
 using Sums = std::map<std::string, double>;
@@ -174,4 +174,4 @@ TEST(MeshedScene, ManyBoxesAreArrangedAtOnce) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::meshed_scene_test

@@ -14,7 +14,7 @@
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 #include "tests/mesh/geometry/scene.h"
 
-namespace etendue {
+namespace etendue::random_bodies_test {
 namespace {
 
 constexpr int kScenes = 40;
@@ -169,4 +169,4 @@ TEST(RandomBodies, NeedlesAndThinStripsAreRefusedWithTheirPlace) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::random_bodies_test

@@ -12,7 +12,7 @@
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 #include "tests/mesh/geometry/scene.h"
 
-namespace etendue {
+namespace etendue::sheet_test {
 namespace {
 
 Sheet sheet(const std::vector<Vec3>& corners, const std::string& front, const std::string& back) {
@@ -184,4 +184,4 @@ TEST(Sheet, OutsideTheDomainIsAFault) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sheet_test

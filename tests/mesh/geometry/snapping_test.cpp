@@ -13,7 +13,7 @@
 #include "tests/mesh/geometry/mesh_measures.h"
 #include "tests/mesh/geometry/scene.h"
 
-namespace etendue {
+namespace etendue::snapping_test {
 namespace {
 
 std::map<std::string, double> volumes(const Geometry& geometry) {
@@ -63,4 +63,4 @@ TEST(Snapping, BodiesThatNearlyCoincideAreMeshed) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::snapping_test

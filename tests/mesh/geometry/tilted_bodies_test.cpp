@@ -12,7 +12,7 @@
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 #include "tests/mesh/geometry/scene.h"
 
-namespace etendue {
+namespace etendue::tilted_bodies_test {
 namespace {
 
 std::map<std::string, double> meshed_volumes(const Geometry& geometry) {
@@ -43,4 +43,4 @@ TEST(TiltedBodies, CylindersOfAnyNumberOfSidesKeepTheirVolumes) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::tilted_bodies_test

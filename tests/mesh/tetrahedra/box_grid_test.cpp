@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace etendue {
+namespace etendue::box_grid_test {
 namespace {
 
 TEST(BoxGrid, CandidatesHoldEveryBoxAroundThePoint) {
@@ -41,4 +41,4 @@ TEST(BoxGrid, MarginReachesBeyondTheBox) {
 TEST(BoxGrid, WithoutBoxesHasNoCandidates) { EXPECT_TRUE(BoxGrid({}, 1).candidates({0, 0, 0}).empty()); }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::box_grid_test

@@ -10,7 +10,7 @@
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::mesh_faults_test {
 namespace {
 
 std::string message_of(const RawMesh& raw) {
@@ -242,4 +242,4 @@ TEST(MeshFaults, SayThatThereAreNoCells) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::mesh_faults_test

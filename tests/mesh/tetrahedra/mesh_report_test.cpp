@@ -8,7 +8,7 @@
 
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::mesh_report_test {
 namespace {
 
 TEST(MeshReport, AddsUpRegionsAndWalls) {
@@ -60,4 +60,4 @@ TEST(MeshReport, PrintsTables) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::mesh_report_test

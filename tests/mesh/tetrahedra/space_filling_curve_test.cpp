@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace etendue {
+namespace etendue::space_filling_curve_test {
 namespace {
 
 TEST(SpaceFillingCurve, StepsFromNeighbourToNeighbour) {
@@ -36,4 +36,4 @@ TEST(SpaceFillingCurve, KeepsTheOrderOfCoincidentPoints) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::space_filling_curve_test

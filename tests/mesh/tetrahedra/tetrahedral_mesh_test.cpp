@@ -10,7 +10,7 @@
 
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::tetrahedral_mesh_test {
 namespace {
 
 TEST(TetrahedralMesh, MeasuresTheUnitCube) {
@@ -187,4 +187,4 @@ TEST(SampleMeshes, RingIsCyclicAlongItsAxisAndTheCubeIsNot) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::tetrahedral_mesh_test

@@ -12,7 +12,7 @@
 #include "solver/transport/solve/solve.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::exact_input_test {
 namespace {
 
 const char* const linear = "3 + wx + (0.3 + wx)*x + (wy*wz - 0.7)*y + (1.1 + wz)*z";
@@ -120,4 +120,4 @@ TEST(ExactComparison, MeasuresRelativeToTheNormOfTheExact) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::exact_input_test

@@ -6,7 +6,7 @@
 #include "base/quadrature/cell_rule.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::quadratic_nodes_test {
 namespace {
 
 double linear(const Vec3& p) { return 2 + p.x() - 3 * p.y() + 0.5 * p.z(); }
@@ -71,4 +71,4 @@ TEST(QuadraticNodes, ProjectOnFacesWithTheMeanOfTheQuadratic) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::quadratic_nodes_test

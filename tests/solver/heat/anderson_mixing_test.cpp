@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace etendue {
+namespace etendue::anderson_mixing_test {
 namespace {
 
 /// Steps of x_i <- rate_i x_i, whose fixed point is 0, until x is below 1e-10.
@@ -39,4 +39,4 @@ TEST(AndersonMixing, StaysWhereItIs) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::anderson_mixing_test

@@ -16,7 +16,7 @@
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::following_walls_test {
 namespace {
 
 const Bands two_bands{{"short", "long"}, {1, 4000, 1e9}};
@@ -253,4 +253,4 @@ TEST(FollowingWalls, TakeFewSweeps) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::following_walls_test

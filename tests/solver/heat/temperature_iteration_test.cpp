@@ -15,7 +15,7 @@
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::temperature_iteration_test {
 namespace {
 
 const Bands kTwoBands{{"short", "long"}, {1, 4000, 1e9}};
@@ -244,4 +244,4 @@ TEST(TemperatureIteration, IsNotConvergedWithTooFewSweeps) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::temperature_iteration_test

@@ -18,7 +18,7 @@
 #include "solver/uncollided/first_collision/solve_split.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::glossy_room_test {
 namespace {
 
 using std::numbers::pi;
@@ -179,4 +179,4 @@ TEST(GlossyRoom, ThePhotonMapKnowsTheLobe) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::glossy_room_test

@@ -17,7 +17,7 @@
 #include "tests/solver/methods/sheet_rooms.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::sheet_light_test {
 namespace {
 
 using std::numbers::pi;
@@ -170,4 +170,4 @@ TEST(SheetLight, WhatOneSideSendsDoesNotReachTheOther) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sheet_light_test

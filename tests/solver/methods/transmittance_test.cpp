@@ -21,7 +21,7 @@
 #include "tests/solver/methods/sheet_rooms.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::transmittance_test {
 namespace {
 
 using std::numbers::pi;
@@ -260,4 +260,4 @@ TEST(Transmittance, IsRefusedWhereNothingIsBehindOrTheSidesDiffer) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::transmittance_test

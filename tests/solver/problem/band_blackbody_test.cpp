@@ -9,7 +9,7 @@
 
 #include "base/blackbody.h"
 
-namespace etendue {
+namespace etendue::band_blackbody_test {
 namespace {
 
 const Bands kSpectrum{{"short", "middle", "long"}, {1, 2500, 6000, 1e9}};
@@ -45,4 +45,4 @@ TEST(BandBlackbody, KeepsTheWeightsOfGasesBelowTheirFit) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::band_blackbody_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace etendue {
+namespace etendue::mirror_test {
 namespace {
 
 Wall refracting(double index) {
@@ -64,4 +64,4 @@ TEST(Fresnel, TransmittedMomentsAreTheIntegrals) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::mirror_test

@@ -9,7 +9,7 @@
 
 #include "tests/solver/problem/cube_mesh.h"
 
-namespace etendue {
+namespace etendue::problem_test {
 namespace {
 
 /// Two bands on the cube: an emitting, absorbing, scattering medium between black walls.
@@ -283,4 +283,4 @@ TEST(Problem, EmitsTheMeanAbsorptionTimesTheBlackbody) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::problem_test

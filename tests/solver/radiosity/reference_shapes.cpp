@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "tests/solver/radiosity/reference_shapes.h"
+#include "tests/support/checkout.h"
 
 #include <cmath>
 #include <fstream>
@@ -177,7 +178,7 @@ std::vector<TriangleCorners> sphere_triangles(double radius, int divisions) {
 }
 
 std::vector<ReferenceShape> reference_shapes() {
-  std::ifstream file(ETENDUE_SOURCE_DIR "/validation/reference/form_factors.csv");
+  std::ifstream file(test::checkout("validation/reference/form_factors.csv"));
   const std::regex row(R"re(([a-z_0-9]+),"([^"]*)",([0-9.e-]+),.*)re");
   std::vector<ReferenceShape> shapes;
   for (std::string line; std::getline(file, line);) {

@@ -8,7 +8,7 @@
 #include "tests/solver/problem/cube_mesh.h"
 #include "tests/solver/solution/synthetic_solution.h"
 
-namespace etendue {
+namespace etendue::balance_test {
 namespace {
 
 using std::numbers::pi;
@@ -133,4 +133,4 @@ TEST(Balance, HasNoResidualInTheDark) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::balance_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::error_norms_test {
 namespace {
 
 TEST(ErrorNorms, AreRelativeToTheReference) {
@@ -43,4 +43,4 @@ TEST(ErrorNorms, OfADarkReferenceAreNotDivided) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::error_norms_test

@@ -9,7 +9,7 @@
 #include "tests/solver/problem/cube_mesh.h"
 #include "tests/solver/solution/synthetic_solution.h"
 
-namespace etendue {
+namespace etendue::flux_divergence_test {
 namespace {
 
 TEST(FluxDivergence, IsEmittedLessAbsorbedPowerOfEachRegion) {
@@ -42,4 +42,4 @@ TEST(FluxDivergence, IsEmittedLessAbsorbedPowerOfEachRegion) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::flux_divergence_test

@@ -6,7 +6,7 @@
 #include "tests/solver/problem/cube_mesh.h"
 #include "tests/solver/solution/synthetic_solution.h"
 
-namespace etendue {
+namespace etendue::probe_test {
 namespace {
 
 Problem two_bands(const TetrahedralMesh& mesh) {
@@ -69,4 +69,4 @@ TEST(Probe, IsEmptyOutside) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::probe_test

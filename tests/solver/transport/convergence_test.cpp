@@ -8,7 +8,7 @@
 #include "solver/transport/solve/solve.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::convergence_test {
 namespace {
 
 /// Errors for u = exp(-sigma w.x), which a pure absorber carries exactly, on finer and finer meshes.
@@ -97,4 +97,4 @@ TEST(Convergence, StronglyVaryingExtinctionIsStillOfSecondOrder) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::convergence_test

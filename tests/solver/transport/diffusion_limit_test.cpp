@@ -7,7 +7,7 @@
 #include "tests/solver/transport/diffusive_slab.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::diffusion_limit_test {
 namespace {
 
 Solution solved(const Problem& problem, SpaceOrder order, double tolerance = 1e-6) {
@@ -56,4 +56,4 @@ TEST(DiffusionLimit, ConstantsMissIt) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::diffusion_limit_test

@@ -9,7 +9,7 @@
 
 #include "tests/solver/transport/directional_media.h"
 
-namespace etendue {
+namespace etendue::directional_absorption_test {
 namespace {
 
 Medium absorber_by(const std::string& absorption, double mean, double scattering,
@@ -113,4 +113,4 @@ TEST(DirectionalAbsorption, ThatIsNegativeNamesTheMediumAndTheDirection) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::directional_absorption_test

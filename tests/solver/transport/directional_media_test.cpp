@@ -10,7 +10,7 @@
 
 #include "tests/solver/transport/directional_media.h"
 
-namespace etendue {
+namespace etendue::directional_media_test {
 namespace {
 
 constexpr double leaf_density = 0.2;
@@ -287,4 +287,4 @@ TEST(GeneralKernel, ThatIsRefusedNamesItsMedium) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::directional_media_test

@@ -8,7 +8,7 @@
 #include "solver/transport/solve/solve.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::discretisation_test {
 namespace {
 
 TEST(Patch, LinearRadianceIsReproducedToRounding) {
@@ -106,4 +106,4 @@ TEST(Lumping, KeepsTheOrderNearTwoAndRaisesTheMinimum) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::discretisation_test

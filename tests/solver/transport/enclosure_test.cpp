@@ -12,12 +12,12 @@
 #include "solver/transport/solve/solve.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::enclosure_test {
 namespace {
 
 constexpr double four_pi = 4 * std::numbers::pi;
 
-void expect_balance(const Problem& problem, const Solution& solution, double tolerance = 1e-10) {
+void expect_closed_balances(const Problem& problem, const Solution& solution, double tolerance = 1e-10) {
   for (const Balance& balance : balances(problem, solution)) EXPECT_LT(std::abs(balance.residual), tolerance);
 }
 
@@ -30,7 +30,7 @@ TEST(InfiniteMedium, MirrorsGiveSourceOverAbsorption) {
     const Solution solution = solve(problem, directions_ldfe_sq(1), tight_options());
     ASSERT_TRUE(solution.converged());
     EXPECT_LT(largest_deviation(solution.fluence, four_pi * 1.5 / 2.4), 1e-10);
-    expect_balance(problem, solution);
+    expect_closed_balances(problem, solution);
   }
 }
 
@@ -59,7 +59,7 @@ TEST(Furnace, RadianceIsConstantWithMirrorsDiffuseWallsScatteringAndABall) {
     ASSERT_TRUE(solution.converged());
     EXPECT_LT(largest_deviation(solution.fluence, four_pi * level), 1e-10);
     for (const double flux : solution.net_flux) EXPECT_LT(std::abs(flux), 1e-9 * level);
-    expect_balance(problem, solution);
+    expect_closed_balances(problem, solution);
   }
 }
 
@@ -72,7 +72,7 @@ TEST(Furnace, RadianceIsConstantWhereAbsorptionDependsOnThePlace) {
   const Solution solution = solve(problem, directions_ldfe_sq(1), tight_options(Lumping::automatic));
   ASSERT_TRUE(solution.converged());
   EXPECT_LT(largest_deviation(solution.fluence, four_pi * 2.5), 1e-10);
-  expect_balance(problem, solution);
+  expect_closed_balances(problem, solution);
 }
 
 TEST(Conservation, ScatteringWithoutAbsorptionLosesNothing) {
@@ -106,7 +106,7 @@ TEST(Walls, DiffuseReflectanceKeepsTheBalanceOnObliqueWalls) {
   const Problem problem = uniform_problem(mesh, uniform_medium(3, 0.1, 0.4, 1), uniform_wall(3, 0.3, 0.7, 0));
   const Solution solution = solve(problem, directions_product(4), tight_options());
   ASSERT_TRUE(solution.converged());
-  expect_balance(problem, solution);
+  expect_closed_balances(problem, solution);
 }
 
 TEST(Walls, BlackAndColdWithNothingInsideIsDarkAndConverged) {
@@ -171,7 +171,7 @@ TEST(LaggedFaces, ConvergeToTheSolutionOfTheRing) {
   EXPECT_GT(solution.lagged_faces, 0);
   ASSERT_TRUE(solution.converged());
   EXPECT_LT(largest_deviation(solution.fluence, four_pi * level), 1e-10);
-  expect_balance(problem, solution);
+  expect_closed_balances(problem, solution);
   // A wall that only lights one side is carried round too, and the balance tells of any loss.
   const Problem lit = uniform_problem(mesh, uniform_medium(1, 0, 0, 0), uniform_wall(1, 1, 0, 0));
   const Solution through = solve(lit, directions_ldfe_sq(1), tight_options());
@@ -219,4 +219,4 @@ TEST(Symmetry, OctahedralGroupOfTheMeshIsThatOfTheSolution) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::enclosure_test

@@ -8,7 +8,7 @@
 
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::error_estimate_test {
 namespace {
 
 /// A cube that only scatters, lit from below.
@@ -129,4 +129,4 @@ TEST(ErrorEstimate, EverySweepThatIsAllowedCounts) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::error_estimate_test

@@ -15,7 +15,7 @@
 #include "solver/transport/solve/solve.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::flatland_test {
 namespace {
 
 using std::numbers::pi;
@@ -172,4 +172,4 @@ TEST(Flatland, ThickBrightSheetsTakeFewSweeps) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::flatland_test

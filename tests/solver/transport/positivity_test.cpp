@@ -11,7 +11,7 @@
 #include "solver/transport/solve/solve.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::positivity_test {
 namespace {
 
 constexpr double four_pi = 4 * std::numbers::pi;
@@ -191,4 +191,4 @@ TEST(Positivity, IsNotConvergedWhereNoSweepsAreLeftForIt) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::positivity_test

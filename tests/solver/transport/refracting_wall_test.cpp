@@ -12,7 +12,7 @@
 #include "solver/solution/balance.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::refracting_wall_test {
 namespace {
 
 using std::numbers::pi;
@@ -138,4 +138,4 @@ TEST(RefractingWall, ReflectsNothingElseAndHasNoFormula) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::refracting_wall_test

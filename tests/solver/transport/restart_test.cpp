@@ -12,7 +12,7 @@
 #include "solver/transport/state/transport_state.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::restart_test {
 namespace {
 
 /// Three bands, so that lanes are padded; every part of the state is there but lagged faces.
@@ -124,4 +124,4 @@ TEST(Restart, KeepsWhatTheInterruptedIterationHasGained) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::restart_test

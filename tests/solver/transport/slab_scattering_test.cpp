@@ -13,8 +13,9 @@
 #include "solver/solution/balance.h"
 #include "solver/transport/solve/solve.h"
 #include "tests/solver/transport/sample_problems.h"
+#include "tests/support/checkout.h"
 
-namespace etendue {
+namespace etendue::slab_scattering_test {
 namespace {
 
 struct Slab {
@@ -24,7 +25,7 @@ struct Slab {
 
 /// Slabs of thickness 1, from the lines g, w, tau, R, T …
 Slab known_slab(double asymmetry, double albedo) {
-  std::ifstream file(ETENDUE_SOURCE_DIR "/validation/reference/slab_diffuse.csv");
+  std::ifstream file(test::checkout("validation/reference/slab_diffuse.csv"));
   Slab slab{asymmetry, albedo};
   for (std::string line; std::getline(file, line);) {
     std::istringstream cells(line);
@@ -108,4 +109,4 @@ TEST(SlabUnderADiffuseSky, IsMetThroughAMatrixWithAProduct) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::slab_scattering_test

@@ -10,7 +10,7 @@
 #include "solver/solution/solve_observer.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::sweep_stop_test {
 namespace {
 
 Problem scattering_problem(const TetrahedralMesh& mesh) {
@@ -100,4 +100,4 @@ TEST(SolveStopped, EndsTheSweepThatMeasures) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sweep_stop_test

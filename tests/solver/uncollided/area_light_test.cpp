@@ -11,7 +11,7 @@
 #include "solver/uncollided/lights/light_setup.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::area_light_test {
 namespace {
 
 using Triangle = std::array<Vec3, 3>;
@@ -162,4 +162,4 @@ TEST(UncollidedField, OfALampInAWallBalancesWithACloud) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::area_light_test

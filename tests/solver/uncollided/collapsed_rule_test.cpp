@@ -9,7 +9,7 @@
 #include "base/quadrature/collapsed_rule.h"
 #include "solver/uncollided/closed_form/exponential_integrals.h"
 
-namespace etendue {
+namespace etendue::collapsed_rule_test {
 namespace {
 
 // E_2(x) = e^-x - x E_1(x), of which rounding leaves little where x is large; there it lies between
@@ -120,4 +120,4 @@ TEST(CollapsedRule, SeesTheAngleAboutAnEdge) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::collapsed_rule_test

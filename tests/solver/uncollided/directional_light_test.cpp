@@ -14,7 +14,7 @@
 #include "solver/uncollided/lights/light_setup.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::directional_light_test {
 namespace {
 
 constexpr double density = 1.3;
@@ -225,4 +225,4 @@ TEST(DirectionalLight, IsRefusedBesideMatricesAndKernelsOfEachPlace) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::directional_light_test

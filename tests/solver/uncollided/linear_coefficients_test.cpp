@@ -12,7 +12,7 @@
 #include "solver/uncollided/lights/light_setup.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::linear_coefficients_test {
 namespace {
 
 Coefficient formula(const std::string& text) { return Coefficient(Expression(text, {"x", "y", "z"})); }
@@ -128,4 +128,4 @@ TEST(UncollidedField, BalancesInVaryingExtinction) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::linear_coefficients_test

@@ -16,7 +16,7 @@
 #include "solver/uncollided/lights/light_setup.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::near_light_test {
 namespace {
 
 const Vec3 room_size(1.1, 1.2, 1.4), lamp_at(0.2511, 0.876, 0.3751);
@@ -129,4 +129,4 @@ TEST_P(NearLight, BalancesInACornerOfMirrors) {
 INSTANTIATE_TEST_SUITE_P(Cells, NearLight, testing::Values(0.03, 0.004));
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::near_light_test

@@ -14,7 +14,7 @@
 #include "tests/solver/uncollided/obstacle_room.h"
 #include "tests/solver/uncollided/visible_part.h"
 
-namespace etendue {
+namespace etendue::penumbra_test {
 namespace {
 
 /// In vacuum between black walls.
@@ -96,4 +96,4 @@ TEST(OccludingEdges, ReachIntoAHullOrPassBesideIt) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::penumbra_test

@@ -13,7 +13,7 @@
 #include "solver/uncollided/lights/light_setup.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::round_beam_test {
 namespace {
 
 using std::numbers::pi;
@@ -84,4 +84,4 @@ TEST(RoundBeam, IsAbsorbedInTheCellsItPasses) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::round_beam_test

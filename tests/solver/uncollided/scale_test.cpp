@@ -14,7 +14,7 @@
 #include "solver/uncollided/lights/light_setup.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::scale_test {
 namespace {
 
 RawMesh room_with_crate() {
@@ -126,4 +126,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, LightOfAnyScale,
                          [](const auto& of) { return of.param; });
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::scale_test

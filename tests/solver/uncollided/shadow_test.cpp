@@ -14,7 +14,7 @@
 #include "tests/solver/uncollided/obstacle_room.h"
 #include "tests/solver/uncollided/visible_part.h"
 
-namespace etendue {
+namespace etendue::shadow_test {
 namespace {
 
 using std::numbers::pi;
@@ -238,4 +238,4 @@ TEST(Shadow, PenumbraTendsToTheVisiblePartOfTheLight) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::shadow_test

@@ -8,7 +8,7 @@
 #include "solver/uncollided/lights/light_setup.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::sky_test {
 namespace {
 
 using std::numbers::pi;
@@ -147,4 +147,4 @@ TEST(SkySource, FallsOffUnderAnOpenPlaneAsInClosedForm) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sky_test

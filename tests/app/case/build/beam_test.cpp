@@ -18,7 +18,7 @@
 #include "solver/uncollided/projection/light_at_wall.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::beam_test {
 namespace {
 
 using std::numbers::pi;
@@ -155,4 +155,4 @@ TEST(Beam, KnowsThePartThatReachesItsWalls) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::beam_test

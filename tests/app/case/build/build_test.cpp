@@ -12,7 +12,7 @@
 #include "solver/problem/mirror.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::build_test {
 namespace {
 
 // A lit room of air with a block of smoke in it.
@@ -450,4 +450,4 @@ irradiance = 1
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::build_test

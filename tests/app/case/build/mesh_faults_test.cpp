@@ -3,7 +3,7 @@
 
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::mesh_faults_test {
 namespace {
 
 struct Check {
@@ -138,4 +138,4 @@ TEST(MeshFault, ScaleIsUnusedByPrimitives) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::mesh_faults_test

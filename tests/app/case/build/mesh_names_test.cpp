@@ -5,7 +5,7 @@
 
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::mesh_names_test {
 namespace {
 
 std::string name_faults(const std::string& text, const MeshNames& names) {
@@ -80,4 +80,4 @@ max = [1, 1, 1]
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::mesh_names_test

@@ -7,7 +7,7 @@
 #include "app/case/temperatures.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::temperature_range_test {
 namespace {
 
 std::string hot_air(const std::string& temperature) {
@@ -53,4 +53,4 @@ TEST(TemperatureRange, IsThereWhereTheCaseHasTemperatures) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::temperature_range_test

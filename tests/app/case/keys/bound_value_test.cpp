@@ -6,7 +6,7 @@
 #include "app/case/keys/case_tables.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::bound_value_test {
 namespace {
 
 TEST(BoundValue, IsWrittenAsPeopleWriteIt) {
@@ -40,4 +40,4 @@ TEST(BoundTable, ReadsWhatIsGivenAndResolvesTheRest) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::bound_value_test

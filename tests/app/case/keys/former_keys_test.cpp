@@ -7,7 +7,7 @@
 
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::former_keys_test {
 namespace {
 
 const std::string camera =
@@ -58,4 +58,4 @@ TEST(FormerKeys, KeepTheirChecksAndTheNameThatWasWritten) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::former_keys_test

@@ -15,8 +15,9 @@
 #include "app/case/keys/value_check.h"
 #include "app/case/toml/toml_document.h"
 #include "base/errors.h"
+#include "tests/support/checkout.h"
 
-namespace etendue {
+namespace etendue::keys_test {
 namespace {
 
 TEST(Keys, AreDeclaredOnce) {
@@ -59,7 +60,7 @@ TEST(Range, SaysWhatItHolds) {
 
 // Renew it with: etendue keys > docs/user/keys.md
 TEST(KeyReference, IsTheCommittedPage) {
-  std::ifstream page(ETENDUE_SOURCE_DIR "/docs/user/keys.md");
+  std::ifstream page(test::checkout("docs/user/keys.md"));
   const std::string committed((std::istreambuf_iterator<char>(page)), std::istreambuf_iterator<char>());
   EXPECT_TRUE(key_reference() == committed);
 }
@@ -124,4 +125,4 @@ TEST(KeyHelp, NamesWhatIsMeant) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::keys_test

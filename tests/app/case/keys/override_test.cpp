@@ -5,7 +5,7 @@
 
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::override_test {
 namespace {
 
 TEST(Override, ReplacesAValue) {
@@ -88,4 +88,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::override_test

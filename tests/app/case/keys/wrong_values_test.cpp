@@ -12,7 +12,7 @@
 #include "base/errors.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::wrong_values_test {
 namespace {
 
 /// No key takes a date.
@@ -137,4 +137,4 @@ TEST(WrongValues, OfALightAndASensorAreNamed) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::wrong_values_test

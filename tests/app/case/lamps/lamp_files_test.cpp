@@ -8,7 +8,7 @@
 #include "solver/observe/color/photometry.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::lamp_files_test {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -186,4 +186,4 @@ TEST(Tilt, SaysWhereTheLampLiesAcross) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::lamp_files_test

@@ -5,7 +5,7 @@
 
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::first_collided_default_test {
 namespace {
 
 const std::string box = "[[mesh.box]]\nregion = \"haze\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n[walls.\"*\"]\n";
@@ -69,4 +69,4 @@ TEST(FirstCollidedDefault, IsOfOrdinatesOnly) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::first_collided_default_test

@@ -5,7 +5,7 @@
 
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::read_camera_test {
 namespace {
 
 const std::string camera = cube + "[[camera]]\nname = \"front\"\nposition = [0.5, -1, 0.5]\n";
@@ -156,4 +156,4 @@ TEST(ReadCamera, NeedsAPlaceAndAnAim) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_camera_test

@@ -3,7 +3,7 @@
 
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::read_case_test {
 namespace {
 
 const std::string smoke_room = R"toml(title = "Smoke in a room"
@@ -267,4 +267,4 @@ TEST(CaseReader, SurvivesACutAnywhere) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_case_test

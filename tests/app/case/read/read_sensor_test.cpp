@@ -7,7 +7,7 @@
 
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::read_sensor_test {
 namespace {
 
 const std::string sensor = cube + "[[sensor]]\nname = \"desk\"\n";
@@ -169,4 +169,4 @@ TEST(ReadSensor, UnitsOfPhotometryAreKnownOnes) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_sensor_test

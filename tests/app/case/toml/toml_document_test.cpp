@@ -6,7 +6,7 @@
 #include "app/case/toml/render_toml.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::toml_document_test {
 namespace {
 
 std::string fault_of(const std::string& text) {
@@ -249,4 +249,4 @@ inline = { k = true }
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::toml_document_test

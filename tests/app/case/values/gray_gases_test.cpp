@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace etendue {
+namespace etendue::gray_gases_test {
 namespace {
 
 /// Of a column, whose length times partial pressure is given [m atm].
@@ -64,4 +64,4 @@ TEST(GrayGases, AreThePolynomialsOfTheirFits) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::gray_gases_test

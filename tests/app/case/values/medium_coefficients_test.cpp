@@ -7,7 +7,7 @@
 
 #include "base/expression/expression.h"
 
-namespace etendue {
+namespace etendue::medium_coefficients_test {
 namespace {
 
 BandValues values(std::vector<Value> values) { return {std::move(values), {}}; }
@@ -92,4 +92,4 @@ TEST(MediumCoefficients, PowerDensityIsFourPiEmission) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::medium_coefficients_test

@@ -9,7 +9,7 @@
 #include "tests/app/run/csv_table.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::run_photons_test {
 namespace {
 
 using nlohmann::json;
@@ -227,4 +227,4 @@ TEST(RunPhotons, RefusesTheRadianceOfAnOrdinate) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::run_photons_test

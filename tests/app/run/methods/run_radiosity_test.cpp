@@ -8,7 +8,7 @@
 #include "tests/app/run/empty_cube.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::run_radiosity_test {
 namespace {
 
 using nlohmann::json;
@@ -198,4 +198,4 @@ TEST(RunRadiosity, AgreesWithOrdinatesAndPhotons) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::run_radiosity_test

@@ -4,7 +4,7 @@
 #include "tests/app/run/csv_table.h"
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::heat_report_test {
 namespace {
 
 using test::CaseFolder;
@@ -81,4 +81,4 @@ TEST(HeatReport, AddsUpConductionAndRadiation) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::heat_report_test

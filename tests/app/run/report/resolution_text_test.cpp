@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::resolution_text_test {
 namespace {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -46,4 +46,4 @@ TEST(ResolutionText, CautionsOnlyOfCellsAndDirectionsThatAreTooCoarse) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::resolution_text_test

@@ -9,7 +9,7 @@
 
 #include "tests/app/run/small_case.h"
 
-namespace etendue {
+namespace etendue::run_log_test {
 namespace {
 
 using test::CaseFolder;
@@ -127,4 +127,4 @@ TEST(LoggedStream, KeepsWhatAClosedStreamDoesNotShow) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::run_log_test

@@ -8,7 +8,7 @@
 
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::run_report_test {
 namespace {
 
 using test::SampleRun;
@@ -108,4 +108,4 @@ TEST(RunReport, SaysHowToOpenTheFiles) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::run_report_test

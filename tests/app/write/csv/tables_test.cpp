@@ -5,7 +5,7 @@
 
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::tables_test {
 namespace {
 
 TEST(Tables, ProbesHaveARowForEachPointAndBand) {
@@ -36,4 +36,4 @@ TEST(Tables, RegionsAndHistoryAreNamedByBand) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::tables_test

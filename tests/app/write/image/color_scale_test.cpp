@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::color_scale_test {
 namespace {
 
 std::string labels(const ColorScale& scale) {
@@ -30,4 +30,4 @@ TEST(ColorScale, HasRoundNumbers) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::color_scale_test

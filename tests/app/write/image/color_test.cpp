@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace etendue {
+namespace etendue::color_test {
 namespace {
 
 TEST(Color, OfBandsFollowsTheRuleOfPictures) {
@@ -65,4 +65,4 @@ TEST(Color, BlackIsExposedToo) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::color_test

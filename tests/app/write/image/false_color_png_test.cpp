@@ -10,7 +10,7 @@
 #include "app/write/image/raster.h"
 #include "app/write/image/viridis.h"
 
-namespace etendue {
+namespace etendue::false_color_png_test {
 namespace {
 
 struct Image {
@@ -118,4 +118,4 @@ TEST(Raster, WritesCharacters) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::false_color_png_test

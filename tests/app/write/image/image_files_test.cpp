@@ -12,7 +12,7 @@
 
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::image_files_test {
 namespace {
 
 TEST(ImageFiles, KeepLinearNumbersToTheLastBit) {
@@ -49,4 +49,4 @@ TEST(ImageFiles, KeepBytesOfAPng) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::image_files_test

@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::pictures_test {
 namespace {
 
 using test::SampleRun;
@@ -71,4 +71,4 @@ TEST(Pictures, TakeNoToneIntoTheLinearFile) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::pictures_test

@@ -8,7 +8,7 @@
 #include "app/write/result/program_version.h"
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::summary_test {
 namespace {
 
 using nlohmann::json;
@@ -139,4 +139,4 @@ TEST(Summary, NamesNoFileOutsideItsDirectory) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::summary_test

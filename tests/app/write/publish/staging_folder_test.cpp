@@ -13,7 +13,7 @@
 #include "app/write/result/output_folder.h"
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::staging_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -165,4 +165,4 @@ TEST(OutputFolder, TwoAtOnceDoNotMix) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::staging_folder_test

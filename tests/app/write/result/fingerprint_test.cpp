@@ -8,7 +8,7 @@
 
 #include "solver/materials/media/sampled_field.h"
 
-namespace etendue {
+namespace etendue::fingerprint_test {
 namespace {
 
 Case with_text(const std::string& resolved) {
@@ -52,4 +52,4 @@ TEST(Fingerprint, CoversTheNumbersInFiles) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::fingerprint_test

@@ -8,7 +8,7 @@
 #include "app/write/vtk/vtk_files.h"
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::fluence_distance_test {
 namespace {
 
 using test::SampleRun;
@@ -73,4 +73,4 @@ TEST(FluenceDistance, IsNotKnownWithoutAFluence) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::fluence_distance_test

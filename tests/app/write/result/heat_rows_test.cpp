@@ -6,7 +6,7 @@
 #include "app/write/csv/tables.h"
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::heat_rows_test {
 namespace {
 
 TEST(HeatRows, AddUpTheBandsOfWallsAndRegions) {
@@ -36,4 +36,4 @@ TEST(HeatRows, AreATableOfWallsThenRegions) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::heat_rows_test

@@ -6,7 +6,7 @@
 #include "base/errors.h"
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::output_folder_test {
 namespace {
 
 using test::ScratchFolder;
@@ -123,4 +123,4 @@ TEST(OutputFolder, CheckLeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::output_folder_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::run_record_test {
 namespace {
 
 using std::chrono::seconds;
@@ -23,4 +23,4 @@ TEST(RunRecord, QuotesWhatAShellWouldTakeApart) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::run_record_test

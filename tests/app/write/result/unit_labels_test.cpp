@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::unit_labels_test {
 namespace {
 
 TEST(UnitLabels, AreMadeFromLengthAndPower) {
@@ -22,4 +22,4 @@ TEST(UnitLabels, PutParticleCountsUnderOneFraction) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::unit_labels_test

@@ -9,7 +9,7 @@
 
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::baked_surface_test {
 namespace {
 
 template <class Value>
@@ -120,4 +120,4 @@ TEST(BakedSurface, TexturedGlbIsConsistent) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::baked_surface_test

@@ -8,7 +8,7 @@
 #include "base/errors.h"
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::solution_file_test {
 namespace {
 
 using test::SampleRun;
@@ -164,4 +164,4 @@ TEST_F(SolutionFile, OfACheckpointReplacesEarlierResults) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::solution_file_test

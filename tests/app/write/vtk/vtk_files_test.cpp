@@ -24,7 +24,7 @@
 #include "base/errors.h"
 #include "tests/app/write/sample_run.h"
 
-namespace etendue {
+namespace etendue::vtk_files_test {
 namespace {
 
 using test::SampleRun;
@@ -383,4 +383,4 @@ TEST(DirectionsFile, HasEveryDirectionWithItsWeight) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::vtk_files_test

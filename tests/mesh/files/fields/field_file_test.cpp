@@ -11,7 +11,7 @@
 #include "tests/mesh/files/scratch_folder.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::field_file_test {
 namespace {
 
 std::string problem_of(const FieldRequest& request) {
@@ -213,4 +213,4 @@ TEST(FieldFile, ReadsOpenFoamAtItsLastTimeOrAnother) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::field_file_test

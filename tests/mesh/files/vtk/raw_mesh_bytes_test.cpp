@@ -8,7 +8,7 @@
 
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::raw_mesh_bytes_test {
 namespace {
 
 std::string bytes_of(const RawMesh& mesh) {
@@ -42,4 +42,4 @@ TEST(RawMeshBytes, ThatAreCutShortAreRefused) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::raw_mesh_bytes_test

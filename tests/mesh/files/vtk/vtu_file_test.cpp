@@ -9,7 +9,7 @@
 #include "tests/mesh/files/scratch_folder.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::vtu_file_test {
 namespace {
 
 std::string bytes_of(const std::filesystem::path& path) {
@@ -217,4 +217,4 @@ TEST(MeshFile, ThatIsADirectoryIsAFileError) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::vtu_file_test

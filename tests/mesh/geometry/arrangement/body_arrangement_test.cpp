@@ -12,7 +12,7 @@
 #include "tests/mesh/geometry/scene.h"
 #include "tests/mesh/geometry/surface_measures.h"
 
-namespace etendue {
+namespace etendue::body_arrangement_test {
 namespace {
 
 using Counts = std::map<std::string, int>;
@@ -205,4 +205,4 @@ TEST(BodyArrangement, RefusesAPatchOffTheBoundary) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::body_arrangement_test

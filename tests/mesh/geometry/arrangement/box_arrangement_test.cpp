@@ -8,7 +8,7 @@
 #include "tests/mesh/geometry/scene.h"
 #include "tests/mesh/geometry/surface_measures.h"
 
-namespace etendue {
+namespace etendue::box_arrangement_test {
 namespace {
 
 using Areas = std::map<std::string, double>;
@@ -303,4 +303,4 @@ TEST(BoxArrangement, ReportsAllFaultsAtOnce) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::box_arrangement_test

@@ -6,7 +6,7 @@
 #include "mesh/tetrahedra/generation/tetrahedralize.h"
 #include "tests/mesh/geometry/mesh_measures.h"
 
-namespace etendue {
+namespace etendue::voxel_surface_test {
 namespace {
 
 /// Layered tissue, 8 x 8 x 6 voxels of 0.5 x 0.5 x 0.25: skin (2) above fat (5), a round tumour (7) in the
@@ -129,4 +129,4 @@ TEST(VoxelSurface, RefusesLabelsThatAreMissingTwiceOrNotWhole) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::voxel_surface_test

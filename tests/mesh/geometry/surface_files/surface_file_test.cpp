@@ -12,7 +12,7 @@
 
 #include "tests/mesh/geometry/surface_measures.h"
 
-namespace etendue {
+namespace etendue::surface_file_test {
 namespace {
 
 using Areas = std::map<std::string, double>;
@@ -379,4 +379,4 @@ TEST_F(SurfaceFile, RefusesMalformedPolyWithFileAndLine) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::surface_file_test

@@ -7,7 +7,7 @@
 #include "tests/mesh/files/scratch_folder.h"
 #include "tests/mesh/geometry/mesh_measures.h"
 
-namespace etendue {
+namespace etendue::surface_sheets_test {
 namespace {
 
 /// The cube from 0 to 4, with y up: its floor is y = 0.
@@ -99,4 +99,4 @@ TEST(SurfaceSheets, OpenSurfacesOutsideAndHolesAreRefusedWithAPlace) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::surface_sheets_test

@@ -7,7 +7,7 @@
 
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::mesh_edges_test {
 namespace {
 
 // Of a ball of tetrahedra, V - E + F - C = 1 (Euler and Poincare).
@@ -40,4 +40,4 @@ TEST(MeshEdges, JoinOnlyVerticesThatAreWanted) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::mesh_edges_test

@@ -10,7 +10,7 @@
 #include "mesh/tetrahedra/generation/tetrahedralize.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::red_refinement_test {
 namespace {
 
 RawMesh two_regions_raw() { return tetrahedralize(two_region_surface(), {{2e-2, 2e-2}, 1.4, {}}); }
@@ -80,4 +80,4 @@ TEST(RedRefinement, KeepsThePointsOfTheCoarseMesh) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::red_refinement_test

@@ -10,7 +10,7 @@
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::tetrahedralize_test {
 namespace {
 
 std::string message_of(const SurfaceComplex& surface, const TetrahedraOptions& options = {}) {
@@ -253,4 +253,4 @@ TEST(Tetrahedralize, RefusesFacetsOfPointsThatAreNotThere) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::tetrahedralize_test

@@ -7,7 +7,7 @@
 
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::boundary_tree_test {
 namespace {
 
 std::string wall_at(const TetrahedralMesh& mesh, const BoundaryEntry& entry) {
@@ -49,4 +49,4 @@ TEST(BoundaryTree, LetsNoRayThroughBetweenFaces) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::boundary_tree_test

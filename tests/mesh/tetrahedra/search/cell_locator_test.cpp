@@ -8,7 +8,7 @@
 
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::cell_locator_test {
 namespace {
 
 Vec3 point_at(const TetrahedralMesh& mesh, const CellPoint& place) {
@@ -76,4 +76,4 @@ TEST(CellLocator, SeesTheHoleInTheMiddleOfTheRing) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::cell_locator_test

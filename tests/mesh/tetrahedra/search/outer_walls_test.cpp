@@ -9,7 +9,7 @@
 #include "mesh/geometry/arrangement/arrangement.h"
 #include "mesh/tetrahedra/generation/tetrahedralize.h"
 
-namespace etendue {
+namespace etendue::outer_walls_test {
 namespace {
 
 constexpr std::array sides = {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
@@ -53,4 +53,4 @@ TEST(OuterWalls, ArePitsInTheFloorToo) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::outer_walls_test

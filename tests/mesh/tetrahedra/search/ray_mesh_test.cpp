@@ -13,7 +13,7 @@
 #include "mesh/tetrahedra/search/cell_locator.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::ray_mesh_test {
 namespace {
 
 constexpr double far = std::numeric_limits<double>::infinity();
@@ -213,4 +213,4 @@ TEST(RayMesh, SeesAGapOfAMillionth) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::ray_mesh_test

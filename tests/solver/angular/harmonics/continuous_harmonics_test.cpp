@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace etendue {
+namespace etendue::continuous_harmonics_test {
 namespace {
 
 TEST(ContinuousHarmonics, HaveTheValuesOfTheSetOnItsOrdinates) {
@@ -34,4 +34,4 @@ TEST(ContinuousHarmonics, AreLinearFunctionsBetweenThemToo) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::continuous_harmonics_test

@@ -8,7 +8,7 @@
 #include "solver/angular/harmonics/direction_report.h"
 #include "tests/solver/angular/sets/sets_to_test.h"
 
-namespace etendue {
+namespace etendue::direction_report_test {
 namespace {
 
 using std::numbers::pi;
@@ -124,4 +124,4 @@ TEST(DirectionReport, FindsTheHalfRangeOfLdfeSqConvergeFasterThanItsSpacing) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::direction_report_test

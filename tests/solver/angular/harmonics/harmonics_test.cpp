@@ -11,7 +11,7 @@
 #include "solver/angular/harmonics/spherical_harmonics.h"
 #include "tests/solver/angular/sets/sets_to_test.h"
 
-namespace etendue {
+namespace etendue::harmonics_test {
 namespace {
 
 using std::numbers::pi;
@@ -174,4 +174,4 @@ TEST(DiscreteHarmonics, SpanASpaceThatMirrorsKeep) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::harmonics_test

@@ -7,7 +7,7 @@
 #include "solver/angular/harmonics/harmonics.h"
 #include "tests/solver/angular/sets/sets_to_test.h"
 
-namespace etendue {
+namespace etendue::scattering_test {
 namespace {
 
 TEST(Scattering, KeepsEnergyAndAsymmetryOnEverySet) {
@@ -108,4 +108,4 @@ TEST(Scattering, GivesTheReasonForItsDegree) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::scattering_test

@@ -10,7 +10,7 @@
 #include "solver/angular/harmonics/harmonics.h"
 #include "tests/solver/angular/sets/sets_to_test.h"
 
-namespace etendue {
+namespace etendue::dense_kernel_test {
 namespace {
 
 /// Sets of 80 or more directions of nearly equal weights.
@@ -256,4 +256,4 @@ TEST(ReducedMoments, KeepTheAsymmetryOfADeltaPeak) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::dense_kernel_test

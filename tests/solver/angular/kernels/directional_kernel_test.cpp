@@ -12,7 +12,7 @@
 #include "solver/materials/kernels/micro_flakes.h"
 #include "tests/solver/angular/sets/sets_to_test.h"
 
-namespace etendue {
+namespace etendue::directional_kernel_test {
 namespace {
 
 using std::numbers::pi;
@@ -311,4 +311,4 @@ TEST(KernelMatrix, ForAnotherSetIsRefused) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::directional_kernel_test

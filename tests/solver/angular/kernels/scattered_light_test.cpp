@@ -9,7 +9,7 @@
 
 #include "solver/angular/sets/sphere_table.h"
 
-namespace etendue {
+namespace etendue::scattered_light_test {
 namespace {
 
 TEST(SphereTable, KnowsSmoothFunctionsBetweenItsNodes) {
@@ -74,4 +74,4 @@ TEST(ScatteredLight, KeepsTheEnergyOfSmoothKernels) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::scattered_light_test

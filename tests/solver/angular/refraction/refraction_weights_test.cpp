@@ -12,7 +12,7 @@
 #include "solver/problem/mirror.h"
 #include "tests/solver/angular/sets/sets_to_test.h"
 
-namespace etendue {
+namespace etendue::refraction_weights_test {
 namespace {
 
 using std::numbers::pi;
@@ -214,4 +214,4 @@ TEST(PolarLevels, AreTheDirectionsOfOneAngle) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::refraction_weights_test

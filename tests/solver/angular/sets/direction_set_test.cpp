@@ -13,7 +13,7 @@
 #include "solver/angular/harmonics/direction_report.h"
 #include "tests/solver/angular/sets/sets_to_test.h"
 
-namespace etendue {
+namespace etendue::direction_set_test {
 namespace {
 
 using std::numbers::pi;
@@ -232,4 +232,4 @@ TEST(DirectionSet, LargestLdfeSqSetConverges) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::direction_set_test

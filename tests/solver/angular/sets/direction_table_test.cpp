@@ -13,8 +13,9 @@
 
 #include "solver/angular/harmonics/direction_report.h"
 #include "solver/angular/sets/refinement.h"
+#include "tests/support/checkout.h"
 
-namespace etendue {
+namespace etendue::direction_table_test {
 namespace {
 
 /// The cells of one row: set, order, directions, smallest … largest weight, degree, half range along x and y,
@@ -27,7 +28,7 @@ std::string trimmed(const std::string& text) {
 }
 
 std::vector<Row> documented_rows() {
-  std::ifstream file(ETENDUE_SOURCE_DIR "/docs/user/directions.md");
+  std::ifstream file(test::checkout("docs/user/directions.md"));
   std::vector<Row> rows;
   bool inside = false;
   for (std::string line; std::getline(file, line);) {
@@ -107,4 +108,4 @@ TEST(DocumentedSets, HaveARowOfEveryFamily) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::direction_table_test

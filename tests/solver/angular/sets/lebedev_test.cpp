@@ -4,7 +4,7 @@
 #include "solver/angular/harmonics/spherical_harmonics.h"
 #include "solver/angular/sets/direction_set.h"
 
-namespace etendue {
+namespace etendue::lebedev_test {
 namespace {
 
 /// Largest integral over the set of a harmonic of degree `first` … `last`, which is 0 on the sphere.
@@ -57,4 +57,4 @@ TEST(LebedevDegrees, AreThoseWithPositiveWeights) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::lebedev_test

@@ -7,7 +7,7 @@
 
 #include "solver/angular/sets/direction_set.h"
 
-namespace etendue {
+namespace etendue::level_symmetric_test {
 namespace {
 
 using std::numbers::pi;
@@ -63,4 +63,4 @@ TEST(LevelSymmetric, IntegratesEvenPowersUpToItsOrder) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::level_symmetric_test

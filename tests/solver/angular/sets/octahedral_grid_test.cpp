@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-namespace etendue {
+namespace etendue::octahedral_grid_test {
 namespace {
 
 std::vector<Vec3> random_directions(int count) {
@@ -98,4 +98,4 @@ TEST(OctahedralGrid, TakesTheSamePointsWithAStride) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::octahedral_grid_test

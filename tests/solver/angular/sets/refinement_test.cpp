@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace etendue {
+namespace etendue::refinement_test {
 namespace {
 
 using std::numbers::pi;
@@ -76,4 +76,4 @@ TEST(Refinement, ThatIsTooFineIsRefused) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::refinement_test

@@ -11,7 +11,7 @@
 #include "solver/angular/harmonics/harmonics.h"
 #include "tests/solver/angular/sets/sets_to_test.h"
 
-namespace etendue {
+namespace etendue::rotation_test {
 namespace {
 
 TEST(Rotation, TurnsCounterclockwiseAboutItsAxis) {
@@ -107,4 +107,4 @@ TEST(RotatedSet, CopiesOfAPlaneSetStayInThePlane) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::rotation_test

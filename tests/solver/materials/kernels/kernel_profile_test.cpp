@@ -7,7 +7,7 @@
 #include <memory>
 #include <numbers>
 
-namespace etendue {
+namespace etendue::kernel_profile_test {
 namespace {
 
 using std::numbers::pi;
@@ -54,4 +54,4 @@ TEST(KernelProfile, OfWhatDoesNotScatterOrIsAMatrixIsUnknown) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::kernel_profile_test

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace etendue {
+namespace etendue::angular_formula_test {
 namespace {
 
 TEST(AngularFormula, KnowsWhetherItDependsOnTheDirection) {
@@ -23,4 +23,4 @@ TEST(MeanOverDirections, IsAFormulaOfThePlace) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::angular_formula_test

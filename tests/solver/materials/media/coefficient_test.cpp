@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace etendue {
+namespace etendue::coefficient_test {
 namespace {
 
 Coefficient formula(const std::string& text) { return Coefficient(Expression(text, {"x", "y", "z"})); }
@@ -96,4 +96,4 @@ TEST(Coefficient, SlopeOfWhatIsNowhereNegativeReachesNoNegativeValue) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::coefficient_test

@@ -10,7 +10,7 @@
 #include "solver/materials/media/coefficient.h"
 #include "tests/solver/problem/cube_mesh.h"
 
-namespace etendue {
+namespace etendue::sampled_field_test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -155,4 +155,4 @@ TEST(Expression, CallsFunctionsOfThePlaceInCopiesToo) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sampled_field_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace etendue {
+namespace etendue::half_width_test {
 namespace {
 
 TEST(HalfWidth, OfHenyeyGreensteinIsInClosedForm) {
@@ -20,4 +20,4 @@ TEST(HalfWidth, OfHenyeyGreensteinIsInClosedForm) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::half_width_test

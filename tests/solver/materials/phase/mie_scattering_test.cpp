@@ -9,7 +9,7 @@
 #include "base/quadrature/gauss_legendre.h"
 #include "solver/materials/phase/mie_sphere.h"
 
-namespace etendue {
+namespace etendue::mie_scattering_test {
 namespace {
 
 using std::numbers::pi;
@@ -64,4 +64,4 @@ TEST(MieScattering, RefusesWhatItCannotCompute) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::mie_scattering_test

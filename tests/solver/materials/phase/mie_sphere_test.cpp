@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace etendue {
+namespace etendue::mie_sphere_test {
 namespace {
 
 using std::numbers::pi;
@@ -71,4 +71,4 @@ TEST(MieSphere, ThatDoesNotAbsorbScattersAllThatItTakes) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::mie_sphere_test

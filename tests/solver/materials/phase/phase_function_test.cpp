@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace etendue {
+namespace etendue::phase_function_test {
 namespace {
 
 /// 2 pi times the integral of p(mu) P_l(mu) by the midpoint rule in the angle.
@@ -96,4 +96,4 @@ TEST(PhaseFunction, HasAName) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::phase_function_test

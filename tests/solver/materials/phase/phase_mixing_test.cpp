@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::phase_mixing_test {
 namespace {
 
 TEST(PhaseMixing, MixesMomentsAndValues) {
@@ -29,4 +29,4 @@ TEST(PhaseMixing, RefusesThePlane) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::phase_mixing_test

@@ -6,7 +6,7 @@
 
 #include "solver/materials/phase/phase_function.h"
 
-namespace etendue {
+namespace etendue::phase_plane_test {
 namespace {
 
 using std::numbers::pi;
@@ -69,4 +69,4 @@ TEST(PhasePlane, SeriesAreJudgedByTheirValuesInThePlane) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::phase_plane_test

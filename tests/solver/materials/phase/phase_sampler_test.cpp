@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace etendue {
+namespace etendue::phase_sampler_test {
 namespace {
 
 std::vector<PhaseFunction> functions() {
@@ -68,4 +68,4 @@ TEST(PhaseSampler, RisesFromBackwardToForward) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::phase_sampler_test

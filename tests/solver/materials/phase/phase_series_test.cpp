@@ -9,7 +9,7 @@
 #include "solver/materials/phase/phase_models.h"
 #include "tests/support/text.h"
 
-namespace etendue {
+namespace etendue::phase_series_test {
 namespace {
 
 std::vector<double> powers(double g, int count) {
@@ -43,4 +43,4 @@ TEST(PhaseSeries, RefusesWhatAreNoMoments) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::phase_series_test

@@ -10,7 +10,7 @@
 #include "solver/materials/phase/phase_models.h"
 #include "tests/support/text.h"
 
-namespace etendue {
+namespace etendue::phase_table_test {
 namespace {
 
 using std::numbers::pi;
@@ -73,4 +73,4 @@ TEST(PhaseTable, TellsItsFactor) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::phase_table_test

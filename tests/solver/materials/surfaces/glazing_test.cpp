@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace etendue {
+namespace etendue::glazing_test {
 namespace {
 
 using std::numbers::pi;
@@ -82,4 +82,4 @@ TEST(Glazing, HasTheMeanOverTheHemisphere) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::glazing_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace etendue {
+namespace etendue::reflectance_table_test {
 namespace {
 
 using std::numbers::pi;
@@ -68,4 +68,4 @@ TEST(ReflectanceTable, MakesBothWaysEqual) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::reflectance_table_test

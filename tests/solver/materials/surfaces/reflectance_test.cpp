@@ -14,7 +14,7 @@
 #include "solver/materials/surfaces/reflectance_table.h"
 #include "solver/materials/surfaces/ward.h"
 
-namespace etendue {
+namespace etendue::reflectance_test {
 namespace {
 
 using std::numbers::pi;
@@ -180,4 +180,4 @@ TEST(AlbedoTable, MeanOfAnAlbedoLikeTheCosine) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::reflectance_test

@@ -9,7 +9,7 @@
 
 #include "tests/solver/observe/sensors/block_mesh.h"
 
-namespace etendue {
+namespace etendue::wall_atlas_test {
 namespace {
 
 TetrahedralMesh box() {
@@ -71,4 +71,4 @@ TEST(WallAtlas, RefusesMorePartsThanItHoldsTexelsFor) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::wall_atlas_test

@@ -10,7 +10,7 @@
 #include "tests/solver/observe/sensors/block_mesh.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::wall_bake_test {
 namespace {
 
 using std::numbers::pi;
@@ -141,4 +141,4 @@ TEST(WallBake, AddsLightsExactlyToWhatDirectionsBrought) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::wall_bake_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace etendue {
+namespace etendue::camera_test {
 namespace {
 
 Camera looking_along_y() {
@@ -74,4 +74,4 @@ TEST(Camera, TurnsAboutItsView) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::camera_test

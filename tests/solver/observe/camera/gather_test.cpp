@@ -8,7 +8,7 @@
 #include "solver/transport/solve/solve.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::gather_test {
 namespace {
 
 // The bottom of a cubic well under a uniform sky: in its corners 0.138531605995 pi arrive (closed form of the
@@ -51,4 +51,4 @@ TEST(Gather, FindsTheSkyFromTheCornersOfAWell) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::gather_test

@@ -7,7 +7,7 @@
 
 #include "solver/observe/color/color_matching.h"
 
-namespace etendue {
+namespace etendue::band_color_test {
 namespace {
 
 /// Planck's law but for a factor; wavelength in nm.
@@ -101,4 +101,4 @@ TEST(BandColor, IsGreyWithoutEdges) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::band_color_test

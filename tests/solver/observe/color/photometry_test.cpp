@@ -9,8 +9,9 @@
 #include <sstream>
 
 #include "solver/observe/color/photometric_units.h"
+#include "tests/support/checkout.h"
 
-namespace etendue {
+namespace etendue::photometry_test {
 namespace {
 
 /// Bands of 1 nm, their middles at whole numbers.
@@ -54,7 +55,7 @@ Seen seen(const Spectrum& spectrum, int first, int last) {
 
 // Every row of the reference: black bodies, white, and single wavelengths.
 TEST(Photometry, HasTheEfficaciesOfTheReference) {
-  std::ifstream stream(std::string(ETENDUE_SOURCE_DIR) + "/validation/reference/luminous_efficacy.csv");
+  std::ifstream stream(test::checkout("validation/reference/luminous_efficacy.csv"));
   int rows = 0;
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with('#') || line.starts_with("source")) continue;
@@ -139,4 +140,4 @@ TEST(PhotometricUnits, AreThoseOfThePublishedTable) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::photometry_test

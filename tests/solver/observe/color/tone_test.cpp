@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::tone_test {
 namespace {
 
 TEST(Tone, RisesFromBlackToWhite) {
@@ -40,4 +40,4 @@ TEST(Tone, IsExposedForMostOfThePicture) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::tone_test

@@ -7,7 +7,7 @@
 
 #include "base/blackbody.h"
 
-namespace etendue {
+namespace etendue::white_balance_test {
 namespace {
 
 /// Largest primary less the smallest one, of their mean.
@@ -67,4 +67,4 @@ TEST(BandColor, ShowsBandsThatTheEyeDoesNotSeeAsGrey) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::white_balance_test

@@ -17,7 +17,7 @@
 #include "tests/solver/observe/photon_map/map_samples.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::caustic_test {
 namespace {
 
 using std::numbers::pi;
@@ -143,4 +143,4 @@ TEST(Caustic, OfAGlossySheetIsThatOfItsParts) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::caustic_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace etendue {
+namespace etendue::disc_area_test {
 namespace {
 
 using std::numbers::pi;
@@ -40,4 +40,4 @@ TEST(DiscArea, AddsUpOverTriangles) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::disc_area_test

@@ -8,7 +8,7 @@
 
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::keep_hits_test {
 namespace {
 
 /// Grey walls that shine, and haze.
@@ -62,4 +62,4 @@ TEST(KeepHits, BringThePowerThatArrives) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::keep_hits_test

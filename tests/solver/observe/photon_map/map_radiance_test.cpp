@@ -13,7 +13,7 @@
 #include "tests/solver/observe/photon_map/map_samples.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::map_radiance_test {
 namespace {
 
 using std::numbers::pi;
@@ -200,4 +200,4 @@ TEST(MapRadiance, DoesNotPassUnderASheet) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::map_radiance_test

@@ -18,15 +18,16 @@
 #include "solver/uncollided/first_collision/solve_split.h"
 #include "tests/solver/observe/sensors/block_mesh.h"
 #include "tests/solver/transport/sample_problems.h"
+#include "tests/support/checkout.h"
 
-namespace etendue {
+namespace etendue::emergent_radiance_test {
 namespace {
 
 using std::numbers::pi;
 
 /// H over mu, from the lines w, mu, H, …
 std::map<double, double> chandrasekhar_h(double albedo) {
-  std::ifstream file(ETENDUE_SOURCE_DIR "/validation/reference/chandrasekhar_h.csv");
+  std::ifstream file(test::checkout("validation/reference/chandrasekhar_h.csv"));
   std::map<double, double> table;
   for (std::string line; std::getline(file, line);) {
     std::ranges::replace(line, ',', ' ');
@@ -151,4 +152,4 @@ TEST(EmergentRadiance, OfAHalfSpaceInTheSunIsExact) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::emergent_radiance_test

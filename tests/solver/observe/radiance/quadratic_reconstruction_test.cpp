@@ -11,7 +11,7 @@
 #include "tests/solver/transport/linear_fits.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::quadratic_reconstruction_test {
 namespace {
 
 using Function = std::function<double(const Vec3&)>;
@@ -121,4 +121,4 @@ TEST(QuadraticReconstruction, LeavesRegionsApart) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::quadratic_reconstruction_test

@@ -14,7 +14,7 @@
 #include "solver/uncollided/first_collision/solve_split.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::ray_radiance_test {
 namespace {
 
 using std::numbers::pi;
@@ -341,4 +341,4 @@ TEST(RayRadiance, RefusesAStateOfAnotherKind) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::ray_radiance_test

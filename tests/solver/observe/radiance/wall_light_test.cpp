@@ -12,7 +12,7 @@
 #include "mesh/tetrahedra/search/cell_locator.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::wall_light_test {
 namespace {
 
 TEST(WallLight, KeepsAnIrradianceThatIsLinearOnEachSide) {
@@ -208,4 +208,4 @@ TEST(WallLight, CutsLampsInPenumbras) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::wall_light_test

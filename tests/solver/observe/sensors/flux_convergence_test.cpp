@@ -11,7 +11,7 @@
 #include "solver/observe/sensors/sensor_reading.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::flux_convergence_test {
 namespace {
 
 using std::numbers::pi;
@@ -75,4 +75,4 @@ TEST(FluxConvergence, OfCollidedLightThroughAPolygonIsOfOrderTwo) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::flux_convergence_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-namespace etendue {
+namespace etendue::glare_test {
 namespace {
 
 using std::numbers::pi;
@@ -115,4 +115,4 @@ TEST(GlareSources, AreOneWhereTheyAreNear) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::glare_test

@@ -11,7 +11,7 @@
 #include "tests/solver/observe/sensors/reference_rows.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::irradiance_identities_test {
 namespace {
 
 using std::numbers::pi;
@@ -212,4 +212,4 @@ TEST(LightIrradiance, IsThatOfTheVisibleSky) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::irradiance_identities_test

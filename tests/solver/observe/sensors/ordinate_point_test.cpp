@@ -9,7 +9,7 @@
 #include "solver/transport/solve/solve.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::ordinate_point_test {
 namespace {
 
 // The sums that a run's own meter and probe show, in cells, on a face between them and on a wall.
@@ -39,4 +39,4 @@ TEST(OrdinatePoint, ShowsWhatMetersAndProbesShow) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::ordinate_point_test

@@ -15,7 +15,7 @@
 #include "tests/solver/transport/sample_problems.h"
 #include "tests/solver/uncollided/visible_part.h"
 
-namespace etendue {
+namespace etendue::penumbra_test {
 namespace {
 
 const Vec3 low(0.35, 0.3, 0.45);
@@ -148,4 +148,4 @@ TEST(LightIrradiance, IsZeroOnTheFaceThatShines) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::penumbra_test

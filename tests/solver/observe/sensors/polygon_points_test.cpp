@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace etendue {
+namespace etendue::polygon_points_test {
 namespace {
 
 double integral(const std::vector<Vec3>& polygon, int n, const std::function<double(const Vec3&)>& function) {
@@ -52,4 +52,4 @@ TEST(PolygonPoints, LieInThePolygon) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::polygon_points_test

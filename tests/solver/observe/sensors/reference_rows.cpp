@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "tests/solver/observe/sensors/reference_rows.h"
+#include "tests/support/checkout.h"
 
 #include <algorithm>
 #include <cctype>
@@ -27,7 +28,7 @@ std::vector<double> numbers_in(const std::string& text) {
 }  // namespace
 
 std::vector<ReferenceRow> reference_rows(const std::string& file) {
-  std::ifstream stream(std::string(ETENDUE_SOURCE_DIR) + "/validation/reference/" + file);
+  std::ifstream stream(checkout("validation/reference/" + file));
   std::vector<ReferenceRow> rows;
   for (std::string line; std::getline(stream, line);) {
     const std::size_t open = line.find('"'), close = line.rfind('"');

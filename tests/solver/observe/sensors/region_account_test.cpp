@@ -14,7 +14,7 @@
 #include "solver/uncollided/first_collision/solve_split.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::region_account_test {
 namespace {
 
 using std::numbers::pi;
@@ -276,4 +276,4 @@ TEST(RegionAccount, KnowsWhereLightOfLightsGoes) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::region_account_test

@@ -13,7 +13,7 @@
 #include "tests/solver/observe/sensors/block_mesh.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::sensor_reading_test {
 namespace {
 
 using std::numbers::pi;
@@ -402,4 +402,4 @@ TEST(SensorReader, FluxThroughPolygonsConvergesToThePowerInside) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sensor_reading_test

@@ -10,7 +10,7 @@
 #include "tests/solver/observe/sensors/block_mesh.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::wall_intensity_test {
 namespace {
 
 using std::numbers::pi;
@@ -86,4 +86,4 @@ TEST(WallIntensity, AnglesAreThoseOfTheWall) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::wall_intensity_test

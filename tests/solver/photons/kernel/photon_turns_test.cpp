@@ -9,7 +9,7 @@
 #include "solver/photons/kernel/random_events.h"
 #include "solver/photons/sampling/angle_table.h"
 
-namespace etendue {
+namespace etendue::photon_turns_test {
 namespace {
 
 // The next terms of the series are (pi/4)^16/16! = 1e-15 of the cosine and (pi/4)^17/17! of the sine.
@@ -107,4 +107,4 @@ TEST(AngleTable, DrawsTheAnglesOfItsIntensity) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::photon_turns_test

@@ -11,7 +11,7 @@
 #include "solver/angular/sets/direction_set.h"
 #include "solver/materials/kernels/leaf_canopy.h"
 
-namespace etendue {
+namespace etendue::direction_sampler_test {
 namespace {
 
 using std::numbers::pi;
@@ -76,4 +76,4 @@ TEST(DirectionSampler, DrawsWhereFlakesScatter) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::direction_sampler_test

@@ -17,7 +17,7 @@
 #include "tests/solver/photons/solve/photon_samples.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::directional_medium_test {
 namespace {
 
 using std::numbers::pi;
@@ -138,4 +138,4 @@ TEST(DirectionalMedium, RefusesNegativeAbsorptionWithTheDirection) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::directional_medium_test

@@ -15,7 +15,7 @@
 #include "tests/solver/photons/solve/photon_samples.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::formula_emission_test {
 namespace {
 
 using std::numbers::pi;
@@ -145,4 +145,4 @@ TEST(FormulaEmission, LeavesAWallOnce) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::formula_emission_test

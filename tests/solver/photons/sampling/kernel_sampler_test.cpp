@@ -17,7 +17,7 @@
 #include "tests/solver/photons/solve/photon_samples.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::kernel_sampler_test {
 namespace {
 
 using std::numbers::pi;
@@ -159,4 +159,4 @@ TEST(KernelSampler, RefusesNegativeKernelsWithTheDirections) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::kernel_sampler_test

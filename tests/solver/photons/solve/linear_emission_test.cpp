@@ -11,7 +11,7 @@
 #include "tests/solver/photons/solve/photon_samples.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::linear_emission_test {
 namespace {
 
 using std::numbers::pi;
@@ -61,4 +61,4 @@ TEST(LinearEmission, BringsTheIrradianceOfASlabBackwards) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::linear_emission_test

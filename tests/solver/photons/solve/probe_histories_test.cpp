@@ -9,7 +9,7 @@
 
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::probe_histories_test {
 namespace {
 
 using std::numbers::pi;
@@ -60,4 +60,4 @@ TEST(ProbeHistories, LeaveOutProbesThatAreNotWholeWhereTheyAreStopped) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::probe_histories_test

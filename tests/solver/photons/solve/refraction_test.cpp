@@ -14,7 +14,7 @@
 #include "tests/solver/photons/solve/photon_samples.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::refraction_test {
 namespace {
 
 using std::numbers::pi;
@@ -91,4 +91,4 @@ TEST(Refraction, FindsGiovanellisReflectance) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::refraction_test

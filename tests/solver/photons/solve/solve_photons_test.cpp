@@ -15,7 +15,7 @@
 #include "tests/solver/photons/solve/photon_samples.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::solve_photons_test {
 namespace {
 
 using std::numbers::pi;
@@ -277,4 +277,4 @@ TEST(SolvePhotons, RefusesKernelsAsMatrices) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::solve_photons_test

@@ -9,7 +9,7 @@
 #include "solver/problem/lights/lamp_shape.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::lamp_in_cone_test {
 namespace {
 
 using std::numbers::pi;
@@ -79,4 +79,4 @@ TEST_F(LampInCone, OfPlanesThatAWallCutsAgreesWithASum) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::lamp_in_cone_test

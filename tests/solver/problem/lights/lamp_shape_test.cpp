@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace etendue {
+namespace etendue::lamp_shape_test {
 namespace {
 
 using std::numbers::pi;
@@ -76,4 +76,4 @@ TEST(LampShape, HasEdgesWhereItJumpsOrBends) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::lamp_shape_test

@@ -7,7 +7,7 @@
 
 #include "tests/solver/problem/cube_mesh.h"
 
-namespace etendue {
+namespace etendue::tangent_cone_test {
 namespace {
 
 using std::numbers::pi;
@@ -47,4 +47,4 @@ TEST(TangentCone, ContainsWhatLeadsIntoTheDomain) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::tangent_cone_test

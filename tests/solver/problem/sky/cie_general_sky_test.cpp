@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace etendue {
+namespace etendue::cie_general_sky_test {
 namespace {
 
 double radians(double degrees) { return degrees * M_PI / 180; }
@@ -82,4 +82,4 @@ TEST(CieGeneralSky, HasItsCoronaOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::cie_general_sky_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace etendue {
+namespace etendue::perez_efficacy_test {
 namespace {
 
 // Worked by hand from table 4 of Perez et al. 1990 for 2 cm of water: overcast with cos Z = 0.5 and Delta =
@@ -22,4 +22,4 @@ TEST(PerezEfficacy, GrowsWithTheWaterOfTheAir) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::perez_efficacy_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace etendue {
+namespace etendue::perez_sky_test {
 namespace {
 
 double radians(double degrees) { return degrees * M_PI / 180; }
@@ -53,4 +53,4 @@ TEST(PerezSky, TakesDarkSkiesBetweenForBrighter) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::perez_sky_test

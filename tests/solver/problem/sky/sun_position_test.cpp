@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace etendue {
+namespace etendue::sun_position_test {
 namespace {
 
 // Reda and Andreas, Solar Energy 76 (2004) 577, table A5.1: Golden, Colorado; altitude without
@@ -39,4 +39,4 @@ TEST(SunPosition, TheSunIsNearestInJanuary) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sun_position_test

@@ -8,7 +8,7 @@
 #include "tests/solver/radiosity/radiosity_samples.h"
 #include "tests/solver/radiosity/reference_shapes.h"
 
-namespace etendue {
+namespace etendue::exchange_links_test {
 namespace {
 
 LinkRule rule_for(const std::vector<FlatPatch>& patches, double tolerance) {
@@ -87,4 +87,4 @@ TEST(ExchangeLinks, TellHowFarTheyAre) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::exchange_links_test

@@ -8,7 +8,7 @@
 #include "mesh/tetrahedra/generation/tetrahedralize.h"
 #include "tests/solver/radiosity/radiosity_samples.h"
 
-namespace etendue {
+namespace etendue::links_convergence_test {
 namespace {
 
 /// Root mean square of what two solutions differ by, of the mean of one.
@@ -113,4 +113,4 @@ TEST(LinksConvergence, LinksGrowAsPatchesDo) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::links_convergence_test

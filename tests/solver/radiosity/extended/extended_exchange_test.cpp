@@ -20,7 +20,7 @@
 #include "solver/solution/balance.h"
 #include "tests/solver/radiosity/radiosity_samples.h"
 
-namespace etendue {
+namespace etendue::extended_exchange_test {
 namespace {
 
 using std::numbers::pi;
@@ -343,4 +343,4 @@ TEST(ExtendedRoom, GlossyWallsAreThoseOfPhotons) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::extended_exchange_test

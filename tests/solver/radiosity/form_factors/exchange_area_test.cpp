@@ -7,7 +7,7 @@
 
 #include "base/quadrature/adaptive_rule.h"
 
-namespace etendue {
+namespace etendue::exchange_area_test {
 namespace {
 
 FlatPatch rectangle(const Vec3& corner, const Vec3& u, const Vec3& v) {
@@ -80,4 +80,4 @@ TEST(ExchangeArea, FarPatchesBySumsAgreeWithContours) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::exchange_area_test

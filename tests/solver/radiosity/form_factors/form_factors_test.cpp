@@ -9,7 +9,7 @@
 #include "tests/solver/radiosity/form_factors/ray_factors.h"
 #include "tests/solver/radiosity/reference_shapes.h"
 
-namespace etendue {
+namespace etendue::form_factors_test {
 namespace {
 
 std::size_t groups_of(const ReferenceShape& shape) { return std::ranges::max(shape.group_of) + 1; }
@@ -51,4 +51,4 @@ TEST(FormFactors, ByRaysAreWithinThreeStandardErrors) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::form_factors_test

@@ -8,7 +8,7 @@
 
 #include "tests/solver/radiosity/reference_shapes.h"
 
-namespace etendue {
+namespace etendue::hemicube_test {
 namespace {
 
 TEST(Hemicube, FactorsOverSubPatchesAreWithinAThousandth) {
@@ -22,4 +22,4 @@ TEST(Hemicube, FactorsOverSubPatchesAreWithinAThousandth) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::hemicube_test

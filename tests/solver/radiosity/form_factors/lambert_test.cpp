@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace etendue {
+namespace etendue::lambert_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -58,4 +58,4 @@ TEST(Lambert, VectorOfASmallPatchIsItsSolidAngleTimesItsDirection) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::lambert_test

@@ -6,7 +6,7 @@
 #include "tests/solver/radiosity/form_factors/ray_factors.h"
 #include "tests/solver/radiosity/reference_shapes.h"
 
-namespace etendue {
+namespace etendue::ray_scene_test {
 namespace {
 
 const std::vector<TriangleCorners> lid = {{Vec3(-1, -1, 1), Vec3(0, 1, 1), Vec3(1, -1, 1)}};
@@ -60,4 +60,4 @@ TEST(RayFactors, AreTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::ray_scene_test

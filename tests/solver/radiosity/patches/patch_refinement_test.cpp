@@ -11,7 +11,7 @@
 #include "solver/radiosity/solve/patch_light.h"
 #include "tests/solver/radiosity/radiosity_samples.h"
 
-namespace etendue {
+namespace etendue::patch_refinement_test {
 namespace {
 
 /// A function of the place as irradiance, in the middle of each patch.
@@ -150,4 +150,4 @@ TEST(PatchLight, IsThatOfThePatchOnEachOfItsTriangles) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::patch_refinement_test

@@ -11,7 +11,7 @@
 #include "tests/solver/radiosity/radiosity_samples.h"
 #include "tests/solver/radiosity/reference_shapes.h"
 
-namespace etendue {
+namespace etendue::patch_tree_test {
 namespace {
 
 TEST(PatchTree, HoldsEachPatchOnceInBallsAndBetweenPlanes) {
@@ -105,4 +105,4 @@ TEST(NodeExchange, KnowsWhatIsBehind) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::patch_tree_test

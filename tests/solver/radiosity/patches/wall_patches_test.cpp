@@ -7,7 +7,7 @@
 
 #include "tests/solver/radiosity/radiosity_samples.h"
 
-namespace etendue {
+namespace etendue::wall_patches_test {
 namespace {
 
 /// Every face's parts add up to it, and patches cover the walls.
@@ -69,4 +69,4 @@ TEST(WallPatches, LookIntoTheDomain) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::wall_patches_test

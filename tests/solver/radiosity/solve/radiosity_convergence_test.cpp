@@ -9,7 +9,7 @@
 #include "tests/solver/radiosity/radiosity_samples.h"
 #include "tests/solver/radiosity/reference_shapes.h"
 
-namespace etendue {
+namespace etendue::radiosity_convergence_test {
 namespace {
 
 // validation/reference/radiosity_cube_continuous.csv, reflectance 0.5 and 0.9: wall means and their standard
@@ -100,4 +100,4 @@ TEST(RadiosityConvergence, FactorsBehindACrateAreThoseOfRays) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::radiosity_convergence_test

@@ -9,7 +9,7 @@
 #include "solver/radiosity/exchange/factor_checks.h"
 #include "tests/solver/radiosity/reference_shapes.h"
 
-namespace etendue {
+namespace etendue::radiosity_equation_test {
 namespace {
 
 /// The upper half shines and reflects 0.8, the lower reflects 0.3.
@@ -99,4 +99,4 @@ TEST(ExchangeMatrix, ClosingKeepsReciprocity) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::radiosity_equation_test

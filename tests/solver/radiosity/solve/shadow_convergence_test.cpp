@@ -9,7 +9,7 @@
 #include "mesh/tetrahedra/generation/tetrahedralize.h"
 #include "tests/solver/radiosity/radiosity_samples.h"
 
-namespace etendue {
+namespace etendue::shadow_convergence_test {
 namespace {
 
 const Vec3 board_min(0.35, 0.3, 0.4), board_max(0.6, 0.65, 0.45);
@@ -113,4 +113,4 @@ TEST(ShadowConvergence, PatchesCutAtTheShadowNeedFewerForTheSameError) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::shadow_convergence_test

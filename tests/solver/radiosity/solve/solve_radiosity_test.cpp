@@ -8,8 +8,9 @@
 
 #include "solver/solution/balance.h"
 #include "tests/solver/radiosity/radiosity_samples.h"
+#include "tests/support/checkout.h"
 
-namespace etendue {
+namespace etendue::solve_radiosity_test {
 namespace {
 
 struct CubeRow {
@@ -18,7 +19,7 @@ struct CubeRow {
 
 /// The irradiances of validation/reference/radiosity_cube_6x6.csv.
 std::vector<CubeRow> cube_rows() {
-  std::ifstream file(ETENDUE_SOURCE_DIR "/validation/reference/radiosity_cube_6x6.csv");
+  std::ifstream file(test::checkout("validation/reference/radiosity_cube_6x6.csv"));
   std::vector<CubeRow> rows;
   for (std::string line; std::getline(file, line);) {
     std::istringstream text(line);
@@ -134,4 +135,4 @@ TEST(SolveRadiosity, RefusesWhatItDoesNotKnowWithTheLine) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::solve_radiosity_test

@@ -10,7 +10,7 @@
 #include "solver/transport/acceleration/diffusion_acceleration.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::acceleration_test {
 namespace {
 
 SolveOptions options_of(Method method, Acceleration acceleration, double tolerance = 1e-8) {
@@ -329,4 +329,4 @@ TEST(DiffusionAcceleration, NothingHappensToABandThatIsDone) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::acceleration_test

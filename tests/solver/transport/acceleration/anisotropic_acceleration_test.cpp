@@ -10,7 +10,7 @@
 #include "solver/transport/sweep/transport_sweep.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::anisotropic_acceleration_test {
 namespace {
 
 constexpr ScatteringChoice dense{ScatteringBackend::dense};
@@ -208,4 +208,4 @@ TEST(DiffusiveMedium, OfLevelLeavesConductsAlongThem) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::anisotropic_acceleration_test

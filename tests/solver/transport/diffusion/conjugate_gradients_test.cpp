@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace etendue {
+namespace etendue::conjugate_gradients_test {
 namespace {
 
 /// -u'' on 100 points.
@@ -42,4 +42,4 @@ TEST(OrderedDot, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::conjugate_gradients_test

@@ -9,7 +9,7 @@
 #include "solver/transport/diffusion/vertex_space.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::diffusion_matrix_test {
 namespace {
 
 DiffusionCoefficients uniform(const TetrahedralMesh& mesh, double absorption, double diffusion,
@@ -111,4 +111,4 @@ TEST(DiffusionMatrix, OnContinuousFunctionsTheCellsAloneAreLeft) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::diffusion_matrix_test

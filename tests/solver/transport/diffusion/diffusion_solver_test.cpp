@@ -7,7 +7,7 @@
 
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::diffusion_solver_test {
 namespace {
 
 DiffusionCoefficients uniform(const TetrahedralMesh& mesh, double absorption, double diffusion,
@@ -164,4 +164,4 @@ TEST(DiffusionSolver, RefusesWhatHasNoSteadyState) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::diffusion_solver_test

@@ -11,7 +11,7 @@
 #include "solver/transport/diffusion/vertex_space.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::vertex_multigrid_test {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
@@ -138,4 +138,4 @@ TEST(Aggregation, SmoothedFunctionsAddUpToConstants) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::vertex_multigrid_test

@@ -13,7 +13,7 @@
 #include "solver/transport/iteration/source_iteration.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::bands_apart_test {
 namespace {
 
 constexpr std::size_t bands = 3;
@@ -157,4 +157,4 @@ TEST(SourceIteration, ThatDivergesWithDiffusionGoesOnWithout) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::bands_apart_test

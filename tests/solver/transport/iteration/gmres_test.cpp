@@ -9,7 +9,7 @@
 #include "solver/transport/iteration/band_vectors.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::gmres_test {
 namespace {
 
 Solution solved(const Problem& problem, Method method, double tolerance = 1e-11) {
@@ -119,4 +119,4 @@ TEST(TransportSweep, LinearPartIsTheDifferenceOfTwoSweeps) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::gmres_test

@@ -8,7 +8,7 @@
 #include "solver/transport/solve/solve.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::iteration_test {
 namespace {
 
 Problem hazy_room(const TetrahedralMesh& mesh, int bands) {
@@ -190,4 +190,4 @@ TEST(Meters, AddUpToTheNetFlux) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::iteration_test

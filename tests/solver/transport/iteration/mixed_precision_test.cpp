@@ -17,7 +17,7 @@
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::mixed_precision_test {
 namespace {
 
 /// A problem and its sweeps in both precisions.
@@ -285,4 +285,4 @@ TEST(MixedPrecision, BreaksCyclesAsDoubleDoes) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::mixed_precision_test

@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <random>
 
-namespace etendue {
+namespace etendue::cell_balance_test {
 namespace {
 
 /// The four equations as docs/theory/theory.md writes them, times 12.
@@ -127,4 +127,4 @@ TEST(LumpedCellBalance, KeepsThickCellsNearlyPositive) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::cell_balance_test

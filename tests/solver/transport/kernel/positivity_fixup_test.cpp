@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace etendue {
+namespace etendue::positivity_fixup_test {
 namespace {
 
 struct Cell {
@@ -122,4 +122,4 @@ TEST(PositivityFixup, CellWithoutLightStaysDark) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::positivity_fixup_test

@@ -9,7 +9,7 @@
 #include "solver/transport/order/sweep_order.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::reference_sweep_test {
 namespace {
 
 /// All cells, each after its neighbors upwind.
@@ -81,4 +81,4 @@ TEST(ReferenceSweep, AgreesWithTheFastKernel) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::reference_sweep_test

@@ -8,7 +8,7 @@
 #include "base/errors.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::sweep_kernel_test {
 namespace {
 
 class KernelChoice : public testing::Test {
@@ -77,4 +77,4 @@ TEST(LaneStride, RoundsBandsUpToLanes) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sweep_kernel_test

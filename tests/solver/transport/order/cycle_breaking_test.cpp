@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-namespace etendue {
+namespace etendue::cycle_breaking_test {
 namespace {
 
 bool has_cycle(std::int32_t nodes, const std::vector<FlowEdge>& edges) {
@@ -60,4 +60,4 @@ TEST(CycleBreaking, LeavesNoCycleInRandomGraphs) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::cycle_breaking_test

@@ -9,7 +9,7 @@
 #include "solver/transport/sweep/transport_sweep.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::ordinate_schedule_test {
 namespace {
 
 /// An absorbing cube that shines, with mirrors at these walls and black ones elsewhere.
@@ -150,4 +150,4 @@ TEST(OrdinateSchedule, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::ordinate_schedule_test

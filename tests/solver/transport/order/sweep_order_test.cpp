@@ -11,7 +11,7 @@
 #include "solver/transport/order/projected_area.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::sweep_order_test {
 namespace {
 
 std::vector<std::int32_t> positions(const SweepOrder& order) {
@@ -263,4 +263,4 @@ TEST(SweepOrder, BreaksTheCycleOfATwistedRing) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sweep_order_test

@@ -13,7 +13,7 @@
 #include "solver/transport/solve/solve.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::dense_scattering_test {
 namespace {
 
 constexpr double four_pi = 4 * std::numbers::pi;
@@ -234,4 +234,4 @@ TEST(MemoryEstimate, CountsTheAngularSolutionOfDenseCells) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::dense_scattering_test

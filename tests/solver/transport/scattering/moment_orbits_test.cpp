@@ -12,7 +12,7 @@
 #include "solver/transport/kernel/sweep_kernel.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::moment_orbits_test {
 namespace {
 
 Problem cube_problem(const TetrahedralMesh& mesh) {
@@ -154,4 +154,4 @@ TEST_P(MomentProduct, IsThatOfAllFactorsBothWays) {
 INSTANTIATE_TEST_SUITE_P(OrbitSizes, MomentProduct, testing::Values(2, 8));
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::moment_orbits_test

@@ -10,7 +10,7 @@
 #include "solver/transport/cells/cell_coefficients.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::resolution_test {
 namespace {
 
 using std::numbers::pi;
@@ -57,4 +57,4 @@ TEST(Resolution, IsNoMatterOfAVacuumNorOfWidePhaseFunctions) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::resolution_test

@@ -11,7 +11,7 @@
 #include "solver/solution/balance.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::directional_emission_test {
 namespace {
 
 using std::numbers::pi;
@@ -99,4 +99,4 @@ TEST(DirectionalEmission, OfAWallMayBeNegativeWhereLightDoesNotEnter) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::directional_emission_test

@@ -12,7 +12,7 @@
 #include "solver/solution/balance.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::ordinate_lights_test {
 namespace {
 
 using std::numbers::pi;
@@ -149,4 +149,4 @@ TEST(OrdinateLights, CloseTheBalance) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::ordinate_lights_test

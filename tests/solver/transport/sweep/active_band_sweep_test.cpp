@@ -8,7 +8,7 @@
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::active_band_sweep_test {
 namespace {
 
 constexpr int bands = 5;
@@ -129,4 +129,4 @@ TEST(ActiveBandSweep, CountsOnlyTheBandsThatItSweeps) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::active_band_sweep_test

@@ -11,7 +11,7 @@
 
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::finite_check_test {
 namespace {
 
 Problem scattering_cube(const TetrahedralMesh& mesh, double emission) {
@@ -77,4 +77,4 @@ TEST(FiniteCheck, TinyAndHugeSourcesConvergeAsOthersDo) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::finite_check_test

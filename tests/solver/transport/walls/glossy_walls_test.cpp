@@ -14,7 +14,7 @@
 #include "solver/transport/solve/solve.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::glossy_walls_test {
 namespace {
 
 using std::numbers::pi;
@@ -162,4 +162,4 @@ TEST(GlossyWalls, MayLieAskew) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::glossy_walls_test

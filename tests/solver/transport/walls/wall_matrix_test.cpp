@@ -12,7 +12,7 @@
 #include "solver/materials/surfaces/phong.h"
 #include "solver/materials/surfaces/ward.h"
 
-namespace etendue {
+namespace etendue::wall_matrix_test {
 namespace {
 
 std::vector<std::shared_ptr<const Reflectance>> models() {
@@ -135,4 +135,4 @@ TEST(WallMatrix, ANarrowLobeIsAMirror) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::wall_matrix_test

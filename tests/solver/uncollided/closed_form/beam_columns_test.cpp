@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace etendue {
+namespace etendue::beam_columns_test {
 namespace {
 
 using Corners = std::array<Vec3, 4>;
@@ -52,4 +52,4 @@ TEST(BeamColumns, FillTheCornerOfACubeAlongItsAxesAndDiagonals) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::beam_columns_test

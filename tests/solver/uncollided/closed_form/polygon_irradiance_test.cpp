@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace etendue {
+namespace etendue::polygon_irradiance_test {
 namespace {
 
 using std::numbers::pi;
@@ -51,4 +51,4 @@ TEST(PolygonIrradiance, CountsWhatIsAboveTheHorizon) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::polygon_irradiance_test

@@ -9,7 +9,7 @@
 
 #include "solver/uncollided/rays/attenuation.h"
 
-namespace etendue {
+namespace etendue::solid_angle_test {
 namespace {
 
 using std::numbers::pi;
@@ -90,4 +90,4 @@ TEST(AttenuationIntegrals, IsTheIntegralAlongIt) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::solid_angle_test

@@ -8,7 +8,7 @@
 
 #include "base/quadrature/gauss_legendre.h"
 
-namespace etendue {
+namespace etendue::solid_shape_test {
 namespace {
 
 using std::numbers::pi;
@@ -119,4 +119,4 @@ TEST(SolidShape, KnowsHowFarItsSurfaceIs) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::solid_shape_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::uniform_emitters_test {
 namespace {
 
 /// A square of the plane z = height from (x, y) in two triangles that shine upwards.
@@ -82,4 +82,4 @@ TEST(FewTriangles, KeepPlanesAndRadiancesApart) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::uniform_emitters_test

@@ -15,7 +15,7 @@
 #include "solver/uncollided/first_collision/solve_split.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::beam_by_photons_test {
 namespace {
 
 using enum BeamProfile::Shape;
@@ -87,4 +87,4 @@ TEST(BeamByPhotons, AgreesWithRays) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::beam_by_photons_test

@@ -10,7 +10,7 @@
 #include "solver/angular/sets/direction_set.h"
 #include "solver/materials/phase/phase_function.h"
 
-namespace etendue {
+namespace etendue::conserve_moments_test {
 namespace {
 
 std::vector<Vec3> random_directions(int count) {
@@ -76,4 +76,4 @@ TEST(ConserveMoments, KeepsThePowerWhereThePeakIsNarrowerThanTheSet) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::conserve_moments_test

@@ -11,7 +11,7 @@
 #include "solver/uncollided/first_collision/solve_rotated.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::first_collided_solution_test {
 namespace {
 
 Light lamp(int bands) {
@@ -199,4 +199,4 @@ TEST(FirstCollidedSolution, RefusesMatricesAndSetsThatAreTooCoarse) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::first_collided_solution_test

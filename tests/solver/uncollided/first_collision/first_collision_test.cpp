@@ -11,7 +11,7 @@
 #include "solver/uncollided/first_collision/solve_split.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::first_collision_test {
 namespace {
 
 const Vec3 place_of_lamp(0.4, 0.55, 0.6);
@@ -196,4 +196,4 @@ TEST(FirstCollision, SendsTheLightOfAWallForwardBesideIt) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::first_collision_test

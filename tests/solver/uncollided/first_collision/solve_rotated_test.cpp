@@ -11,7 +11,7 @@
 #include "solver/solution/solve_observer.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::solve_rotated_test {
 namespace {
 
 /// Smoke between dark walls, of which the first may shine.
@@ -152,4 +152,4 @@ TEST(SolveRotated, SharesTheUncollidedLight) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::solve_rotated_test

@@ -13,7 +13,7 @@
 #include "solver/uncollided/first_collision/first_collision.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::solve_split_test {
 namespace {
 
 Light lamp(const Vec3& position) {
@@ -278,4 +278,4 @@ TEST(LightSetup, RefusesALampBetweenMirrorsThatFaceEachOther) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::solve_split_test

@@ -7,7 +7,7 @@
 #include "solver/uncollided/first_collision/solve_split.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::thick_cells_test {
 namespace {
 
 // Slab of optical thickness 20 and albedo 0.99 in a beam straight on: parts of its power, by adding and
@@ -56,4 +56,4 @@ TEST(ThickCells, ScatterABeamWhereItIsAttenuated) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::thick_cells_test

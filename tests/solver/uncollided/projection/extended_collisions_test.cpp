@@ -14,7 +14,7 @@
 #include "tests/solver/transport/sample_problems.h"
 #include "tests/solver/uncollided/obstacle_room.h"
 
-namespace etendue {
+namespace etendue::extended_collisions_test {
 namespace {
 
 constexpr double opaque = 1e5;
@@ -63,4 +63,4 @@ TEST(ExtendedCollisions, OfABandDoNotDependOnAnother) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::extended_collisions_test

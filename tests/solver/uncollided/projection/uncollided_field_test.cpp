@@ -17,7 +17,7 @@
 #include "tests/solver/transport/sample_problems.h"
 #include "tests/solver/uncollided/visible_part.h"
 
-namespace etendue {
+namespace etendue::uncollided_field_test {
 namespace {
 
 using std::numbers::pi;
@@ -441,4 +441,4 @@ TEST(UncollidedField, IsTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::uncollided_field_test

@@ -15,7 +15,7 @@
 #include "solver/uncollided/lights/light_setup.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::beam_at_mirror_test {
 namespace {
 
 using std::numbers::pi;
@@ -157,4 +157,4 @@ TEST(BeamAtMirror, ReachesGlossyWallsInItsDirection) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::beam_at_mirror_test

@@ -14,7 +14,7 @@
 #include "solver/uncollided/lights/light_setup.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::extended_source_test {
 namespace {
 
 using std::numbers::pi;
@@ -273,4 +273,4 @@ TEST(EmitterTree, HasItsPointsInTheLight) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::extended_source_test

@@ -13,7 +13,7 @@
 #include "solver/uncollided/sources/extended_source.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::mirrored_emitter_test {
 namespace {
 
 /// The cells of the region "source" as parts of a light.
@@ -165,4 +165,4 @@ TEST(MirroredEmitter, BringsAsMuchAsItsImagesOneByOne) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::mirrored_emitter_test

@@ -15,7 +15,7 @@
 #include "solver/uncollided/lights/light_setup.h"
 #include "tests/solver/transport/sample_problems.h"
 
-namespace etendue {
+namespace etendue::shadow_planes_test {
 namespace {
 
 enum class Inside { nothing, crate, ball_hole, fog, ball_of_fog };
@@ -252,4 +252,4 @@ TEST(ShadowPlanes, StandAgainAndAgainBetweenParallelMirrors) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::shadow_planes_test

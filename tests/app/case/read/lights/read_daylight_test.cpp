@@ -8,7 +8,7 @@
 #include "solver/observe/color/photometry.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::read_daylight_test {
 namespace {
 
 const std::string seen = "[bands]\nnames = [\"a\", \"b\"]\nedges = [400, 550, 700]\n";
@@ -130,4 +130,4 @@ TEST(ReadLight, KnowsLuminanceAndIlluminanceInUnitsOfTheCase) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_daylight_test

@@ -10,7 +10,7 @@
 #include "solver/observe/color/photometry.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::read_light_test {
 namespace {
 
 TEST(ReadLight, KnowsPointsAndSpots) {
@@ -230,4 +230,4 @@ TEST(LightTable, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_light_test

@@ -5,7 +5,7 @@
 
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::read_directional_test {
 namespace {
 
 const std::string air = cube + "[media.air]\n";  // the next line is 8
@@ -151,4 +151,4 @@ TEST(DirectionFormulas, AreRefusedWhereScatteringWouldFollowFromThem) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_directional_test

@@ -11,7 +11,7 @@
 #include "base/blackbody.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::read_gas_pressure_test {
 namespace {
 
 const std::string bordbar = "[bands]\nwsgg = \"bordbar\"\nmolar_ratio = 2\n";
@@ -101,4 +101,4 @@ TEST(ReadGasPressure, RefusesWhatHasNoMeaning) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_gas_pressure_test

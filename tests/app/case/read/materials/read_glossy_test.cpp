@@ -9,7 +9,7 @@
 #include "solver/materials/surfaces/ward.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::read_glossy_test {
 namespace {
 
 const std::string two_bands = cube + "[bands]\nnames = [\"a\", \"b\"]\n";  // lines 7 and 8
@@ -105,4 +105,4 @@ TEST(GlossyReader, RefusesMoreThanArrives) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_glossy_test

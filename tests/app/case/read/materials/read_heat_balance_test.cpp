@@ -11,7 +11,7 @@
 #include "tests/app/case/case_text.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
-namespace etendue {
+namespace etendue::read_heat_balance_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -184,4 +184,4 @@ TEST(ReadHeatBalance, RefusesWhatTheIterationCannot) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_heat_balance_test

@@ -4,7 +4,7 @@
 #include "solver/materials/phase/mie_scattering.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::read_mie_test {
 namespace {
 
 std::string one_band(const std::string& phase) {
@@ -57,4 +57,4 @@ TEST(ReadMie, SaysWhatIsMissingOrBelongsElsewhere) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_mie_test

@@ -3,7 +3,7 @@
 
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::read_phase_test {
 namespace {
 
 const std::string scattering_air = cube + "[media.air]\nscattering = 1\nphase = ";  // line 9
@@ -105,4 +105,4 @@ TEST(PhaseReader, RefusesSeriesThatAreNoPhaseFunctions) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_phase_test

@@ -9,7 +9,7 @@
 #include "base/expression/expression.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::read_reduced_scattering_test {
 namespace {
 
 std::string air(const std::string& keys) { return cube + "[media.air]\nabsorption = 0.02\n" + keys; }
@@ -90,4 +90,4 @@ TEST(ReadReducedScattering, NeedsAPhaseFunctionThatTurnsLight) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_reduced_scattering_test

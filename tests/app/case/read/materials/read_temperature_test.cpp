@@ -11,7 +11,7 @@
 #include "base/expression/expression.h"
 #include "tests/app/case/case_text.h"
 
-namespace etendue {
+namespace etendue::read_temperature_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -132,4 +132,4 @@ TEST(ReadTemperature, RefusesAWallThatBreaksKirchhoffsLaw) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::read_temperature_test
