@@ -8,18 +8,6 @@
 
 namespace etendue {
 
-const std::string cube = R"([[mesh.box]]
-region = "air"
-min = [0, 0, 0]
-max = [1, 1, 1]
-[media."*"]
-[walls."*"]
-)";
-
-const std::string no_geometry = R"([media."*"]
-[walls."*"]
-)";
-
 TestFolder::TestFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "etendue-test-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");

@@ -24,10 +24,21 @@ class TestFolder {
   std::filesystem::path path_;
 };
 
+// Inline, so that they are made before the strings of the tests that begin with them.
+
 /// Six lines: a unit cube of air, and entries for all media and walls.
-extern const std::string cube;
+inline const std::string cube = R"([[mesh.box]]
+region = "air"
+min = [0, 0, 0]
+max = [1, 1, 1]
+[media."*"]
+[walls."*"]
+)";
+
 /// Two lines: entries for all media and walls, without a geometry.
-extern const std::string no_geometry;
+inline const std::string no_geometry = R"([media."*"]
+[walls."*"]
+)";
 
 /// The case of this text.
 Case case_of(const std::string& text, const Overrides& overrides = {});
