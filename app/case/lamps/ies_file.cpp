@@ -14,9 +14,6 @@
 namespace etendue {
 namespace {
 
-/// More angles than any lamp has.
-constexpr double most_angles = 1e5;
-
 /// Files of many programs do not keep to the capitals of LM-63.
 std::string upper_case(std::string text) {
   for (char& letter : text)
@@ -68,7 +65,7 @@ class IesNumbers {
   }
   std::size_t next_count(const char* what) {
     const double value = next(what);
-    if (!(value >= 1 && value < most_angles) || value != std::floor(value))
+    if (!(value >= 1 && value <= most_lamp_angles) || value != std::floor(value))
       refuse(fmt::format("{} is no number of angles, where {} should stand", value, what));
     return static_cast<std::size_t>(value);
   }
@@ -98,7 +95,7 @@ class IesNumbers {
 };
 
 /// Planes all around, from the first to one turn beyond it.
-void complete_turn(IesNumbers& numbers, std::vector<double>& angles, LampPlanes& planes) {
+void complete_turn_by_range(IesNumbers& numbers, std::vector<double>& angles, LampPlanes& planes) {
   const double first = angles.front(), last = angles.back();
   if (first == 0 && last == 90) {
     mirror_planes(90, angles, planes);
@@ -211,7 +208,7 @@ LightTable read_ies(std::istream& stream, const std::filesystem::path& path) {
     table.plane.clear();
     planes.resize(1);
   } else {
-    complete_turn(numbers, table.plane, planes);
+    complete_turn_by_range(numbers, table.plane, planes);
   }
   for (const std::vector<double>& plane : planes)
     table.intensity.insert(table.intensity.end(), plane.begin(), plane.end());

@@ -5,6 +5,9 @@
 
 namespace etendue {
 
+/// More planes or angles than any lamp file has.
+inline constexpr int most_lamp_angles = 10000;
+
 /// Intensities of a lamp file: [plane][angle].
 using LampPlanes = std::vector<std::vector<double>>;
 

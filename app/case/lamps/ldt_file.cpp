@@ -15,8 +15,6 @@
 namespace etendue {
 namespace {
 
-/// More planes or angles than any lamp has.
-constexpr int most_angles = 10000;
 /// Intensities are given in cd for this flux of the lamps [lm].
 constexpr double reference_flux = 1000;
 
@@ -130,7 +128,7 @@ std::vector<double> stored_angles(LdtLines& lines, const std::vector<double>& al
 }
 
 /// Planes all around, from the first to one turn beyond it.
-void complete_turn(int symmetry, std::vector<double>& angles, LampPlanes& planes) {
+void complete_by_symmetry(int symmetry, std::vector<double>& angles, LampPlanes& planes) {
   if (symmetry == 0) {
     angles.push_back(360);
     planes.push_back(LampPlanes::value_type(planes.front()));
@@ -147,16 +145,16 @@ LightTable read_ldt(const std::filesystem::path& path) {
   LdtLines lines(path);
   lines.skip(2, "the symmetry");
   const int symmetry = lines.count("the symmetry", 0, 4);
-  const int plane_count = lines.count("the number of planes", 1, most_angles);
+  const int plane_count = lines.count("the number of planes", 1, most_lamp_angles);
   const StoredPlanes stored = stored_planes(lines, symmetry, plane_count);
   lines.skip(1, "the number of angles");
-  const int angle_count = lines.count("the number of angles", 2, most_angles);
+  const int angle_count = lines.count("the number of angles", 2, most_lamp_angles);
   lines.skip(17, "the conversion factor");
   const double conversion = lines.number("the conversion factor");
   if (!(conversion > 0))
     lines.refuse(fmt::format("the conversion factor {} leaves no light; give one above 0", conversion));
   lines.skip(1, "the number of sets of lamps");
-  const int sets = lines.count("the number of sets of lamps", 1, most_angles);
+  const int sets = lines.count("the number of sets of lamps", 1, most_lamp_angles);
   lines.skip(2, "the flux of the lamps");
   const double flux = lines.number("the flux of the lamps");
   if (flux < 0) lines.refuse(fmt::format("the flux {} of the lamps is negative", flux));
@@ -180,7 +178,7 @@ LightTable read_ldt(const std::filesystem::path& path) {
     table.plane.clear();
     planes.resize(1);
   } else {
-    complete_turn(symmetry, table.plane, planes);
+    complete_by_symmetry(symmetry, table.plane, planes);
   }
   for (const std::vector<double>& plane : planes)
     table.intensity.insert(table.intensity.end(), plane.begin(), plane.end());

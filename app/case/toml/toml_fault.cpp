@@ -13,8 +13,6 @@ constexpr std::size_t shown_before = 60, shown_after = 40;
 /// Bytes shown of a text that quotes a long value.
 constexpr std::size_t longest_problem = 300;
 
-bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
-
 /// The text with ? in place of control characters and of what is not UTF-8.
 std::string printable(std::string_view text) {
   std::string shown;
@@ -33,13 +31,13 @@ std::string picture_of(const TomlPlace& place) {
   const std::string_view line = place.line;
   std::size_t begin = place.at > shown_before ? place.at - shown_before : 0;
   std::size_t end = std::min(line.size(), place.at + shown_after);
-  while (begin > 0 && continues(line[begin])) --begin;
-  while (end < line.size() && continues(line[end])) ++end;
+  while (begin > 0 && continues_character(line[begin])) --begin;
+  while (end < line.size() && continues_character(line[end])) ++end;
   const std::string left = begin > 0 ? "..." : "", right = end < line.size() ? "..." : "";
   const std::string before = left + printable(line.substr(begin, place.at - begin));
   std::string indent;
   for (const char c : before)
-    if (!continues(c)) indent += c == '\t' ? '\t' : ' ';
+    if (!continues_character(c)) indent += c == '\t' ? '\t' : ' ';
   return fmt::format("\n    {}{}{}\n    {}^", before, printable(line.substr(place.at, end - place.at)), right,
                      indent);
 }

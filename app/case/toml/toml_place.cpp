@@ -15,9 +15,7 @@ std::size_t sequence_length(unsigned char first) {
   return 0;
 }
 
-bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
-
-std::size_t line_begin(std::string_view text, int line) {
+std::size_t begin_of_line(std::string_view text, int line) {
   std::size_t begin = 0;
   for (; line > 1; --line) {
     const std::size_t end = text.find('\n', begin);
@@ -109,7 +107,7 @@ std::string_view TomlPlace::value_text() const {
 TomlPlace TomlPlace::moved_to(std::size_t byte) const { return place_at(text, byte); }
 
 TomlPlace toml_place(std::string_view text, int line, int column) {
-  const std::size_t begin = line_begin(text, line);
+  const std::size_t begin = begin_of_line(text, line);
   const std::string_view whole = line_from(text, begin);
   std::size_t at = 0;
   for (int character = 1; character < column && at < whole.size(); ++character)
@@ -118,14 +116,15 @@ TomlPlace toml_place(std::string_view text, int line, int column) {
 }
 
 std::size_t characters_in(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char byte) { return !continues(byte); }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char byte) { return !continues_character(byte); }));
 }
 
 std::size_t first_invalid_utf8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = sequence_length(static_cast<unsigned char>(text[at]));
     if (length == 0 || at + length > text.size()) return at;
-    if (!std::ranges::all_of(text.substr(at + 1, length - 1), continues)) return at;
+    if (!std::ranges::all_of(text.substr(at + 1, length - 1), continues_character)) return at;
     at += length;
   }
   return text.size();

@@ -33,6 +33,9 @@ struct TomlPlace {
 /// The place in line `line` (from 1) at character `column` (from 1) of valid UTF-8.
 TomlPlace toml_place(std::string_view text, int line, int column);
 
+/// Whether the byte goes on with a character of UTF-8 that bytes before it began.
+inline bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
+
 /// Number of characters in valid UTF-8.
 std::size_t characters_in(std::string_view text);
 

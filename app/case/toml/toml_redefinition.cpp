@@ -65,7 +65,7 @@ Met met_on(const std::vector<std::string>& parts, const toml::table& from) {
   return node == &from ? Met{} : Met{node, name};
 }
 
-std::string header_problem(const std::string& name, bool is_list, const toml::node& before) {
+std::string name_taken_problem(const std::string& name, bool is_list, const toml::node& before) {
   const auto line = before.source().begin.line;
   if (before.is_array_of_tables() || (before.is_array() && !is_list))
     return fmt::format("{} is a list of tables since line {}; write [[{}]] for each of them", name, line,
@@ -87,14 +87,14 @@ bool is_toml(std::string_view text) {
   }
 }
 
-std::size_t line_begin(const TomlPlace& place) {
+std::size_t bytes_before_line(const TomlPlace& place) {
   return static_cast<std::size_t>(place.line.data() - place.text.data());
 }
 
 }  // namespace
 
 TomlPlace redefinition_place(const TomlPlace& place) {
-  const std::size_t begin = line_begin(place);
+  const std::size_t begin = bytes_before_line(place);
   TomlPlace twice = begin == 0 || is_toml(place.text.substr(0, begin)) ? place : place.moved_to(begin - 1);
   twice.at = std::min(twice.line.find_first_not_of(" \t"), twice.line.size());
   return twice;
@@ -102,14 +102,14 @@ TomlPlace redefinition_place(const TomlPlace& place) {
 
 std::string redefinition_problem(const TomlPlace& place) {
   const std::string_view line = trimmed(place.line);
-  const std::size_t begin = line_begin(place);
+  const std::size_t begin = bytes_before_line(place);
   try {
     const toml::table root = toml::parse(place.text.substr(0, begin));
     if (line.starts_with('[')) {
       const bool is_list = line.starts_with("[[");
       const std::string name(trimmed(line.substr(is_list ? 2 : 1, line.find(']') - (is_list ? 2 : 1))));
       const Met before = met_on(key_parts(name), root);
-      return before.node == nullptr ? "" : header_problem(before.name, is_list, *before.node);
+      return before.node == nullptr ? "" : name_taken_problem(before.name, is_list, *before.node);
     }
     const toml::table* current = &root;
     find_current(root, current);
