@@ -11,18 +11,12 @@
 #include <limits>
 
 #include "base/errors.h"
+#include "base/trimmed.h"
 
 namespace etendue {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n\f\v";
 constexpr std::size_t kLongestShown = 40;
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 /// A word of a broken file, made fit to be shown on one line.
 std::string shown(std::string_view word) {
@@ -77,7 +71,7 @@ void TextLines::next(std::string_view expected) {
 }
 
 std::string_view TextLines::word() {
-  const auto end = std::min(rest_.find_first_of(kBlanks), rest_.size());
+  const auto end = std::min(rest_.find_first_of(blanks), rest_.size());
   const std::string_view found = rest_.substr(0, end);
   rest_ = trimmed(rest_.substr(end));
   return found;

@@ -16,7 +16,7 @@ double zero(double) { return 0; }
 double reciprocal(double x) { return 1 / x; }
 
 // log is the natural one, as in muParser.
-constexpr std::array functions = {
+constexpr std::array unary_functions = {
     UnaryFunction{"sin", [](double x) { return std::sin(x); }, [](double x) { return std::cos(x); }},
     UnaryFunction{"cos", [](double x) { return std::cos(x); }, [](double x) { return -std::sin(x); }},
     UnaryFunction{"tan", [](double x) { return std::tan(x); },
@@ -52,9 +52,9 @@ constexpr std::array functions = {
 }  // namespace
 
 const UnaryFunction* find_unary_function(std::string_view name) {
-  const auto* found = std::find_if(functions.begin(), functions.end(),
+  const auto* found = std::find_if(unary_functions.begin(), unary_functions.end(),
                                    [&](const UnaryFunction& function) { return function.name == name; });
-  return found == functions.end() ? nullptr : found;
+  return found == unary_functions.end() ? nullptr : found;
 }
 
 }  // namespace etendue

@@ -9,7 +9,7 @@ namespace {
 /// Walkington's 14-point rule of degree 5 (N. J. Walkington, Quadrature on simplices of arbitrary dimension,
 /// Carnegie Mellon University, 2000): four points near the vertices, four near the faces' centres, six near
 /// the edges' middles. The numbers solve the moment equations to 20 digits.
-std::array<CellRulePoint, 14> make_rule() {
+std::array<CellRulePoint, 14> walkington_rule() {
   constexpr double near_face = 0.31088591926330060980, near_vertex = 0.092735250310891226402;
   constexpr double near_edge = 0.045503704125649649492;
   constexpr double face_weight = 0.11268792571801585080, vertex_weight = 0.073493043116361949544;
@@ -77,7 +77,7 @@ const std::vector<CellRulePoint>& composite_cell_rule(int level) {
 }
 
 const std::array<CellRulePoint, 14>& cell_rule() {
-  static const std::array<CellRulePoint, 14> rule = make_rule();
+  static const std::array<CellRulePoint, 14> rule = walkington_rule();
   return rule;
 }
 

@@ -41,7 +41,7 @@ Points<corners> smooth_rule(std::bitset<corners> set) {
   return points;
 }
 
-double power(double x, std::size_t n) { return n == 0 ? 1 : x * power(x, n - 1); }
+double whole_power(double x, std::size_t n) { return n == 0 ? 1 : x * whole_power(x, n - 1); }
 double factorial(std::size_t n) { return n == 0 ? 1 : static_cast<double>(n) * factorial(n - 1); }
 
 /// Points between those of T, a simplex of k corners, and those of O, one of m: of the volume dx is
@@ -53,7 +53,7 @@ Points<corners> between(const Points<corners>& of_t, std::size_t k, const Points
   Points<corners> points;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     const double t = rule.nodes[i], s = t * t;
-    const double density = 2 * t * power(s, m - 1) * power(1 - s, k - 1) * factorial(k + m - 1) /
+    const double density = 2 * t * whole_power(s, m - 1) * whole_power(1 - s, k - 1) * factorial(k + m - 1) /
                            (factorial(k - 1) * factorial(m - 1));
     for (const auto& y : of_t)
       for (const auto& z : of_o) {
@@ -74,7 +74,7 @@ Points<corners> towards(std::bitset<corners> set, std::bitset<corners> of) {
 }
 
 template <std::size_t corners>
-Points<corners> make_rule(const SteepCorners<corners>& steep) {
+Points<corners> collapsed_corners_rule(const SteepCorners<corners>& steep) {
   const std::bitset<corners> all = std::bitset<corners>().set();
   const std::bitset<corners> near = steep.rim.any() ? steep.rim : steep.surface, away = all & ~near;
   if (near.none() || away.none()) return {};
@@ -88,7 +88,8 @@ std::span<const SimplexPoint<corners>> collapsed_rule(const SteepCorners<corners
   constexpr std::size_t sets = std::size_t{1} << corners;
   static const auto rules = [] {
     std::array<Points<corners>, sets * sets> made;
-    for (std::size_t i = 0; i < made.size(); ++i) made[i] = make_rule<corners>({i / sets, i % sets});
+    for (std::size_t i = 0; i < made.size(); ++i)
+      made[i] = collapsed_corners_rule<corners>({i / sets, i % sets});
     return made;
   }();
   return rules[steep.surface.to_ulong() * sets + steep.rim.to_ulong()];

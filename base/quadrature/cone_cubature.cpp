@@ -12,7 +12,7 @@ namespace {
 using std::numbers::pi;
 using Place = std::array<double, 2>;  ///< polar angle, azimuth
 
-struct Patch {
+struct ConePatch {
   Place centre{};
   Place half{};                ///< half widths
   std::vector<double> values;  ///< integrals
@@ -39,7 +39,7 @@ class OnPatches {
     for (double& value : values) value *= sine;
     return values;
   }
-  void apply_rule(Patch& patch) const;
+  void apply_rule(ConePatch& patch) const;
 
   static constexpr int points = 17;
 
@@ -66,7 +66,7 @@ struct GenzMalik {
   static constexpr double v_diagonal = 25. / 729;
 };
 
-void OnPatches::apply_rule(Patch& patch) const {
+void OnPatches::apply_rule(ConePatch& patch) const {
   using R = GenzMalik;
   const double area = 4 * patch.half[0] * patch.half[1];
   patch.values.assign(count_, 0);
@@ -103,7 +103,7 @@ void OnPatches::apply_rule(Patch& patch) const {
   patch.split_along = alike ? (patch.half[1] > patch.half[0] ? 1 : 0) : (bend[1] > bend[0] ? 1 : 0);
 }
 
-void weigh(Patch& patch, const std::vector<double>& whole) {
+void weigh(ConePatch& patch, const std::vector<double>& whole) {
   patch.worst = 0;
   for (std::size_t k = 0; k < whole.size(); ++k)
     if (whole[k] != 0) patch.worst = std::max(patch.worst, patch.errors[k] / std::abs(whole[k]));
@@ -135,8 +135,8 @@ ConeIntegrals integrate_over_cone(const Cone& cone, std::size_t count, const Con
                                   double relative, int most, const std::function<bool()>& go_on) {
   const OnPatches rule(cone, count, functions);
   ConeIntegrals sum{std::vector<double>(count, 0), std::vector<double>(count, 0), 0};
-  std::vector<Patch> patches;
-  const auto add = [&](Patch patch) {
+  std::vector<ConePatch> patches;
+  const auto add = [&](ConePatch patch) {
     rule.apply_rule(patch);
     sum.directions += OnPatches::points;
     patches.push_back(std::move(patch));
@@ -144,7 +144,7 @@ ConeIntegrals integrate_over_cone(const Cone& cone, std::size_t count, const Con
   const auto add_up = [&] {
     std::fill(sum.values.begin(), sum.values.end(), 0.0);
     std::fill(sum.errors.begin(), sum.errors.end(), 0.0);
-    for (const Patch& patch : patches)
+    for (const ConePatch& patch : patches)
       for (std::size_t k = 0; k < count; ++k) {
         sum.values[k] += patch.values[k];
         sum.errors[k] += patch.errors[k];
@@ -155,10 +155,11 @@ ConeIntegrals integrate_over_cone(const Cone& cone, std::size_t count, const Con
   add_up();
   while (!fine_enough(sum, relative) && sum.directions + 2 * OnPatches::points <= most &&
          (!go_on || go_on())) {
-    for (Patch& patch : patches) weigh(patch, sum.values);
-    const auto worst = std::max_element(patches.begin(), patches.end(),
-                                        [](const Patch& a, const Patch& b) { return a.worst < b.worst; });
-    Patch low = *worst, high = *worst;
+    for (ConePatch& patch : patches) weigh(patch, sum.values);
+    const auto worst =
+        std::max_element(patches.begin(), patches.end(),
+                         [](const ConePatch& a, const ConePatch& b) { return a.worst < b.worst; });
+    ConePatch low = *worst, high = *worst;
     const std::size_t axis = worst->split_along;
     patches.erase(worst);
     low.half[axis] /= 2;

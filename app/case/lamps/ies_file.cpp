@@ -10,6 +10,7 @@
 #include <string>
 
 #include "app/case/lamps/lamp_planes.h"
+#include "base/trimmed.h"
 
 namespace etendue {
 namespace {
@@ -31,11 +32,9 @@ class IesNumbers {
     std::string line;
     while (next_line(line)) {
       if (!upper_case(line).starts_with("TILT=")) continue;
-      const std::string what = line.substr(5), blanks = " \t";
-      const std::size_t first = what.find_first_not_of(blanks), last = what.find_last_not_of(blanks);
-      if (first == std::string::npos)
-        refuse("\"TILT=\" says nothing; give TILT=NONE, TILT=INCLUDE or the name of a file");
-      return what.substr(first, last - first + 1);
+      std::string what(trimmed(line.substr(5)));
+      if (what.empty()) refuse("\"TILT=\" says nothing; give TILT=NONE, TILT=INCLUDE or the name of a file");
+      return what;
     }
     refuse("has no line TILT= (the numbers of an IES file come after it); give an IES file of LM-63");
   }

@@ -11,6 +11,7 @@
 
 #include "app/case/lamps/lamp_planes.h"
 #include "base/errors.h"
+#include "base/trimmed.h"
 
 namespace etendue {
 namespace {
@@ -32,8 +33,7 @@ class LdtLines {
   double number(const char* what) {
     std::string text = next_line(what);
     std::ranges::replace(text, ',', '.');  // as some European programs write it
-    const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-    const std::string word = first == std::string::npos ? "" : text.substr(first, last - first + 1);
+    const std::string word(trimmed(text));
     char* end = nullptr;
     const double value = std::strtod(word.c_str(), &end);
     if (word.empty() || *end != '\0' || !std::isfinite(value))

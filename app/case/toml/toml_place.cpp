@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/trimmed.h"
+
 namespace etendue {
 namespace {
 
@@ -128,12 +130,6 @@ std::size_t first_invalid_utf8(std::string_view text) {
     at += length;
   }
   return text.size();
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return "";
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
 }  // namespace etendue

@@ -42,6 +42,4 @@ std::size_t characters_in(std::string_view text);
 /// Byte of the first sequence that is not UTF-8; the length of the text where all is.
 std::size_t first_invalid_utf8(std::string_view text);
 
-std::string_view trimmed(std::string_view text);
-
 }  // namespace etendue

@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "app/case/toml/toml_fault.h"
+#include "base/trimmed.h"
 
 namespace etendue {
 namespace {

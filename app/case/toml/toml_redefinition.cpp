@@ -8,6 +8,8 @@
 #include <tuple>
 #include <vector>
 
+#include "base/trimmed.h"
+
 namespace etendue {
 namespace {
 
