@@ -6,6 +6,7 @@
 
 #include "app/write/json/summary.h"
 #include "base/errors.h"
+#include "base/gibibyte.h"
 #include "solver/transport/scattering/scattering_plan.h"
 
 namespace etendue {

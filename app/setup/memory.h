@@ -10,9 +10,6 @@
 
 namespace etendue {
 
-/// Bytes of a GiB.
-inline constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
-
 /// Of this machine [bytes].
 double installed_memory();
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/position.h"
 #include "mesh/tetrahedra/bounding_box.h"
 #include "mesh/tetrahedra/box_grid.h"
 #include "mesh/tetrahedra/mesh_faults.h"
@@ -13,8 +14,6 @@ namespace {
 
 /// Points nearer than this part of the domain's diagonal count as the same place.
 constexpr double kTouching = 1e-9;
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 /// A boundary triangle with the normals of its plane and of its edges within the plane.
 struct Triangle {
@@ -51,40 +50,45 @@ class BoundaryCheck {
 
  private:
   Triangle triangle(std::int32_t face) const {
-    const auto& v = faces_.vertices[at(face)];
-    return {{points_[at(v[0])], points_[at(v[1])], points_[at(v[2])]}};
+    const auto& v = faces_.vertices[position(face)];
+    return {{points_[position(v[0])], points_[position(v[1])], points_[position(v[2])]}};
   }
 
   std::vector<Box> boxes() const {
-    std::vector<Box> boxes(at(faces_.boundary_count));
+    std::vector<Box> boxes(position(faces_.boundary_count));
     for (std::int32_t face = 0; face < faces_.boundary_count; ++face)
-      for (const Vec3& corner : triangle(face).corners) boxes[at(face)].extend(corner);
+      for (const Vec3& corner : triangle(face).corners) boxes[position(face)].extend(corner);
     return boxes;
   }
 
   std::vector<std::int32_t> boundary_vertices() const {
     std::vector<std::int32_t> vertices;
     for (std::int32_t face = 0; face < faces_.boundary_count; ++face)
-      vertices.insert(vertices.end(), faces_.vertices[at(face)].begin(), faces_.vertices[at(face)].end());
+      vertices.insert(vertices.end(), faces_.vertices[position(face)].begin(),
+                      faces_.vertices[position(face)].end());
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;
   }
 
   std::array<std::int32_t, 3> raw_points(std::int32_t face) const {
-    const auto& v = faces_.vertices[at(face)];
-    return {numbering_.vertices[at(v[0])], numbering_.vertices[at(v[1])], numbering_.vertices[at(v[2])]};
+    const auto& v = faces_.vertices[position(face)];
+    return {numbering_.vertices[position(v[0])], numbering_.vertices[position(v[1])],
+            numbering_.vertices[position(v[2])]};
   }
-  int raw_owner(std::int32_t face) const { return numbering_.cells[at(faces_.cells[at(face)][0])]; }
+  int raw_owner(std::int32_t face) const {
+    return numbering_.cells[position(faces_.cells[position(face)][0])];
+  }
 
   void check_vertex(std::int32_t vertex) {
-    const Vec3& p = points_[at(vertex)];
+    const Vec3& p = points_[position(vertex)];
     for (const std::int32_t face : grid_.candidates(p)) {
-      const auto& v = faces_.vertices[at(face)];
+      const auto& v = faces_.vertices[position(face)];
       if (std::find(v.begin(), v.end(), vertex) != v.end() || !triangle(face).touches(p, tolerance_))
         continue;
       faults_.add_face(raw_points(face), {raw_owner(face)},
-                       "vertex " + faults_.point_name(numbering_.vertices[at(vertex)]) + " at " + to_text(p) +
+                       "vertex " + faults_.point_name(numbering_.vertices[position(vertex)]) + " at " +
+                           to_text(p) +
                            " lies on it without being one of its corners (the mesh does not conform)",
                        "cells must share whole faces");
       return;
@@ -96,7 +100,8 @@ class BoundaryCheck {
     const Vec3 middle = (a + b + c) / 3;
     for (const std::int32_t other : grid_.candidates(middle)) {
       if (other == face || !triangle(other).touches(middle, tolerance_)) continue;
-      if (faces_.vertices[at(other)] == faces_.vertices[at(face)]) continue;  // the two sides of a sheet
+      if (faces_.vertices[position(other)] == faces_.vertices[position(face)])
+        continue;  // the two sides of a sheet
       faults_.add_face(raw_points(face), {raw_owner(face), raw_owner(other)},
                        "the boundary faces of two cells cover each other (the mesh does not conform)",
                        "cells must share whole faces");

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/position.h"
 #include "mesh/tetrahedra/mesh_faults.h"
 
 namespace etendue {
@@ -19,8 +20,6 @@ constexpr double kVolumeRounding = 8 * std::numeric_limits<double>::epsilon();
 
 /// Beyond this a volume may overflow.
 constexpr double kLargestCoordinate = 1e100;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void check_array_sizes(const RawMesh& raw) {
   assert(raw.cell_regions.size() == raw.cells.size());
@@ -40,7 +39,7 @@ void check_indices(const RawMesh& raw) {
   const auto name = [&](std::size_t c) {
     return std::to_string(raw.cell_numbers.empty() ? static_cast<std::int64_t>(c) : raw.cell_numbers[c]);
   };
-  const auto outside = [](int index, std::size_t size) { return index < 0 || at(index) >= size; };
+  const auto outside = [](int index, std::size_t size) { return index < 0 || position(index) >= size; };
   for (std::size_t c = 0; c < raw.cells.size(); ++c) {
     for (const int point : raw.cells[c])
       if (outside(point, raw.points.size()))
@@ -78,7 +77,7 @@ struct SignedVolume {
 
 SignedVolume signed_volume(const RawMesh& raw, const std::array<int, 4>& cell) {
   std::array<Vec3, 4> p;
-  for (std::size_t i = 0; i < 4; ++i) p[i] = raw.points[at(cell[i])];
+  for (std::size_t i = 0; i < 4; ++i) p[i] = raw.points[position(cell[i])];
   double longest = 0;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j) longest = std::max(longest, (p[i] - p[j]).norm());
@@ -121,12 +120,12 @@ std::vector<std::array<std::int32_t, 4>> positively_oriented_cells(const RawMesh
 void check_points_differ(const RawMesh& raw) {
   std::vector<char> used(raw.points.size(), 0);
   for (const auto& cell : raw.cells)
-    for (const int point : cell) used[at(point)] = 1;
+    for (const int point : cell) used[position(point)] = 1;
   std::vector<int> order;
   for (std::size_t p = 0; p < raw.points.size(); ++p)
     if (used[p]) order.push_back(static_cast<int>(p));
   const auto key = [&](int p) {
-    const Vec3& x = raw.points[at(p)];
+    const Vec3& x = raw.points[position(p)];
     return std::array<double, 3>{x.x(), x.y(), x.z()};
   };
   std::sort(order.begin(), order.end(),
@@ -135,7 +134,7 @@ void check_points_differ(const RawMesh& raw) {
   for (std::size_t i = 1; i < order.size(); ++i)
     if (key(order[i - 1]) == key(order[i]))
       faults.add("points " + faults.point_name(order[i - 1]) + " and " + faults.point_name(order[i]) +
-                 " are both at " + to_text(raw.points[at(order[i])]) +
+                 " are both at " + to_text(raw.points[position(order[i])]) +
                  " (the cells around them are not connected); merge coincident points");
   faults.throw_if_any();
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/position.h"
 #include "mesh/tetrahedra/mesh_faults.h"
 #include "mesh/tetrahedra/sheet_faces.h"
 
@@ -16,8 +17,6 @@ struct FaceSide {
   std::int32_t slot;
   auto operator<=>(const FaceSide&) const = default;
 };
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 std::array<std::int32_t, 3> opposite_face(const std::array<std::int32_t, 4>& v, std::int32_t local) {
   switch (local) {
@@ -35,7 +34,7 @@ std::array<std::int32_t, 3> opposite_face(const std::array<std::int32_t, 4>& v, 
 /// +1 where the rising order of a face's vertices turns around its outward normal. In a positively oriented
 /// cell the outward faces are (1 2 3), (0 3 2), (0 1 3) and (0 2 1).
 std::int8_t outward(const SortedCells& cells, std::int32_t slot) {
-  const std::int8_t cell = cells.orientation[at(slot / 4)];
+  const std::int8_t cell = cells.orientation[position(slot / 4)];
   return static_cast<std::int8_t>(slot % 2 == 0 ? cell : -cell);
 }
 
@@ -56,9 +55,9 @@ void check_sharing(std::span<const FaceSide> sharing, const SortedCells& cells,
       sharing.size() == 2 && outward(cells, sharing[0].slot) == outward(cells, sharing[1].slot);
   if (sharing.size() <= 2 && !overlap) return;
   std::array<std::int32_t, 3> points{};
-  for (std::size_t i = 0; i < 3; ++i) points[i] = numbering.vertices[at(sharing[0].vertices[i])];
+  for (std::size_t i = 0; i < 3; ++i) points[i] = numbering.vertices[position(sharing[0].vertices[i])];
   std::vector<int> names;
-  for (const FaceSide& side : sharing) names.push_back(numbering.cells[at(side.slot / 4)]);
+  for (const FaceSide& side : sharing) names.push_back(numbering.cells[position(side.slot / 4)]);
   if (overlap)
     faults.add_face(points, names, "both cells lie on the same side of it (they overlap)",
                     "remove one or check node order");
@@ -79,8 +78,8 @@ std::vector<std::int32_t> match_sides(const SortedCells& cells, const MeshNumber
         std::find_if(first, sides.end(), [&](const FaceSide& s) { return s.vertices != first->vertices; });
     check_sharing({first, last}, cells, numbering, faults);
     if (last - first == 2 && !std::binary_search(sheets.begin(), sheets.end(), first->vertices)) {
-      other[at(first[0].slot)] = first[1].slot;
-      other[at(first[1].slot)] = first[0].slot;
+      other[position(first[0].slot)] = first[1].slot;
+      other[position(first[1].slot)] = first[0].slot;
     }
     first = last;
   }
@@ -91,11 +90,11 @@ std::vector<std::int32_t> match_sides(const SortedCells& cells, const MeshNumber
 void add_face(MeshFaces& faces, const SortedCells& cells, std::int32_t slot, std::int32_t other_slot) {
   const auto face = static_cast<std::int32_t>(faces.vertices.size());
   const std::int32_t owner = slot / 4;
-  faces.vertices.push_back(opposite_face(cells.vertices[at(owner)], slot % 4));
+  faces.vertices.push_back(opposite_face(cells.vertices[position(owner)], slot % 4));
   faces.cells.push_back({owner, other_slot < 0 ? -1 : other_slot / 4});
   faces.orientation.push_back(outward(cells, slot));
-  faces.of_cell[at(owner)][at(slot % 4)] = face;
-  if (other_slot >= 0) faces.of_cell[at(other_slot / 4)][at(other_slot % 4)] = face;
+  faces.of_cell[position(owner)][position(slot % 4)] = face;
+  if (other_slot >= 0) faces.of_cell[position(other_slot / 4)][position(other_slot % 4)] = face;
 }
 
 }  // namespace
@@ -122,10 +121,10 @@ MeshFaces connect_faces(const SortedCells& cells, const MeshNumbering& numbering
   faces.of_cell.resize(cells.vertices.size());
   const auto slots = static_cast<std::int32_t>(other.size());
   for (std::int32_t slot = 0; slot < slots; ++slot)
-    if (other[at(slot)] < 0) add_face(faces, cells, slot, -1);
+    if (other[position(slot)] < 0) add_face(faces, cells, slot, -1);
   faces.boundary_count = static_cast<std::int32_t>(faces.vertices.size());
   for (std::int32_t slot = 0; slot < slots; ++slot)
-    if (other[at(slot)] > slot) add_face(faces, cells, slot, other[at(slot)]);
+    if (other[position(slot)] > slot) add_face(faces, cells, slot, other[position(slot)]);
   return faces;
 }
 

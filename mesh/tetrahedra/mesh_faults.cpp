@@ -3,12 +3,12 @@
 
 #include <cstdio>
 
+#include "base/position.h"
+
 namespace etendue {
 namespace {
 
 constexpr std::size_t kMostFaults = 5;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
@@ -23,21 +23,23 @@ std::string to_text(const Vec3& point) {
 }
 
 std::string MeshFaults::point_name(int point) const {
-  return std::to_string(raw_.point_numbers.empty() ? point : raw_.point_numbers[at(point)]);
+  return std::to_string(raw_.point_numbers.empty() ? point : raw_.point_numbers[position(point)]);
 }
 
 std::string MeshFaults::cell_name(int cell) const {
-  return std::to_string(raw_.cell_numbers.empty() ? cell : raw_.cell_numbers[at(cell)]);
+  return std::to_string(raw_.cell_numbers.empty() ? cell : raw_.cell_numbers[position(cell)]);
 }
 
-int MeshFaults::line_of(int cell) const { return raw_.cell_lines.empty() ? 0 : raw_.cell_lines[at(cell)]; }
+int MeshFaults::line_of(int cell) const {
+  return raw_.cell_lines.empty() ? 0 : raw_.cell_lines[position(cell)];
+}
 
 void MeshFaults::add_cell(int cell, const std::string& problem, const std::string& advice) {
   std::string names;
   Vec3 sum = Vec3::Zero();
-  for (const int point : raw_.cells[at(cell)]) {
+  for (const int point : raw_.cells[position(cell)]) {
     names += " " + point_name(point);
-    sum += raw_.points[at(point)];
+    sum += raw_.points[position(point)];
   }
   add_at_line(line_of(cell), "cell " + cell_name(cell) + ": " + problem + " (vertices" + names +
                                  ", centroid " + to_text(Vec3(sum / 4)) + "); " + advice);
@@ -49,7 +51,7 @@ void MeshFaults::add_face(const std::array<std::int32_t, 3>& points, const std::
   Vec3 sum = Vec3::Zero();
   for (const int point : points) {
     names += " " + point_name(point);
-    sum += raw_.points[at(point)];
+    sum += raw_.points[position(point)];
   }
   std::string cell_names;
   for (const int cell : cells) cell_names += " " + cell_name(cell);

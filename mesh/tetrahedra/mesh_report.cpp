@@ -6,12 +6,11 @@
 
 #include <Eigen/Geometry>
 
+#include "base/position.h"
 #include "mesh/tetrahedra/mesh_faults.h"
 
 namespace etendue {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// 3 r_in / r_circum with r_in = 3V / sum of areas and r_circum = |a^2 b x c + b^2 c x a + c^2 a x b| / 12V,
 /// where a, b, c are the edges from one vertex.
@@ -37,10 +36,10 @@ void add_cells(MeshReport& report, const TetrahedralMesh& mesh) {
   report.largest_volume = *std::max_element(mesh.volumes().begin(), mesh.volumes().end());
   for (int c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
-    report.region_volumes[at(mesh.region(cell))] += mesh.volume(cell);
-    ++report.region_cells[at(mesh.region(cell))];
+    report.region_volumes[position(mesh.region(cell))] += mesh.volume(cell);
+    ++report.region_cells[position(mesh.region(cell))];
     const double quality = radius_ratio(mesh, cell);
-    ++report.quality_histogram[at(std::clamp(static_cast<int>(10 * quality), 0, 9))];
+    ++report.quality_histogram[position(std::clamp(static_cast<int>(10 * quality), 0, 9))];
     if (c == 0 || quality < report.worst_quality) {
       report.worst_quality = quality;
       report.worst_centroid = mesh.centroid(cell);
@@ -53,8 +52,8 @@ void add_walls(MeshReport& report, const TetrahedralMesh& mesh) {
   report.wall_faces.assign(mesh.wall_names().size(), 0);
   for (int f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
-    report.wall_areas[at(mesh.wall(face))] += mesh.area(face);
-    ++report.wall_faces[at(mesh.wall(face))];
+    report.wall_areas[position(mesh.wall(face))] += mesh.area(face);
+    ++report.wall_faces[position(mesh.wall(face))];
   }
 }
 

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/position.h"
+
 namespace etendue {
-namespace {
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
+namespace {}  // namespace
 
 int turn_of(const std::array<std::int32_t, 3>& v) {
   const int inversions = (v[0] > v[1]) + (v[0] > v[2]) + (v[1] > v[2]);
@@ -19,7 +17,7 @@ int turn_of(const std::array<std::int32_t, 3>& v) {
 std::vector<std::int32_t> vertex_of_point(const MeshNumbering& numbering, const RawMesh& raw) {
   std::vector<std::int32_t> vertex(raw.points.size(), -1);
   for (std::size_t v = 0; v < numbering.vertices.size(); ++v)
-    vertex[at(numbering.vertices[v])] = static_cast<std::int32_t>(v);
+    vertex[position(numbering.vertices[v])] = static_cast<std::int32_t>(v);
   return vertex;
 }
 
@@ -28,7 +26,7 @@ std::vector<std::array<std::int32_t, 3>> sheet_faces(const MeshNumbering& number
   std::vector<std::pair<std::array<std::int32_t, 3>, int>> sides;  // rising vertices, turn
   sides.reserve(raw.triangles.size());
   for (const auto& [a, b, c] : raw.triangles) {
-    std::array<std::int32_t, 3> v{vertex[at(a)], vertex[at(b)], vertex[at(c)]};
+    std::array<std::int32_t, 3> v{vertex[position(a)], vertex[position(b)], vertex[position(c)]};
     const int turn = turn_of(v);
     std::sort(v.begin(), v.end());
     sides.emplace_back(v, turn);
@@ -61,8 +59,8 @@ std::vector<std::int32_t> faces_behind(const TetrahedralMesh& mesh) {
   std::vector<std::int32_t> behind(sorted.size(), -1);
   for (std::size_t i = 1; i < sorted.size(); ++i)
     if (sorted[i].first == sorted[i - 1].first) {
-      behind[at(sorted[i].second)] = sorted[i - 1].second;
-      behind[at(sorted[i - 1].second)] = sorted[i].second;
+      behind[position(sorted[i].second)] = sorted[i - 1].second;
+      behind[position(sorted[i - 1].second)] = sorted[i].second;
     }
   return behind;
 }

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/position.h"
 #include "mesh/tetrahedra/boundary_checks.h"
 #include "mesh/tetrahedra/cell_checks.h"
 #include "mesh/tetrahedra/connectivity.h"
@@ -15,15 +16,13 @@
 namespace etendue {
 namespace {
 
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-
 /// The centroid, to the same bits for any order of the vertices, so that numbering a mesh again changes
 /// nothing.
-Vec3 centroid_of(const RawMesh& raw, const std::array<int, 4>& cell) {
+Vec3 order_free_centroid(const RawMesh& raw, const std::array<int, 4>& cell) {
   Vec3 centroid;
   for (int axis = 0; axis < 3; ++axis) {
     std::array<double, 4> x{};
-    for (std::size_t i = 0; i < 4; ++i) x[i] = raw.points[at(cell[i])][axis];
+    for (std::size_t i = 0; i < 4; ++i) x[i] = raw.points[position(cell[i])][axis];
     std::sort(x.begin(), x.end());
     centroid[axis] = (x[0] + x[1] + x[2] + x[3]) / 4;
   }
@@ -35,14 +34,14 @@ Vec3 centroid_of(const RawMesh& raw, const std::array<int, 4>& cell) {
 MeshNumbering number_along_curve(const RawMesh& raw) {
   std::vector<Vec3> centroids;
   centroids.reserve(raw.cells.size());
-  for (const auto& cell : raw.cells) centroids.push_back(centroid_of(raw, cell));
+  for (const auto& cell : raw.cells) centroids.push_back(order_free_centroid(raw, cell));
   MeshNumbering numbering{curve_order(centroids), {}};
   std::vector<char> met(raw.points.size(), 0);
   for (const std::int32_t cell : numbering.cells) {
-    std::array<int, 4> points = raw.cells[at(cell)];
+    std::array<int, 4> points = raw.cells[position(cell)];
     std::sort(points.begin(), points.end());
     for (const int point : points)
-      if (!std::exchange(met[at(point)], 1)) numbering.vertices.push_back(point);
+      if (!std::exchange(met[position(point)], 1)) numbering.vertices.push_back(point);
   }
   return numbering;
 }
@@ -52,12 +51,12 @@ std::vector<std::array<std::int32_t, 4>> renumbered(std::span<const std::array<s
                                                     const MeshNumbering& numbering, std::size_t points) {
   std::vector<std::int32_t> vertex(points, -1);
   for (std::size_t v = 0; v < numbering.vertices.size(); ++v)
-    vertex[at(numbering.vertices[v])] = static_cast<std::int32_t>(v);
+    vertex[position(numbering.vertices[v])] = static_cast<std::int32_t>(v);
   std::vector<std::array<std::int32_t, 4>> cells;
   cells.reserve(numbering.cells.size());
   for (const std::int32_t cell : numbering.cells) {
-    cells.push_back(raw_cells[at(cell)]);
-    for (std::int32_t& point : cells.back()) point = vertex[at(point)];
+    cells.push_back(raw_cells[position(cell)]);
+    for (std::int32_t& point : cells.back()) point = vertex[position(point)];
   }
   return cells;
 }
@@ -70,7 +69,7 @@ TetrahedralMesh::TetrahedralMesh(const RawMesh& raw) {
   check_points_differ(raw);
 
   const MeshNumbering numbering = number_along_curve(raw);
-  for (const std::int32_t point : numbering.vertices) points_.push_back(raw.points[at(point)]);
+  for (const std::int32_t point : numbering.vertices) points_.push_back(raw.points[position(point)]);
   SortedCells cells = sort_vertices(renumbered(oriented, numbering, raw.points.size()));
   MeshFaces faces = connect_faces(cells, numbering, raw);
   check_boundary_conforms(points_, faces, numbering, raw);
@@ -80,7 +79,7 @@ TetrahedralMesh::TetrahedralMesh(const RawMesh& raw) {
   wall_names_ = std::move(walls.names);
   std::vector<std::int32_t> regions;
   regions.reserve(numbering.cells.size());
-  for (const std::int32_t cell : numbering.cells) regions.push_back(raw.cell_regions[at(cell)]);
+  for (const std::int32_t cell : numbering.cells) regions.push_back(raw.cell_regions[position(cell)]);
   NamedParts named_regions = used_names(std::move(regions), raw.region_names);
   cell_regions_ = std::move(named_regions.parts);
   region_names_ = std::move(named_regions.names);
@@ -88,17 +87,17 @@ TetrahedralMesh::TetrahedralMesh(const RawMesh& raw) {
   volumes_.reserve(cells.vertices.size());
   for (std::size_t c = 0; c < cells.vertices.size(); ++c) {
     const auto& v = cells.vertices[c];
-    const Vec3& p = points_[at(v[0])];
+    const Vec3& p = points_[position(v[0])];
     const double six_volumes =
-        (points_[at(v[1])] - p).cross(points_[at(v[2])] - p).dot(points_[at(v[3])] - p);
+        (points_[position(v[1])] - p).cross(points_[position(v[2])] - p).dot(points_[position(v[3])] - p);
     volumes_.push_back(cells.orientation[c] * six_volumes / 6);
   }
   face_area_normals_.reserve(faces.vertices.size());
   for (std::size_t f = 0; f < faces.vertices.size(); ++f) {
     const auto& v = faces.vertices[f];
-    const Vec3& p = points_[at(v[0])];
+    const Vec3& p = points_[position(v[0])];
     face_area_normals_.push_back(0.5 * faces.orientation[f] *
-                                 (points_[at(v[1])] - p).cross(points_[at(v[2])] - p));
+                                 (points_[position(v[1])] - p).cross(points_[position(v[2])] - p));
   }
   cell_vertices_ = std::move(cells.vertices);
   cell_faces_ = std::move(faces.of_cell);
@@ -108,12 +107,14 @@ TetrahedralMesh::TetrahedralMesh(const RawMesh& raw) {
 
 Vec3 TetrahedralMesh::centroid(CellIndex c) const {
   const auto& v = vertices(c);
-  return (points_[at(v[0])] + points_[at(v[1])] + points_[at(v[2])] + points_[at(v[3])]) / 4;
+  return (points_[position(v[0])] + points_[position(v[1])] + points_[position(v[2])] +
+          points_[position(v[3])]) /
+         4;
 }
 
 Vec3 TetrahedralMesh::centroid(FaceIndex f) const {
   const auto& v = vertices(f);
-  return (points_[at(v[0])] + points_[at(v[1])] + points_[at(v[2])]) / 3;
+  return (points_[position(v[0])] + points_[position(v[1])] + points_[position(v[2])]) / 3;
 }
 
 }  // namespace etendue

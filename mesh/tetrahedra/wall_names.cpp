@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "base/position.h"
 #include "mesh/tetrahedra/mesh_faults.h"
 #include "mesh/tetrahedra/sheet_faces.h"
 
@@ -12,8 +13,6 @@ namespace etendue {
 namespace {
 
 constexpr std::int32_t kUnnamed = -1;
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 /// Finds faces by their vertices.
 class FaceLookup {
@@ -32,7 +31,7 @@ class FaceLookup {
     if (found == faces_.end() || found->first != vertices) return -1;
     const auto twin = found + 1;
     const bool is_sheet = twin != faces_.end() && twin->first == vertices;
-    return is_sheet && orientation_[at(found->second)] != turn ? twin->second : found->second;
+    return is_sheet && orientation_[position(found->second)] != turn ? twin->second : found->second;
   }
 
  private:
@@ -43,23 +42,24 @@ class FaceLookup {
 /// [boundary face] wall of its triangle, or kUnnamed.
 std::vector<std::int32_t> walls_of_triangles(const MeshFaces& faces, const MeshNumbering& numbering,
                                              const RawMesh& raw) {
-  std::vector<std::int32_t> walls(at(faces.boundary_count), kUnnamed);
+  std::vector<std::int32_t> walls(position(faces.boundary_count), kUnnamed);
   const FaceLookup lookup(faces);
   const std::vector<std::int32_t> vertex = vertex_of_point(numbering, raw);
   MeshFaults faults(raw);
   for (std::size_t t = 0; t < raw.triangles.size(); ++t) {
     const auto& [a, b, c] = raw.triangles[t];
-    const std::int32_t face = lookup.find({vertex[at(a)], vertex[at(b)], vertex[at(c)]});
-    const std::string& name = raw.wall_names[at(raw.triangle_walls[t])];
+    const std::int32_t face = lookup.find({vertex[position(a)], vertex[position(b)], vertex[position(c)]});
+    const std::string& name = raw.wall_names[position(raw.triangle_walls[t])];
     if (face < 0) {
       faults.add_face(raw.triangles[t], {}, "triangle of wall \"" + name + "\" is no face of a tetrahedron",
                       "walls must be faces of the mesh");
     } else if (face < faces.boundary_count) {
-      std::int32_t& wall = walls[at(face)];
-      if (wall != kUnnamed && raw.wall_names[at(wall)] != name)
-        faults.add_face(raw.triangles[t], {numbering.cells[at(faces.cells[at(face)][0])]},
-                        "belongs to both walls \"" + raw.wall_names[at(wall)] + "\" and \"" + name + "\"",
-                        "a face has one wall");
+      std::int32_t& wall = walls[position(face)];
+      if (wall != kUnnamed && raw.wall_names[position(wall)] != name)
+        faults.add_face(
+            raw.triangles[t], {numbering.cells[position(faces.cells[position(face)][0])]},
+            "belongs to both walls \"" + raw.wall_names[position(wall)] + "\" and \"" + name + "\"",
+            "a face has one wall");
       wall = raw.triangle_walls[t];
     }
   }
@@ -73,8 +73,8 @@ void check_all_named(const std::vector<std::int32_t>& walls, const MeshFaces& fa
   for (std::size_t f = 0; f < walls.size(); ++f) {
     if (walls[f] != kUnnamed) continue;
     std::array<std::int32_t, 3> points = faces.vertices[f];
-    for (auto& point : points) point = numbering.vertices[at(point)];
-    faults.add_face(points, {numbering.cells[at(faces.cells[f][0])]},
+    for (auto& point : points) point = numbering.vertices[position(point)];
+    faults.add_face(points, {numbering.cells[position(faces.cells[f][0])]},
                     "boundary face has no wall name although others have one",
                     "name every boundary face, or none");
   }
@@ -85,7 +85,7 @@ void check_all_named(const std::vector<std::int32_t>& walls, const MeshFaces& fa
 
 NamedParts used_names(std::vector<std::int32_t> parts, const std::vector<std::string>& names) {
   std::vector<char> used(names.size(), 0);
-  for (const std::int32_t part : parts) used[at(part)] = 1;
+  for (const std::int32_t part : parts) used[position(part)] = 1;
   NamedParts named{std::move(parts), {}};
   std::map<std::string, std::int32_t> number;
   std::vector<std::int32_t> renumbered(names.size(), 0);
@@ -95,7 +95,7 @@ NamedParts used_names(std::vector<std::int32_t> parts, const std::vector<std::st
     if (is_new) named.names.push_back(names[n]);
     renumbered[n] = entry->second;
   }
-  for (std::int32_t& part : named.parts) part = renumbered[at(part)];
+  for (std::int32_t& part : named.parts) part = renumbered[position(part)];
   return named;
 }
 

@@ -29,8 +29,8 @@ void add_face(WallPower& power, const Problem& problem, const Solution& solution
 }
 
 /// Adds one cell to the powers of its region; `fluence_mean` is the integral until all cells are in.
-void add_cell(RegionPower& power, const Problem& problem, const Solution& solution, CellIndex cell,
-              std::size_t band) {
+void add_cell_power(RegionPower& power, const Problem& problem, const Solution& solution, CellIndex cell,
+                    std::size_t band) {
   const int b = static_cast<int>(band);
   const std::size_t bands = problem.bands().names.size();
   const double volume = problem.mesh().volume(cell);
@@ -73,8 +73,8 @@ std::vector<std::vector<RegionPower>> region_powers(const Problem& problem, cons
   std::vector<std::vector<RegionPower>> powers(problem.media().size(), std::vector<RegionPower>(bands));
   for (int c = 0; c < mesh.cell_count(); ++c)
     for (std::size_t band = 0; band < bands; ++band)
-      add_cell(powers[static_cast<std::size_t>(mesh.region(CellIndex(c)))][band], problem, solution,
-               CellIndex(c), band);
+      add_cell_power(powers[static_cast<std::size_t>(mesh.region(CellIndex(c)))][band], problem, solution,
+                     CellIndex(c), band);
   for (std::size_t r = 0; r < solution.by_direction.regions.size(); ++r)
     for (std::size_t band = 0; band < bands; ++band)
       powers[r][band].emitted += solution.by_direction.regions[r][band];

@@ -15,7 +15,8 @@ struct Field {
 };
 
 /// Adds the P1 field of one cell at a point, times a factor.
-void add_cell(std::vector<ProbeValue>& values, const Field& field, const CellPoint& point, double factor) {
+void add_cell_values(std::vector<ProbeValue>& values, const Field& field, const CellPoint& point,
+                     double factor) {
   const std::size_t bands = values.size();
   const ConstCellField fluence(field.fluence, bands);
   const ConstCellVectors net_flux(field.net_flux, bands);
@@ -37,7 +38,7 @@ std::vector<ProbeValue> probe_field(const Problem& problem, const Field& field, 
   for (const CellPoint& cell : cells) volume += problem.mesh().volume(cell.cell);
   std::vector<ProbeValue> values(problem.bands().names.size());
   for (const CellPoint& cell : cells)
-    add_cell(values, field, cell, problem.mesh().volume(cell.cell) / volume);
+    add_cell_values(values, field, cell, problem.mesh().volume(cell.cell) / volume);
   return values;
 }
 

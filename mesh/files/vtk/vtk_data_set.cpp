@@ -25,6 +25,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include "base/errors.h"
+#include "mesh/files/refused_file.h"
 #include "mesh/files/vtk/vtk_messages.h"
 
 namespace etendue {
@@ -33,20 +34,16 @@ namespace {
 /// Times are taken for the same to this part of them: OpenFOAM writes six digits.
 constexpr double same_time = 1e-5;
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& problem) {
-  throw InputError(Fault{path.string(), 0, problem});
-}
-
 template <class Reader>
 void update(Reader& reader, const std::filesystem::path& path) {
   const VtkMessages messages;
   try {
     reader.Update();
   } catch (const std::bad_alloc&) {
-    fail(path, "VTK needs more memory than there is to read it (is it corrupt?)");
+    refuse_file(path, "VTK needs more memory than there is to read it (is it corrupt?)");
   }
   if (messages.any() || reader.GetErrorCode() != 0)
-    fail(path, "VTK cannot read it (" + messages.first() + "); is it cut short or corrupt?");
+    refuse_file(path, "VTK cannot read it (" + messages.first() + "); is it cut short or corrupt?");
 }
 
 template <class Reader>
@@ -101,13 +98,13 @@ double chosen_time(const std::filesystem::path& path, vtkOpenFOAMReader& reader,
                    std::optional<double> wanted) {
   vtkInformation* information = reader.GetOutputInformation(0);
   vtkInformationDoubleVectorKey* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
-  if (!information->Has(key)) fail(path, "holds no times; is it the folder of an OpenFOAM case?");
+  if (!information->Has(key)) refuse_file(path, "holds no times; is it the folder of an OpenFOAM case?");
   const double* first = information->Get(key);
   const std::vector<double> times(first, first + information->Length(key));
   if (!wanted) return times.back();
   for (const double time : times)
     if (std::abs(time - *wanted) <= same_time * std::max(std::abs(time), std::abs(*wanted))) return time;
-  fail(path, "holds no time " + std::to_string(*wanted) + "; there are " + times_text(times));
+  refuse_file(path, "holds no time " + std::to_string(*wanted) + "; there are " + times_text(times));
 }
 
 /// A folder is named to VTK by a file in it.
@@ -121,7 +118,8 @@ vtkSmartPointer<vtkDataSet> read_open_foam(const std::filesystem::path& path, st
   reader->SetFileName(open_foam_file(path).c_str());
   reader->SetSkipZeroTime(false);
   reader->UpdateInformation();
-  if (messages.any()) fail(path, "VTK cannot read it (" + messages.first() + "); is it an OpenFOAM case?");
+  if (messages.any())
+    refuse_file(path, "VTK cannot read it (" + messages.first() + "); is it an OpenFOAM case?");
   reader->DisableAllPatchArrays();
   reader->SetPatchArrayStatus("internalMesh", 1);
   reader->EnableAllCellArrays();
@@ -129,11 +127,11 @@ vtkSmartPointer<vtkDataSet> read_open_foam(const std::filesystem::path& path, st
   reader->SetReadZones(false);
   reader->UpdateTimeStep(chosen_time(path, *reader, time));
   if (messages.any())
-    fail(path, "VTK cannot read it (" + messages.first() + "); is it cut short or corrupt?");
+    refuse_file(path, "VTK cannot read it (" + messages.first() + "); is it cut short or corrupt?");
   const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(reader->GetOutput()->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(iterator->GetCurrentDataObject())) return grid;
-  fail(path, "holds no mesh of its inside (constant/polyMesh)");
+  refuse_file(path, "holds no mesh of its inside (constant/polyMesh)");
 }
 
 }  // namespace
@@ -145,7 +143,7 @@ vtkSmartPointer<vtkDataSet> read_data_set(const std::filesystem::path& path, std
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return read_nifti(path);
   if (name.ends_with(".foam") || name == "controlDict" || std::filesystem::is_directory(path))
     return read_open_foam(path, time);
-  fail(path, "is not the name of a field; use .vtu or .vti (VTK), .nii (NIfTI) or an OpenFOAM case");
+  refuse_file(path, "is not the name of a field; use .vtu or .vti (VTK), .nii (NIfTI) or an OpenFOAM case");
 }
 
 }  // namespace etendue

@@ -8,8 +8,10 @@
 #include <map>
 #include <set>
 
+#include "base/position.h"
 #include "mesh/geometry/arrangement/facet_triangles.h"
 #include "mesh/geometry/arrangement/plane_arrangement.h"
+#include "mesh/geometry/arrangement/smallest_gap.h"
 #include "mesh/geometry/primitives/enclosed_parts.h"
 #include "mesh/geometry/primitives/primitive_checks.h"
 #include "mesh/geometry/primitives/sheet_shape.h"
@@ -17,14 +19,9 @@
 namespace etendue {
 namespace {
 
-/// TetGen takes points for one that are closer than this part of the scene's size.
-constexpr double kSmallestGap = 1e-8;
-
 /// Corners nearer than this part of the scene's size are one whatever is asked for: only rounding of the
 /// bodies keeps them apart.
 constexpr double kRoundingGap = 1e-12;
-
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
 std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -57,10 +54,10 @@ class Corners {
   }
 
   /// The corner that replaces this one and all within the snap distance of it.
-  int merged(int corner) const { return merged_[n(corner)]; }
+  int merged(int corner) const { return merged_[position(corner)]; }
 
   const std::vector<Vec3>& points() const { return rounded_; }
-  const ExactPoint& exact(int corner) const { return exact_[n(corner)]; }
+  const ExactPoint& exact(int corner) const { return exact_[position(corner)]; }
 
   /// The edge in the pieces that the corners of other facets on it cut it into.
   std::vector<std::array<int, 2>> pieces(const std::array<ExactPoint, 2>& edge) const {
@@ -71,7 +68,8 @@ class Corners {
     int start = first;
     for (int i = first + 1; i <= last; ++i) {
       if (i < last &&
-          !(is_near(i, first, last) && CGAL::collinear(exact_[n(first)], exact_[n(i)], exact_[n(last)])))
+          !(is_near(i, first, last) &&
+            CGAL::collinear(exact_[position(first)], exact_[position(i)], exact_[position(last)])))
         continue;
       result.push_back(rising ? std::array{start, i} : std::array{i, start});
       start = i;
@@ -86,12 +84,12 @@ class Corners {
     const double gap = std::max(planes.distance, kRoundingGap * extent.diagonal().norm());
     merged_.resize(rounded_.size());
     for (int i = 0; i < static_cast<int>(rounded_.size()); ++i) {
-      merged_[n(i)] = i;
+      merged_[position(i)] = i;
       // Corners are sorted by x first.
-      for (int j = i - 1; j >= 0 && rounded_[n(i)].x() - rounded_[n(j)].x() <= gap; --j) {
-        if ((rounded_[n(i)] - rounded_[n(j)]).norm() > gap) continue;
-        merged_[n(i)] = merged_[n(j)];
-        keep_on_planes(rounded_[n(merged_[n(j)])], rounded_[n(i)], planes);
+      for (int j = i - 1; j >= 0 && rounded_[position(i)].x() - rounded_[position(j)].x() <= gap; --j) {
+        if ((rounded_[position(i)] - rounded_[position(j)]).norm() > gap) continue;
+        merged_[position(i)] = merged_[position(j)];
+        keep_on_planes(rounded_[position(merged_[position(j)])], rounded_[position(i)], planes);
         break;
       }
     }
@@ -100,13 +98,14 @@ class Corners {
   /// A corner on the side of a box stays there.
   static void keep_on_planes(Vec3& corner, const Vec3& other, const SnapPlanes& planes) {
     for (int axis = 0; axis < 3; ++axis) {
-      const std::vector<double>& sides = planes.sides[n(axis)];
+      const std::vector<double>& sides = planes.sides[position(axis)];
       if (std::find(sides.begin(), sides.end(), other[axis]) != sides.end()) corner[axis] = other[axis];
     }
   }
 
   bool is_near(int i, int first, int last) const {
-    const Vec3 along = rounded_[n(last)] - rounded_[n(first)], offset = rounded_[n(i)] - rounded_[n(first)];
+    const Vec3 along = rounded_[position(last)] - rounded_[position(first)],
+               offset = rounded_[position(i)] - rounded_[position(first)];
     const double t = std::clamp(offset.dot(along) / along.squaredNorm(), 0.0, 1.0);
     return (offset - t * along).norm() <= 1e-9 * along.norm();
   }
@@ -135,12 +134,13 @@ std::vector<int> touching_corners(const ExactFacet& facet, const SidedFacet& own
   double size = 0;
   for (const auto& edge : own.edges) {
     known.insert(edge.begin(), edge.end());
-    size = std::max(size, (points[n(edge[0])] - own.inside).norm());
+    size = std::max(size, (points[position(edge[0])] - own.inside).norm());
   }
   std::vector<int> touching;
   for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-    const double height = std::abs(own.normal.dot(points[n(i)] - own.inside));
-    if (height > 1e-9 * size || known.contains(i) || !foot_is_inside(points[n(i)], points, own)) continue;
+    const double height = std::abs(own.normal.dot(points[position(i)] - own.inside));
+    if (height > 1e-9 * size || known.contains(i) || !foot_is_inside(points[position(i)], points, own))
+      continue;
     if (facet.plane.has_on(corners.exact(i))) touching.push_back(i);
   }
   return touching;
@@ -151,7 +151,7 @@ BodyScene scene_of(const Geometry& geometry, std::vector<std::string>& region_na
   const SnapPlanes snap = snap_planes(geometry);
   for (const Primitive& primitive : geometry.primitives) scene.bodies.push_back(convex_body(primitive, snap));
   for (int i = 0; i < static_cast<int>(geometry.sheets.size()); ++i)
-    for (SheetTriangle& triangle : sheet_triangles(geometry.sheets[n(i)], i))
+    for (SheetTriangle& triangle : sheet_triangles(geometry.sheets[position(i)], i))
       scene.sheets.push_back(std::move(triangle));
   return scene;
 }
@@ -204,7 +204,7 @@ void add_seeds(const std::vector<ExactFacet>& facets, const std::vector<SidedFac
   }
   for (const EnclosedPart& part : enclosed_parts(surface.points, whole)) {
     const FacetSide& side = part.around.front();
-    const SpaceLabel label = labels[n(side.facet)][side.above ? 1 : 0];
+    const SpaceLabel label = labels[position(side.facet)][side.above ? 1 : 0];
     if (is_void(label))
       surface.holes.push_back(part.point);
     else
@@ -219,11 +219,11 @@ void drop_unused_points(SurfaceComplex& surface) {
   for (SurfaceFacet& facet : surface.facets) {
     for (std::vector<int>& polygon : facet.polygons) {
       for (int& point : polygon) {
-        if (number[n(point)] < 0) {
-          number[n(point)] = static_cast<int>(used.size());
-          used.push_back(surface.points[n(point)]);
+        if (number[position(point)] < 0) {
+          number[position(point)] = static_cast<int>(used.size());
+          used.push_back(surface.points[position(point)]);
         }
-        point = number[n(point)];
+        point = number[position(point)];
       }
     }
   }
@@ -237,10 +237,10 @@ void check_gaps(const Geometry& geometry, const SurfaceComplex& surface) {
   for (const SurfaceFacet& facet : surface.facets) {
     for (const std::vector<int>& polygon : facet.polygons) {
       for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec3 &from = surface.points[n(polygon[i])],
-                   &to = surface.points[n(polygon[(i + 1) % polygon.size()])];
+        const Vec3 &from = surface.points[position(polygon[i])],
+                   &to = surface.points[position(polygon[(i + 1) % polygon.size()])];
         const double gap = (from - to).norm();
-        if (polygon.size() == 1 || gap > kSmallestGap * extent.diagonal().norm()) continue;
+        if (polygon.size() == 1 || gap > smallest_gap * extent.diagonal().norm()) continue;
         throw InputError(fault_at(
             base_of(geometry.primitives.back()).origin, "",
             fmt::format("primitives cross within {:.2g} of each other near {} (too close to be meshed); "
@@ -255,7 +255,7 @@ void check_gaps(const Geometry& geometry, const SurfaceComplex& surface) {
 void add_sheets(const Geometry& geometry, const std::vector<ExactFacet>& facets, WallNames& walls,
                 SurfaceComplex& surface, std::vector<Fault>& faults) {
   for (int i = 0; i < static_cast<int>(geometry.sheets.size()); ++i) {
-    const Sheet& sheet = geometry.sheets[n(i)];
+    const Sheet& sheet = geometry.sheets[position(i)];
     if (std::none_of(facets.begin(), facets.end(), [&](const ExactFacet& facet) { return facet.sheet == i; }))
       faults.push_back(sheet_is_nowhere(sheet));
     surface.sheets.push_back({walls.number(sheet.front), walls.number(sheet.back), sheet_normal(sheet)});
@@ -276,7 +276,8 @@ SurfaceComplex arrange_bodies(const Geometry& geometry) {
 
   std::vector<Fault> faults;
   for (int patch = 0; patch < static_cast<int>(geometry.patches.size()); ++patch)
-    if (!used_patches.contains(patch)) faults.push_back(patch_covers_nothing(geometry.patches[n(patch)]));
+    if (!used_patches.contains(patch))
+      faults.push_back(patch_covers_nothing(geometry.patches[position(patch)]));
   add_sheets(geometry, facets, walls, surface, faults);
   if (!faults.empty()) throw InputError(std::move(faults));
   if (facets.empty()) return surface;

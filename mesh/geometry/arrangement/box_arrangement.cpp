@@ -5,14 +5,13 @@
 #include <map>
 #include <set>
 
+#include "base/position.h"
 #include "mesh/geometry/arrangement/box_facets.h"
 #include "mesh/geometry/arrangement/elementary_boxes.h"
 #include "mesh/geometry/primitives/wall_naming.h"
 
 namespace etendue {
 namespace {
-
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
 /// Writes facets as segments between corners: every line where facets end, once for each facet it bounds.
 class SegmentWriter {
@@ -26,13 +25,14 @@ class SegmentWriter {
   void write_lines(int axis) {
     const int b = (axis + 1) % 3, c = (axis + 2) % 3;
     GridIndex node{};
-    for (node[n(b)] = 0; node[n(b)] <= grid_.count(b); ++node[n(b)])
-      for (node[n(c)] = 0; node[n(c)] <= grid_.count(c); ++node[n(c)]) write_line(axis, node);
+    for (node[position(b)] = 0; node[position(b)] <= grid_.count(b); ++node[position(b)])
+      for (node[position(c)] = 0; node[position(c)] <= grid_.count(c); ++node[position(c)])
+        write_line(axis, node);
   }
 
   void write_line(int axis, GridIndex node) {
     int start = -1;
-    for (node[n(axis)] = 0; node[n(axis)] <= grid_.count(axis); ++node[n(axis)]) {
+    for (node[position(axis)] = 0; node[position(axis)] <= grid_.count(axis); ++node[position(axis)]) {
       if (!facets_.is_corner(node)) continue;
       const int end = point(node);
       const GridIndex edge = moved(node, axis, -1);
@@ -46,7 +46,7 @@ class SegmentWriter {
     const std::set<int> bounded{facets_.facet(b, edge), facets_.facet(b, moved(edge, c, -1)),
                                 facets_.facet(c, edge), facets_.facet(c, moved(edge, b, -1))};
     for (const int facet : bounded)
-      if (facet >= 0) surface_.facets[n(facet)].polygons.push_back({start, end});
+      if (facet >= 0) surface_.facets[position(facet)].polygons.push_back({start, end});
   }
 
   int point(const GridIndex& node) {
@@ -68,8 +68,8 @@ std::vector<Vec3> openings(const BoxFacet& facet, int number, const BoxFacets& f
   GridIndex low = facet.rectangles.front(), high = low;
   for (const GridIndex& r : facet.rectangles) {
     for (const int axis : {b, c}) {
-      low[n(axis)] = std::min(low[n(axis)], r[n(axis)]);
-      high[n(axis)] = std::max(high[n(axis)], r[n(axis)]);
+      low[position(axis)] = std::min(low[position(axis)], r[position(axis)]);
+      high[position(axis)] = std::max(high[position(axis)], r[position(axis)]);
     }
   }
   std::set<GridIndex> visited;
@@ -84,7 +84,7 @@ std::vector<Vec3> openings(const BoxFacet& facet, int number, const BoxFacets& f
       for (const int axis : {b, c}) {
         for (const int step : {-1, 1}) {
           const GridIndex next = moved(r, axis, step);
-          if (next[n(axis)] < low[n(axis)] || next[n(axis)] > high[n(axis)])
+          if (next[position(axis)] < low[position(axis)] || next[position(axis)] > high[position(axis)])
             left = true;
           else if (facets.facet(facet.axis, next) != number && visited.insert(next).second)
             front.push_back(next);
@@ -95,8 +95,8 @@ std::vector<Vec3> openings(const BoxFacet& facet, int number, const BoxFacets& f
   };
   std::vector<Vec3> points;
   GridIndex r = low;
-  for (r[n(b)] = low[n(b)]; r[n(b)] <= high[n(b)]; ++r[n(b)]) {
-    for (r[n(c)] = low[n(c)]; r[n(c)] <= high[n(c)]; ++r[n(c)]) {
+  for (r[position(b)] = low[position(b)]; r[position(b)] <= high[position(b)]; ++r[position(b)]) {
+    for (r[position(c)] = low[position(c)]; r[position(c)] <= high[position(c)]; ++r[position(c)]) {
       if (facets.facet(facet.axis, r) == number || visited.contains(r) || leaves(r)) continue;
       const GridIndex across = moved(moved(r, b, 1), c, 1);
       points.push_back(0.5 * (grid.corner(r) + grid.corner(across)));

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 
+#include "base/position.h"
 #include "mesh/geometry/primitives/primitive_checks.h"
 
 namespace etendue {
 namespace {
 
 constexpr std::array<int, 3> kNoFacet{-1, -1, -1};
-
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
 /// Whether a named rectangle covers an elementary one whose corners are `low` and `high`.
 bool covers(const NamedRectangle& named, const Vec3& low, const Vec3& high) {
@@ -29,22 +28,23 @@ BoxFacets::BoxFacets(const Geometry& geometry, const ElementaryBoxes& grid, Face
 }
 
 std::size_t BoxFacets::at(int axis, const GridIndex& rectangle) const {
-  const auto b = n((axis + 1) % 3), c = n((axis + 2) % 3);
-  return (n(rectangle[n(axis)]) * n(grid_.count(static_cast<int>(b))) + n(rectangle[b])) *
-             n(grid_.count(static_cast<int>(c))) +
-         n(rectangle[c]);
+  const auto b = position((axis + 1) % 3), c = position((axis + 2) % 3);
+  return (position(rectangle[position(axis)]) * position(grid_.count(static_cast<int>(b))) +
+          position(rectangle[b])) *
+             position(grid_.count(static_cast<int>(c))) +
+         position(rectangle[c]);
 }
 
 BoxFacets::Key& BoxFacets::key(int axis, const GridIndex& rectangle) {
   GridIndex in_plane = rectangle;
-  in_plane[n(axis)] = 0;
+  in_plane[position(axis)] = 0;
   return keys_[at(axis, in_plane)];
 }
 
 int BoxFacets::facet(int axis, const GridIndex& rectangle) const {
   const GridIndex below = moved(rectangle, axis, -1);
   if (!grid_.contains(rectangle) && !grid_.contains(below)) return -1;
-  return sheets_[n(axis)][at(axis, rectangle)];
+  return sheets_[position(axis)][at(axis, rectangle)];
 }
 
 bool BoxFacets::is_edge(int axis, const GridIndex& edge) const {
@@ -65,7 +65,8 @@ bool BoxFacets::is_corner(const GridIndex& node) const {
 
 void BoxFacets::find_facets(const Geometry& geometry, int axis) {
   const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-  sheets_[n(axis)].assign(n(grid_.count(axis) + 1) * n(grid_.count(b)) * n(grid_.count(c)), -1);
+  sheets_[position(axis)].assign(
+      position(grid_.count(axis) + 1) * position(grid_.count(b)) * position(grid_.count(c)), -1);
   const std::vector<NamedRectangle> all = named_rectangles(geometry);
   for (int plane = 0; plane <= grid_.count(axis); ++plane) {
     std::vector<NamedRectangle> named;
@@ -80,11 +81,11 @@ void BoxFacets::find_facets(const Geometry& geometry, int axis) {
 void BoxFacets::find_keys(const Geometry& geometry, const std::vector<NamedRectangle>& named, int axis,
                           int plane) {
   const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-  keys_.assign(n(grid_.count(b)) * n(grid_.count(c)), kNoFacet);
+  keys_.assign(position(grid_.count(b)) * position(grid_.count(c)), kNoFacet);
   GridIndex r{};
-  r[n(axis)] = plane;
-  for (r[n(b)] = 0; r[n(b)] < grid_.count(b); ++r[n(b)]) {
-    for (r[n(c)] = 0; r[n(c)] < grid_.count(c); ++r[n(c)]) {
+  r[position(axis)] = plane;
+  for (r[position(b)] = 0; r[position(b)] < grid_.count(b); ++r[position(b)]) {
+    for (r[position(c)] = 0; r[position(c)] < grid_.count(c); ++r[position(c)]) {
       const SpaceLabel lower = std::max(grid_.label(moved(r, axis, -1)), kOutside);
       const SpaceLabel upper = std::max(grid_.label(r), kOutside);
       if (lower == upper) continue;
@@ -104,7 +105,7 @@ int BoxFacets::find_wall(const Geometry& geometry, const std::vector<NamedRectan
   for (auto candidate = named.rbegin(); candidate != named.rend(); ++candidate) {
     if (candidate->outward == -outward || !may_name(*candidate, beyond) || !covers(*candidate, low, high))
       continue;
-    if (candidate->patch >= 0) patch_used_[n(candidate->patch)] = true;
+    if (candidate->patch >= 0) patch_used_[position(candidate->patch)] = true;
     return wall_names_.number(candidate->wall);
   }
   return wall_names_.number(default_name(geometry, beyond, axis, outward));
@@ -113,23 +114,23 @@ int BoxFacets::find_wall(const Geometry& geometry, const std::vector<NamedRectan
 void BoxFacets::gather(int axis, int plane) {
   const int b = (axis + 1) % 3, c = (axis + 2) % 3;
   GridIndex r{};
-  r[n(axis)] = plane;
-  for (r[n(b)] = 0; r[n(b)] < grid_.count(b); ++r[n(b)])
-    for (r[n(c)] = 0; r[n(c)] < grid_.count(c); ++r[n(c)])
-      if (key(axis, r) != kNoFacet && sheets_[n(axis)][at(axis, r)] < 0) grow(axis, r);
+  r[position(axis)] = plane;
+  for (r[position(b)] = 0; r[position(b)] < grid_.count(b); ++r[position(b)])
+    for (r[position(c)] = 0; r[position(c)] < grid_.count(c); ++r[position(c)])
+      if (key(axis, r) != kNoFacet && sheets_[position(axis)][at(axis, r)] < 0) grow(axis, r);
 }
 
 void BoxFacets::grow(int axis, const GridIndex& start) {
-  std::vector<int>& sheet = sheets_[n(axis)];
+  std::vector<int>& sheet = sheets_[position(axis)];
   const Key own = key(axis, start);
   const int number = static_cast<int>(facets_.size());
-  BoxFacet grown{axis, start[n(axis)], own[2], {start}};
+  BoxFacet grown{axis, start[position(axis)], own[2], {start}};
   sheet[at(axis, start)] = number;
   for (std::size_t i = 0; size_ == FacetSize::largest && i < grown.rectangles.size(); ++i) {
     for (const int along : {(axis + 1) % 3, (axis + 2) % 3}) {
       for (const int step : {-1, 1}) {
         const GridIndex next = moved(grown.rectangles[i], along, step);
-        if (next[n(along)] < 0 || next[n(along)] >= grid_.count(along)) continue;
+        if (next[position(along)] < 0 || next[position(along)] >= grid_.count(along)) continue;
         if (key(axis, next) != own || sheet[at(axis, next)] >= 0) continue;
         sheet[at(axis, next)] = number;
         grown.rectangles.push_back(next);

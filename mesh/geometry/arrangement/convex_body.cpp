@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/position.h"
 #include "mesh/geometry/arrangement/snapping.h"
 
 namespace etendue {
@@ -15,11 +16,10 @@ namespace {
 /// Closer than this part of its distance from the origin or its radius a vertex is on a plane.
 constexpr double kSnap = 1e-13;
 
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
-
 void finish(ConvexBody& body) {
   for (const std::vector<int>& face : body.faces)
-    body.planes.emplace_back(body.points[n(face[0])], body.points[n(face[1])], body.points[n(face[2])]);
+    body.planes.emplace_back(body.points[position(face[0])], body.points[position(face[1])],
+                             body.points[position(face[2])]);
   body.low = body.high = rounded(body.points.front());
   for (const ExactPoint& point : body.points) {
     body.low = body.low.cwiseMin(rounded(point));
@@ -58,13 +58,15 @@ std::vector<Vec3> icosahedron_corners() {
 
 /// The twenty triples of neighbouring corners, counter-clockwise from outside.
 std::vector<std::array<int, 3>> icosahedron_faces(const std::vector<Vec3>& corners) {
-  const auto neighbours = [&](int a, int b) { return (corners[n(a)] - corners[n(b)]).norm() < 2.1; };
+  const auto neighbours = [&](int a, int b) {
+    return (corners[position(a)] - corners[position(b)]).norm() < 2.1;
+  };
   std::vector<std::array<int, 3>> faces;
   for (int a = 0; a < 12; ++a) {
     for (int b = a + 1; b < 12; ++b) {
       for (int c = b + 1; c < 12; ++c) {
         if (!neighbours(a, b) || !neighbours(b, c) || !neighbours(c, a)) continue;
-        const bool outward = corners[n(a)].dot(corners[n(b)].cross(corners[n(c)])) > 0;
+        const bool outward = corners[position(a)].dot(corners[position(b)].cross(corners[position(c)])) > 0;
         faces.push_back(outward ? std::array{a, b, c} : std::array{a, c, b});
       }
     }
@@ -74,7 +76,7 @@ std::vector<std::array<int, 3>> icosahedron_faces(const std::vector<Vec3>& corne
 
 Vec3 snapped(Vec3 point, double radius, const SnapPlanes& snap) {
   for (int axis = 0; axis < 3; ++axis)
-    for (const double side : snap.sides[n(axis)])
+    for (const double side : snap.sides[position(axis)])
       if (std::abs(point[axis] - side) <= std::max(snap.distance, kSnap * (std::abs(side) + radius)))
         point[axis] = side;
   return point;
@@ -88,13 +90,14 @@ ConvexBody polyhedron(const SpherePrimitive& sphere, const SnapPlanes& snap) {
   for (const std::array<int, 3>& face : icosahedron_faces(corners)) {
     const auto vertex = [&](int i, int j) {
       std::array<int, 12> mix{};
-      mix[n(face[0])] = parts - i - j;
-      mix[n(face[1])] = i;
-      mix[n(face[2])] = j;
+      mix[position(face[0])] = parts - i - j;
+      mix[position(face[1])] = i;
+      mix[position(face[2])] = j;
       const auto [entry, added] = numbers.try_emplace(mix, static_cast<int>(body.points.size()));
       if (added) {
         Vec3 direction = Vec3::Zero();
-        for (int corner = 0; corner < 12; ++corner) direction += mix[n(corner)] * corners[n(corner)];
+        for (int corner = 0; corner < 12; ++corner)
+          direction += mix[position(corner)] * corners[position(corner)];
         const Vec3 point = sphere.center + sphere.radius * direction.normalized();
         body.points.push_back(exact(snapped(point, sphere.radius, snap)));
       }
@@ -155,7 +158,7 @@ ConvexBody polyhedron(const CylinderPrimitive& cylinder, const SnapPlanes& snap)
     last.push_back(sides + i);
   }
   for (int i = 0; i < sides; ++i) {
-    body.points.push_back(body.points[n(i)] + axis);
+    body.points.push_back(body.points[position(i)] + axis);
     const int next = (i + 1) % sides;
     body.faces.push_back({i, next, sides + next, sides + i});
   }
@@ -173,7 +176,8 @@ SnapPlanes snap_planes(const Geometry& geometry) {
     const auto* box = std::get_if<BoxPrimitive>(&primitive);
     if (!box) continue;
     for (int axis = 0; axis < 3; ++axis)
-      planes.sides[n(axis)].insert(planes.sides[n(axis)].end(), {box->min[axis], box->max[axis]});
+      planes.sides[position(axis)].insert(planes.sides[position(axis)].end(),
+                                          {box->min[axis], box->max[axis]});
   }
   return planes;
 }

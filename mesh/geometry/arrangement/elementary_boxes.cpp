@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesh/geometry/arrangement/smallest_gap.h"
+
 namespace etendue {
 namespace {
-
-/// TetGen takes points for one that are closer than this part of the scene's size.
-constexpr double kSmallestGap = 1e-8;
 
 struct PlaneSource {
   double coordinate;
@@ -37,7 +36,7 @@ std::vector<double> distinct_planes(const Geometry& geometry, int axis, double s
   std::vector<double> planes;
   for (const PlaneSource& source : plane_sources(geometry, axis)) {
     if (!planes.empty() && source.coordinate == planes.back()) continue;
-    if (!planes.empty() && source.coordinate - planes.back() < kSmallestGap * scene_size)
+    if (!planes.empty() && source.coordinate - planes.back() < smallest_gap * scene_size)
       throw InputError(fault_at(*source.origin, "",
                                 fmt::format("{0} = {1} and {0} = {2} are nearly but not quite the same plane "
                                             "(the gap cannot be meshed); make them equal",

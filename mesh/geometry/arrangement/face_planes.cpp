@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <algorithm>
 
+#include "base/position.h"
 #include "mesh/geometry/arrangement/plane_arrangement.h"
 
 namespace etendue {
 namespace {
-
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
 /// The same plane with the largest component of its normal positive, so that dropping that coordinate keeps
 /// orientation.
@@ -23,7 +22,7 @@ bool lies_in(const ConvexBody& body, int face, const FacePlane& plane, const Vec
   constexpr double kParallel = 1e-9;  // a cheap filter before the exact test
   if ((normal - plane.normal).cwiseAbs().maxCoeff() > kParallel) return false;
   for (int i = 0; i < 3; ++i)
-    if (!plane.plane.has_on(body.points[n(body.faces[n(face)][n(i)])])) return false;
+    if (!plane.plane.has_on(body.points[position(body.faces[position(face)][position(i)])])) return false;
   return true;
 }
 
@@ -32,9 +31,9 @@ bool lies_in(const ConvexBody& body, int face, const FacePlane& plane, const Vec
 std::vector<FacePlane> face_planes(const BodyScene& scene) {
   std::vector<FacePlane> planes;
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
-    const ConvexBody& body = scene.bodies[n(b)];
+    const ConvexBody& body = scene.bodies[position(b)];
     for (int f = 0; f < static_cast<int>(body.faces.size()); ++f) {
-      const FacePlane own = oriented(body.planes[n(f)]);
+      const FacePlane own = oriented(body.planes[position(f)]);
       auto same = std::find_if(planes.begin(), planes.end(),
                                [&](const FacePlane& plane) { return lies_in(body, f, plane, own.normal); });
       if (same == planes.end()) same = planes.insert(planes.end(), own);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/position.h"
 #include "mesh/geometry/arrangement/plane_sections.h"
 
 namespace etendue {
@@ -15,10 +16,8 @@ namespace {
 
 using Traits = CGAL::Arr_segment_traits_2<Exact>;
 using Arrangement = CGAL::Arrangement_2<Traits, CGAL::Arr_face_extended_dcel<Traits, int>>;
-using FaceHandle = Arrangement::Face_handle;
+using ArrangementFace = Arrangement::Face_handle;
 using Point2 = Exact::Point_2;
-
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
 /// What a facet parts, and under which name.
 struct FacetKey {
@@ -38,7 +37,7 @@ class PlaneArrangement {
     for (const SheetTriangle& sheet : scene.sheets)
       sheet_contacts_.push_back(contact_of(plane.plane, sheet.corners));
     const std::array<ExactNumber, 3> normal{plane.plane.a(), plane.plane.b(), plane.plane.c()};
-    const std::size_t a = n(plane.axis);
+    const std::size_t a = position(plane.axis);
     if (normal[(a + 1) % 3] != 0 || normal[(a + 2) % 3] != 0) return;
     for (const NamedRectangle& rectangle : scene.named)
       if (rectangle.axis == plane.axis && plane.plane.has_on(exact(rectangle.min)))
@@ -63,7 +62,7 @@ class PlaneArrangement {
   ExactPoint lifted(const Point2& p) const {
     const ExactPlane& h = plane_.plane;
     const std::array<ExactNumber, 3> normal{h.a(), h.b(), h.c()};
-    const std::size_t a = n(plane_.axis), b = (a + 1) % 3, c = (a + 2) % 3;
+    const std::size_t a = position(plane_.axis), b = (a + 1) % 3, c = (a + 2) % 3;
     std::array<ExactNumber, 3> x;
     x[b] = p.x();
     x[c] = p.y();
@@ -78,18 +77,18 @@ class PlaneArrangement {
   }
 
   Contact contact(int body) const {
-    return face_of(body) ? Contact::kFace : contact_of(plane_.plane, scene_.bodies[n(body)].points);
+    return face_of(body) ? Contact::kFace : contact_of(plane_.plane, scene_.bodies[position(body)].points);
   }
 
   /// Whether a body fills the side of the plane at a point of it.
   bool fills(int body, const ExactPoint& point, int side) const {
-    const ConvexBody& shape = scene_.bodies[n(body)];
+    const ConvexBody& shape = scene_.bodies[position(body)];
     if (const BodyFace* own = face_of(body)) {
-      const Vec3 outward(CGAL::to_double(shape.planes[n(own->face)].a()),
-                         CGAL::to_double(shape.planes[n(own->face)].b()),
-                         CGAL::to_double(shape.planes[n(own->face)].c()));
+      const Vec3 outward(CGAL::to_double(shape.planes[position(own->face)].a()),
+                         CGAL::to_double(shape.planes[position(own->face)].b()),
+                         CGAL::to_double(shape.planes[position(own->face)].c()));
       if ((outward[plane_.axis] > 0) == (side > 0)) return false;
-    } else if (contacts_[n(body)] != Contact::kCut) {
+    } else if (contacts_[position(body)] != Contact::kCut) {
       return false;
     }
     return contains(shape, point);
@@ -97,7 +96,7 @@ class PlaneArrangement {
 
   SpaceLabel label_at(const ExactPoint& point, int side) const {
     for (int body = static_cast<int>(scene_.bodies.size()) - 1; body >= 0; --body)
-      if (fills(body, point, side)) return scene_.labels[n(body)];
+      if (fills(body, point, side)) return scene_.labels[position(body)];
     return kOutside;
   }
 
@@ -164,9 +163,9 @@ class PlaneArrangement {
   }
 
   std::vector<ExactPoint> corners(const BodyFace& face) const {
-    const ConvexBody& body = scene_.bodies[n(face.body)];
+    const ConvexBody& body = scene_.bodies[position(face.body)];
     std::vector<ExactPoint> points;
-    for (const int point : body.faces[n(face.face)]) points.push_back(body.points[n(point)]);
+    for (const int point : body.faces[position(face.face)]) points.push_back(body.points[position(point)]);
     return points;
   }
 
@@ -189,7 +188,7 @@ class PlaneArrangement {
     std::vector<ExactPoint> ring = corners(own);
     if (is_met_by_sheet(ring)) return std::nullopt;
     for (int body = 0; body < static_cast<int>(scene_.bodies.size()); ++body)
-      if (body != own.body && !is_uncut(ring, scene_.bodies[n(body)])) return std::nullopt;
+      if (body != own.body && !is_uncut(ring, scene_.bodies[position(body)])) return std::nullopt;
     const ExactPoint middle = CGAL::centroid(ring[0], ring[1], ring[2]);
     const std::optional<FacetKey> key = key_at(middle);
     if (!key) return std::vector<ExactFacet>{};
@@ -213,8 +212,9 @@ class PlaneArrangement {
     }
     for (int body = 0; body < static_cast<int>(scene_.bodies.size()); ++body) {
       const std::size_t first = segments.size();
-      const Contact contact = contacts_[n(body)];
-      if (contact == Contact::kCut || contact == Contact::kTouch) add_section(scene_.bodies[n(body)], add);
+      const Contact contact = contacts_[position(body)];
+      if (contact == Contact::kCut || contact == Contact::kTouch)
+        add_section(scene_.bodies[position(body)], add);
       if (contact == Contact::kTouch)
         touches_.insert(touches_.end(), segments.begin() + static_cast<std::ptrdiff_t>(first),
                         segments.end());
@@ -253,7 +253,7 @@ class PlaneArrangement {
   void add_section(const ConvexBody& body, const Add& add) const {
     for (const std::vector<int>& face : body.faces) {
       std::vector<ExactPoint> ring;
-      for (const int point : face) ring.push_back(body.points[n(point)]);
+      for (const int point : face) ring.push_back(body.points[position(point)]);
       const std::vector<ExactPoint> ends = section_of(plane_.plane, ring);
       if (ends.size() == 2) add(ends[0], ends[1]);
     }
@@ -261,7 +261,7 @@ class PlaneArrangement {
 
   /// Calls `visit` for each half-edge that has the face on its left.
   template <class Visit>
-  static void for_each_edge(FaceHandle face, const Visit& visit) {
+  static void for_each_edge(ArrangementFace face, const Visit& visit) {
     const auto around = [&](Arrangement::Ccb_halfedge_circulator start) {
       auto edge = start;
       do visit(edge);
@@ -272,7 +272,7 @@ class PlaneArrangement {
   }
 
   /// A point inside a bounded face: half-way from the middle of an edge to what lies opposite.
-  static Point2 inside(FaceHandle face) {
+  static Point2 inside(ArrangementFace face) {
     const auto edge = face->outer_ccb();
     const Point2 middle = CGAL::midpoint(edge->source()->point(), edge->target()->point());
     const Exact::Vector_2 across =
@@ -312,8 +312,8 @@ class PlaneArrangement {
     for (const Arrangement::Halfedge_handle& edge : needless) arrangement_.remove_edge(edge);
   }
 
-  ExactFacet facet(FaceHandle face) {
-    const FacetKey& key = keys_[n(face->data())];
+  ExactFacet facet(ArrangementFace face) {
+    const FacetKey& key = keys_[position(face->data())];
     ExactFacet result{plane_.plane, plane_.normal, {},       openings(face), lifted(inside(face)),
                       key.below,    key.above,     key.wall, key.sheet};
     const auto add_ring = [&](Arrangement::Ccb_halfedge_circulator start) {
@@ -335,20 +335,20 @@ class PlaneArrangement {
   }
 
   /// A point in each neighbour that the facet shuts in.
-  std::vector<ExactPoint> openings(FaceHandle face) {
+  std::vector<ExactPoint> openings(ArrangementFace face) {
     std::set<const Arrangement::Face*> open{&*face, &*arrangement_.unbounded_face()};
-    std::vector<FaceHandle> front{arrangement_.unbounded_face()};
+    std::vector<ArrangementFace> front{arrangement_.unbounded_face()};
     while (!front.empty()) {
-      const FaceHandle next = front.back();
+      const ArrangementFace next = front.back();
       front.pop_back();
       for_each_edge(next, [&](const auto& edge) {
-        const FaceHandle other = edge->twin()->face();
+        const ArrangementFace other = edge->twin()->face();
         if (open.insert(&*other).second) front.push_back(other);
       });
     }
     std::vector<ExactPoint> points;
     for_each_edge(face, [&](const auto& edge) {
-      const FaceHandle other = edge->twin()->face();
+      const ArrangementFace other = edge->twin()->face();
       if (open.insert(&*other).second) points.push_back(lifted(inside(other)));
     });
     return points;

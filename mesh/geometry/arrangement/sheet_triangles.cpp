@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/geometry/arrangement/sheet_triangles.h"
 
+#include "base/position.h"
 #include "mesh/geometry/arrangement/facet_triangles.h"
 #include "mesh/geometry/primitives/sheet_shape.h"
 
 namespace etendue {
-namespace {
-
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<SheetTriangle> sheet_triangles(const Sheet& sheet, int number) {
   const Vec3 normal = sheet_normal(sheet);
@@ -25,9 +22,9 @@ std::vector<SheetTriangle> sheet_triangles(const Sheet& sheet, int number) {
   }
   std::vector<SheetTriangle> triangles;
   for (const auto& [a, b, c] :
-       facet_triangles(edges, {}, axis, [&](int i) -> const ExactPoint& { return points[n(i)]; }))
-    triangles.push_back({{points[n(a)], points[n(b)], points[n(c)]},
-                         ExactPlane(points[n(a)], points[n(b)], points[n(c)]),
+       facet_triangles(edges, {}, axis, [&](int i) -> const ExactPoint& { return points[position(i)]; }))
+    triangles.push_back({{points[position(a)], points[position(b)], points[position(c)]},
+                         ExactPlane(points[position(a)], points[position(b)], points[position(c)]),
                          number});
   return triangles;
 }

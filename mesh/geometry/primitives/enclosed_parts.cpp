@@ -9,10 +9,10 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/position.h"
+
 namespace etendue {
 namespace {
-
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
 int side_number(const FacetSide& side) { return 2 * side.facet + (side.above ? 1 : 0); }
 FacetSide side_of(int number) { return {number / 2, number % 2 == 1}; }
@@ -24,10 +24,11 @@ class SideGroups {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
   int find(int side) {
-    while (parent_[n(side)] != side) side = parent_[n(side)] = parent_[n(parent_[n(side)])];
+    while (parent_[position(side)] != side)
+      side = parent_[position(side)] = parent_[position(parent_[position(side)])];
     return side;
   }
-  void join(int a, int b) { parent_[n(std::max(find(a), find(b)))] = std::min(find(a), find(b)); }
+  void join(int a, int b) { parent_[position(std::max(find(a), find(b)))] = std::min(find(a), find(b)); }
 
  private:
   std::vector<int> parent_;
@@ -45,11 +46,12 @@ std::map<std::array<int, 2>, std::vector<Leaf>> leaves_by_edge(const std::vector
                                                                const std::vector<SidedFacet>& facets) {
   std::map<std::array<int, 2>, std::vector<Leaf>> leaves;
   for (int f = 0; f < static_cast<int>(facets.size()); ++f) {
-    for (const auto& [from, to] : facets[n(f)].edges) {
-      const Vec3 edge = (points[n(std::max(from, to))] - points[n(std::min(from, to))]).normalized();
+    for (const auto& [from, to] : facets[position(f)].edges) {
+      const Vec3 edge =
+          (points[position(std::max(from, to))] - points[position(std::min(from, to))]).normalized();
       const Vec3 x = edge.unitOrthogonal(), y = edge.cross(x);
       const bool along = from < to;
-      const Vec3 into = facets[n(f)].normal.cross(along ? edge : -edge);
+      const Vec3 into = facets[position(f)].normal.cross(along ? edge : -edge);
       leaves[{std::min(from, to), std::max(from, to)}].push_back(
           {std::atan2(into.dot(y), into.dot(x)), f, along});
     }
@@ -81,7 +83,7 @@ double distance_to_facet(const Vec3& x, const std::vector<Vec3>& points, const S
   if (foot_is_inside(x, points, facet)) return std::abs(facet.normal.dot(x - facet.inside));
   double distance = std::numeric_limits<double>::infinity();
   for (const auto& [from, to] : facet.edges)
-    distance = std::min(distance, distance_to_segment(x, points[n(from)], points[n(to)]));
+    distance = std::min(distance, distance_to_segment(x, points[position(from)], points[position(to)]));
   return distance;
 }
 
@@ -89,16 +91,18 @@ double distance_to_facet(const Vec3& x, const std::vector<Vec3>& points, const S
 double width(const SidedFacet& facet, const std::vector<Vec3>& points) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const auto& [from, to] : facet.edges)
-    nearest = std::min(nearest, distance_to_segment(facet.inside, points[n(from)], points[n(to)]));
+    nearest =
+        std::min(nearest, distance_to_segment(facet.inside, points[position(from)], points[position(to)]));
   return nearest;
 }
 
 /// How far the facet's own point is from its edges and from all other facets.
 double clearance(int facet, const std::vector<Vec3>& points, const std::vector<SidedFacet>& facets) {
-  double nearest = width(facets[n(facet)], points);
+  double nearest = width(facets[position(facet)], points);
   for (int other = 0; other < static_cast<int>(facets.size()); ++other)
     if (other != facet)
-      nearest = std::min(nearest, distance_to_facet(facets[n(facet)].inside, points, facets[n(other)]));
+      nearest = std::min(nearest,
+                         distance_to_facet(facets[position(facet)].inside, points, facets[position(other)]));
   return nearest;
 }
 
@@ -108,7 +112,7 @@ Vec3 point_before(std::vector<FacetSide> surface, const std::vector<Vec3>& point
   constexpr std::size_t kTried = 8;  // something may touch the widest facet in just this point
   const auto tried = surface.begin() + static_cast<std::ptrdiff_t>(std::min(kTried, surface.size()));
   std::partial_sort(surface.begin(), tried, surface.end(), [&](const FacetSide& a, const FacetSide& b) {
-    return width(facets[n(a.facet)], points) > width(facets[n(b.facet)], points);
+    return width(facets[position(a.facet)], points) > width(facets[position(b.facet)], points);
   });
   double most_room = -1;
   Vec3 point = Vec3::Zero();
@@ -116,7 +120,7 @@ Vec3 point_before(std::vector<FacetSide> surface, const std::vector<Vec3>& point
     const double room = clearance(side->facet, points, facets);
     if (room <= most_room) continue;
     most_room = room;
-    const SidedFacet& facet = facets[n(side->facet)];
+    const SidedFacet& facet = facets[position(side->facet)];
     point = facet.inside + (side->above ? 0.5 : -0.5) * room * facet.normal;
   }
   return point;
@@ -133,9 +137,9 @@ double winding(const Vec3& x, const std::vector<FacetSide>& surface, const std::
                const std::vector<SidedFacet>& facets) {
   double sum = 0;
   for (const FacetSide& side : surface)
-    for (const auto& [from, to] : facets[n(side.facet)].edges)
-      sum += (side.above ? -1 : 1) *
-             half_solid_angle(x, facets[n(side.facet)].inside, points[n(from)], points[n(to)]);
+    for (const auto& [from, to] : facets[position(side.facet)].edges)
+      sum += (side.above ? -1 : 1) * half_solid_angle(x, facets[position(side.facet)].inside,
+                                                      points[position(from)], points[position(to)]);
   return sum / (2 * std::numbers::pi);
 }
 
@@ -148,7 +152,7 @@ bool foot_is_inside(const Vec3& x, const std::vector<Vec3>& points, const SidedF
   const Vec3 foot = x - facet.normal * facet.normal.dot(x - facet.inside);
   bool is_inside = false;  // changes with each edge that a ray in the plane crosses
   for (const auto& [from, to] : facet.edges) {
-    const Vec3 &p = points[n(from)], &q = points[n(to)];
+    const Vec3 &p = points[position(from)], &q = points[position(to)];
     if ((p[b] > foot[b]) == (q[b] > foot[b])) continue;
     if (foot[c] < p[c] + (foot[b] - p[b]) / (q[b] - p[b]) * (q[c] - p[c])) is_inside = !is_inside;
   }
@@ -190,7 +194,8 @@ int part_at(const Vec3& x, const std::vector<EnclosedPart>& parts, const std::ve
             const std::vector<Vec3>& points, const std::vector<SidedFacet>& facets) {
   int deepest = -1;
   for (int i = 0; i < static_cast<int>(parts.size()); ++i)
-    if ((deepest < 0 || depths[n(i)] > depths[n(deepest)]) && encloses(parts[n(i)], x, points, facets))
+    if ((deepest < 0 || depths[position(i)] > depths[position(deepest)]) &&
+        encloses(parts[position(i)], x, points, facets))
       deepest = i;
   return deepest;
 }

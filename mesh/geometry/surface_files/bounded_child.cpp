@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "base/child_process.h"
+#include "base/gibibyte.h"
 
 namespace etendue {
 namespace {
@@ -19,7 +20,6 @@ namespace {
 constexpr int kRejected = 64;  // the problem is the result
 constexpr int kOutOfMemory = 65;
 
-constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
 constexpr std::size_t kLeastMemory = std::size_t{1} << 30;
 constexpr double kLeastSeconds = 20;
 
@@ -71,7 +71,7 @@ std::string bytes_of_child(const std::string& library, const ChildLimits& limits
   if (child.signal == 0 && child.exit_code == kOutOfMemory)
     throw std::invalid_argument(
         fmt::format("{} asks for more than {:.3g} GiB of memory; is the file damaged?", library,
-                    static_cast<double>(limits.bytes) / kGibibyte));
+                    static_cast<double>(limits.bytes) / gibibyte));
   if (child.signal != 0 || child.exit_code != 0)
     throw std::invalid_argument(fmt::format("{} breaks down on it; is the file damaged?", library));
   return std::move(child.result);

@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "base/array_bytes.h"
+#include "base/position.h"
 #include "mesh/geometry/primitives/primitive_checks.h"
 #include "mesh/geometry/surface_files/bounded_child.h"
 #include "mesh/geometry/surface_files/polygon_soup.h"
@@ -30,8 +31,6 @@ using Face = Mesh::Face_index;
 using Halfedge = Mesh::Halfedge_index;
 using Walls = Mesh::Property_map<Face, int>;
 using Place = std::array<double, 3>;
-
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
 std::string text_of(const Kernel::Point_3& p) { return etendue::text_of(Vec3(p.x(), p.y(), p.z())); }
 
@@ -61,7 +60,8 @@ PolygonSoup joined(const PolygonSoup& soup) {
   for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
     std::vector<int> polygon;
     for (const int corner : soup.polygons[i])
-      if (polygon.empty() || polygon.back() != number[n(corner)]) polygon.push_back(number[n(corner)]);
+      if (polygon.empty() || polygon.back() != number[position(corner)])
+        polygon.push_back(number[position(corner)]);
     if (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
     if (polygon.size() < 3) continue;
     result.polygons.push_back(std::move(polygon));
@@ -79,10 +79,11 @@ void refuse_crowded_edges(const PolygonSoup& soup) {
     }
   for (const auto& [edge, count] : polygons)
     if (count > 2)
-      refuse(fmt::format(
-          "{} polygons meet in the edge from {} to {} (a closed surface has two at each edge); "
-          "remove double or inner faces",
-          count, etendue::text_of(soup.points[n(edge[0])]), etendue::text_of(soup.points[n(edge[1])])));
+      refuse(
+          fmt::format("{} polygons meet in the edge from {} to {} (a closed surface has two at each edge); "
+                      "remove double or inner faces",
+                      count, etendue::text_of(soup.points[position(edge[0])]),
+                      etendue::text_of(soup.points[position(edge[1])])));
 }
 
 Mesh oriented_mesh(const PolygonSoup& soup) {

@@ -5,10 +5,10 @@
 #include <map>
 #include <numeric>
 
+#include "base/position.h"
+
 namespace etendue {
 namespace {
-
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
 using Edges = std::map<std::array<int, 2>, std::vector<int>>;  ///< polygons at each edge
 
@@ -21,13 +21,13 @@ std::vector<int> first_of_equal(const std::vector<Vec3>& points) {
   return first;
 }
 
-Edges edges_of(const PolygonSoup& soup) {
+Edges polygons_on_edges(const PolygonSoup& soup) {
   const std::vector<int> first = first_of_equal(soup.points);
   Edges edges;
   for (std::size_t p = 0; p < soup.polygons.size(); ++p) {
     const std::vector<int>& polygon = soup.polygons[p];
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const int a = first[n(polygon[i])], b = first[n(polygon[(i + 1) % polygon.size()])];
+      const int a = first[position(polygon[i])], b = first[position(polygon[(i + 1) % polygon.size()])];
       if (a != b) edges[{std::min(a, b), std::max(a, b)}].push_back(static_cast<int>(p));
     }
   }
@@ -39,10 +39,10 @@ class Pieces {
  public:
   explicit Pieces(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
   int piece(int i) {
-    while (parent_[n(i)] != i) i = parent_[n(i)] = parent_[n(parent_[n(i)])];
+    while (parent_[position(i)] != i) i = parent_[position(i)] = parent_[position(parent_[position(i)])];
     return i;
   }
-  void join(int a, int b) { parent_[n(piece(a))] = piece(b); }
+  void join(int a, int b) { parent_[position(piece(a))] = piece(b); }
 
  private:
   std::vector<int> parent_;
@@ -56,19 +56,19 @@ void add_polygon(const PolygonSoup& soup, std::size_t polygon, PolygonSoup& part
 }  // namespace
 
 SoupParts parts_of(const PolygonSoup& soup) {
-  const Edges edges = edges_of(soup);
+  const Edges edges = polygons_on_edges(soup);
   if (std::ranges::any_of(edges, [](const auto& edge) { return edge.second.size() > 2; })) return {soup, {}};
   Pieces pieces(soup.polygons.size());
   for (const auto& [edge, polygons] : edges)
     if (polygons.size() == 2) pieces.join(polygons[0], polygons[1]);
   std::vector<bool> is_open(soup.polygons.size(), false);
   for (const auto& [edge, polygons] : edges)
-    if (polygons.size() == 1) is_open[n(pieces.piece(polygons[0]))] = true;
+    if (polygons.size() == 1) is_open[position(pieces.piece(polygons[0]))] = true;
   SoupParts parts;
   parts.closed.points = parts.open.points = soup.points;
   parts.closed.wall_names = parts.open.wall_names = soup.wall_names;
   for (std::size_t p = 0; p < soup.polygons.size(); ++p)
-    add_polygon(soup, p, is_open[n(pieces.piece(static_cast<int>(p)))] ? parts.open : parts.closed);
+    add_polygon(soup, p, is_open[position(pieces.piece(static_cast<int>(p)))] ? parts.open : parts.closed);
   if (parts.closed.polygons.empty()) std::swap(parts.closed, parts.open);
   return parts;
 }

@@ -4,21 +4,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "base/position.h"
+
 namespace etendue {
 namespace {
 
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
-
-/// Twice the area of an outline times its normal (Newell).
-Vec3 area_normal(const std::vector<Vec3>& points, const std::vector<int>& outline) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    sum += (points[n(outline[i])] - points[n(outline[0])])
-               .cross(points[n(outline[(i + 1) % outline.size()])] - points[n(outline[0])]);
-  return sum;
-}
-
-std::vector<std::array<int, 2>> edges_of(const std::vector<int>& outline) {
+std::vector<std::array<int, 2>> directed_edges(const std::vector<int>& outline) {
   std::vector<std::array<int, 2>> edges;
   for (std::size_t i = 0; i < outline.size(); ++i)
     edges.push_back({outline[i], outline[(i + 1) % outline.size()]});
@@ -31,7 +22,7 @@ Vec3 inner_point(const std::vector<Vec3>& points, const SidedFacet& facet) {
   facet.normal.cwiseAbs().maxCoeff(&axis);
   const int b = (axis + 1) % 3, c = (axis + 2) % 3;
   std::vector<double> levels;
-  for (const auto& edge : facet.edges) levels.push_back(points[n(edge[0])][b]);
+  for (const auto& edge : facet.edges) levels.push_back(points[position(edge[0])][b]);
   std::sort(levels.begin(), levels.end());
   std::size_t widest = 0;
   for (std::size_t i = 0; i + 1 < levels.size(); ++i)
@@ -39,11 +30,11 @@ Vec3 inner_point(const std::vector<Vec3>& points, const SidedFacet& facet) {
   const double level = 0.5 * (levels[widest] + levels[widest + 1]);
   std::vector<Vec3> crossings;
   for (const auto& [from, to] : facet.edges) {
-    const Vec3 &p = points[n(from)], &q = points[n(to)];
+    const Vec3 &p = points[position(from)], &q = points[position(to)];
     if ((p[b] > level) != (q[b] > level)) crossings.push_back(p + (level - p[b]) / (q[b] - p[b]) * (q - p));
   }
   std::sort(crossings.begin(), crossings.end(), [c](const Vec3& p, const Vec3& q) { return p[c] < q[c]; });
-  Vec3 best = points[n(facet.edges[0][0])];
+  Vec3 best = points[position(facet.edges[0][0])];
   double longest = -1;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
     if ((crossings[i + 1] - crossings[i]).norm() <= longest) continue;
@@ -55,20 +46,29 @@ Vec3 inner_point(const std::vector<Vec3>& points, const SidedFacet& facet) {
 
 }  // namespace
 
+Vec3 outline_area_normal(const std::vector<Vec3>& points, const std::vector<int>& outline) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+    sum += (points[position(outline[i])] - points[position(outline[0])])
+               .cross(points[position(outline[i + 1])] - points[position(outline[0])]);
+  return sum;
+}
+
 SidedFacet sided_facet(const std::vector<Vec3>& points, const SurfaceFacet& facet) {
   const std::vector<int>& outer = facet.polygons.front();
-  SidedFacet sided{edges_of(outer), area_normal(points, outer).normalized(), points[n(outer[0])]};
+  SidedFacet sided{directed_edges(outer), outline_area_normal(points, outer).normalized(),
+                   points[position(outer[0])]};
   for (std::size_t i = 1; i < facet.polygons.size(); ++i) {
     std::vector<int> outline = facet.polygons[i];
     if (outline.size() < 2) continue;
-    const Vec3 turn = area_normal(points, outline);
-    const SidedFacet rim{edges_of(outline), sided.normal, points[n(outline[0])]};
+    const Vec3 turn = outline_area_normal(points, outline);
+    const SidedFacet rim{directed_edges(outline), sided.normal, points[position(outline[0])]};
     const bool is_opening =
         std::any_of(facet.openings.begin(), facet.openings.end(),
                     [&](const Vec3& opening) { return foot_is_inside(opening, points, rim); });
     // The facet lies on the left of the rim of an opening: it runs the other way round.
     if (is_opening && turn.dot(sided.normal) > 0) std::reverse(outline.begin(), outline.end());
-    for (const auto& edge : edges_of(outline)) {
+    for (const auto& edge : directed_edges(outline)) {
       sided.edges.push_back(edge);
       if (!is_opening && outline.size() > 2) sided.edges.push_back({edge[1], edge[0]});
     }
@@ -79,8 +79,12 @@ SidedFacet sided_facet(const std::vector<Vec3>& points, const SurfaceFacet& face
 
 SidedFacet sided_facet(const std::vector<Vec3>& points, const std::array<int, 3>& triangle) {
   const auto& [a, b, c] = triangle;
-  const Vec3 normal = (points[n(b)] - points[n(a)]).cross(points[n(c)] - points[n(a)]).normalized();
-  return {{{a, b}, {b, c}, {c, a}}, normal, (points[n(a)] + points[n(b)] + points[n(c)]) / 3};
+  const Vec3 normal = (points[position(b)] - points[position(a)])
+                          .cross(points[position(c)] - points[position(a)])
+                          .normalized();
+  return {{{a, b}, {b, c}, {c, a}},
+          normal,
+          (points[position(a)] + points[position(b)] + points[position(c)]) / 3};
 }
 
 }  // namespace etendue

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "base/position.h"
 #include "mesh/geometry/surface_files/open_surfaces.h"
 #include "mesh/geometry/surface_files/outline.h"
 #include "mesh/geometry/surface_files/polygon_soup.h"
@@ -19,8 +20,6 @@
 
 namespace etendue {
 namespace {
-
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
 /// Both kinds may begin with "solid": a binary file is exactly as long as its number of triangles says.
 bool is_binary_stl(const std::string& content) {
@@ -67,19 +66,19 @@ SurfaceComplex surface_of_shells(const ClosedSurface& closed, const OpenSurface&
   if (options.regions.empty()) fill_by_turns(filled, surface.region_names);
   for (std::size_t i = 0; i < filled.parts.size(); ++i) {
     const int outer = part_around(i, filled, closed.points, facets);
-    const int region = filled.region[i], beyond = outer < 0 ? -1 : filled.region[n(outer)];
+    const int region = filled.region[i], beyond = outer < 0 ? -1 : filled.region[position(outer)];
     if (region < 0 && beyond < 0) continue;  // void on both sides
     const bool is_wall = region < 0 || beyond < 0;
     for (const FacetSide& side : filled.parts[i].around) {
-      const auto& [a, b, c] = closed.triangles[n(side.facet)];
-      surface.facets.push_back({{{a, b, c}}, {}, is_wall ? closed.walls[n(side.facet)] : -1});
+      const auto& [a, b, c] = closed.triangles[position(side.facet)];
+      surface.facets.push_back({{{a, b, c}}, {}, is_wall ? closed.walls[position(side.facet)] : -1});
     }
   }
   add_part_points(filled, surface);
   if (!open.triangles.empty())
     add_sheets(open, surface, [&](const Vec3& point) {
       const int part = part_at(point, filled.parts, filled.depth, closed.points, facets);
-      return part >= 0 && filled.region[n(part)] >= 0;
+      return part >= 0 && filled.region[position(part)] >= 0;
     });
   return surface;
 }

@@ -7,12 +7,11 @@
 #include <map>
 #include <stdexcept>
 
+#include "base/position.h"
 #include "mesh/geometry/primitives/primitive_checks.h"
 
 namespace etendue {
 namespace {
-
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
 /// The numbers that points have in a surface; those that it lacks are added.
 std::vector<int> numbers_in(SurfaceComplex& surface, const std::vector<Vec3>& points) {
@@ -45,7 +44,8 @@ void add_sheets(const OpenSurface& open, SurfaceComplex& surface,
   const std::vector<int> number = numbers_in(surface, open.points);
   for (std::size_t t = 0; t < open.triangles.size(); ++t) {
     const auto& [a, b, c] = open.triangles[t];
-    const Vec3 &from = open.points[n(a)], &to = open.points[n(b)], &third = open.points[n(c)];
+    const Vec3 &from = open.points[position(a)], &to = open.points[position(b)],
+               &third = open.points[position(c)];
     const Vec3 centroid = (from + to + third) / 3;
     if (!is_filled(centroid))
       throw std::invalid_argument(
@@ -53,8 +53,8 @@ void add_sheets(const OpenSurface& open, SurfaceComplex& surface,
                       "it, or move it into one, where it becomes a sheet",
                       text_of(centroid)));
     const int front = open.walls[t];
-    const int back = wall_number(surface, surface.wall_names[n(front)] + ".back");
-    SurfaceFacet facet{{{number[n(a)], number[n(b)], number[n(c)]}}, {}};
+    const int back = wall_number(surface, surface.wall_names[position(front)] + ".back");
+    SurfaceFacet facet{{{number[position(a)], number[position(b)], number[position(c)]}}, {}};
     facet.sheet = static_cast<int>(surface.sheets.size());
     surface.facets.push_back(std::move(facet));
     surface.sheets.push_back({front, back, (to - from).cross(third - from).normalized()});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/position.h"
 #include "mesh/geometry/primitives/primitive_checks.h"
 #include "mesh/geometry/primitives/wall_naming.h"
 #include "mesh/geometry/surface_files/outline.h"
@@ -13,8 +14,6 @@
 
 namespace etendue {
 namespace {
-
-std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
 /// Reads the lists of a .poly or .smesh file one after the other.
 class TetgenReader {
@@ -177,7 +176,7 @@ void fill_rest(SurfaceComplex& surface, const SurfaceFileOptions& options) {
   std::vector<bool> known(filled.parts.size(), false);
   const auto mark = [&](const Vec3& point) {
     const int part = part_at(point, filled.parts, filled.depth, surface.points, facets);
-    if (part >= 0) known[n(part)] = true;
+    if (part >= 0) known[position(part)] = true;
   };
   for (const RegionSeed& seed : surface.seeds) mark(seed.point);
   for (const Vec3& hole : surface.holes) mark(hole);

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "base/child_process.h"
+#include "base/gibibyte.h"
+#include "base/position.h"
 #include "mesh/tetrahedra/mesh_faults.h"
 
 namespace etendue {
@@ -24,9 +26,6 @@ constexpr double kDetailCellsPerPoint = 100;
 constexpr double kManyCells = 1e6;
 /// Memory of TetGen for a cell, and of the mesh that is read back [bytes].
 constexpr double kBytesPerCell = 400;
-constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 Eigen::AlignedBox3d extent_of(const SurfaceComplex& surface) {
   Eigen::AlignedBox3d extent;
@@ -35,7 +34,7 @@ Eigen::AlignedBox3d extent_of(const SurfaceComplex& surface) {
 }
 
 Vec3 point_of(const TetGenMesh& mesh, std::int32_t point) {
-  const double* x = &mesh.coordinates[3 * at(point)];
+  const double* x = &mesh.coordinates[3 * position(point)];
   return {x[0], x[1], x[2]};
 }
 
@@ -43,7 +42,7 @@ Vec3 point_of(const TetGenMesh& mesh, std::int32_t point) {
 double volume_in_bounds(const TetGenMesh& mesh, const std::vector<double>& bounds) {
   double sum = 0;
   for (std::size_t c = 0; c < mesh.regions.size(); ++c) {
-    const auto region = at(mesh.regions[c]);
+    const auto region = position(mesh.regions[c]);
     if (mesh.regions[c] < 0 || region >= bounds.size() || !(bounds[region] > 0)) continue;
     const Vec3 a = point_of(mesh, mesh.cells[4 * c]);
     const Vec3 ab = point_of(mesh, mesh.cells[4 * c + 1]) - a, ac = point_of(mesh, mesh.cells[4 * c + 2]) - a,
@@ -98,7 +97,7 @@ void check_cell_count(double cells, const TetrahedraOptions& options) {
         options.origin, "",
         fmt::format("max_volume or edge_length asks for about {:.2g} cells, for which TetGen needs about "
                     "{:.3g} GiB of memory, and this machine has {:.3g} GiB; use a larger one",
-                    cells, needed / kGibibyte, installed / kGibibyte)));
+                    cells, needed / gibibyte, installed / gibibyte)));
 }
 
 int most_added_points(const SurfaceComplex& surface, const TetrahedraOptions& options, double asked_cells) {

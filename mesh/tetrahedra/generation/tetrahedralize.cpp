@@ -10,6 +10,8 @@
 #include <Eigen/Geometry>
 
 #include "base/child_process.h"
+#include "base/gibibyte.h"
+#include "base/position.h"
 #include "mesh/tetrahedra/generation/cell_count.h"
 #include "mesh/tetrahedra/generation/tetgen_call.h"
 #include "mesh/tetrahedra/mesh_faults.h"
@@ -19,10 +21,6 @@ namespace {
 
 /// Below this TetGen's refinement need not end (Si 2015: it ends above 2, in practice above about 1.1).
 constexpr double kSmallestQuality = 1.1;
-
-constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 Origin with_key(Origin origin, const std::string& key) {
   origin.key = origin.key.empty() ? key : origin.key + "." + key;
@@ -73,11 +71,12 @@ std::optional<std::string> find_intersection(const SurfaceComplex& surface, cons
         std::sscanf(text.c_str() + start, "(%d,%d,%d) and (%d,%d,%d)", &v[0], &v[1], &v[2], &v[3], &v[4],
                     &v[5]) != 6)
       return;
-    if (std::any_of(v.begin(), v.end(), [&](int p) { return p < 0 || at(p) >= surface.points.size(); }))
+    if (std::any_of(v.begin(), v.end(), [&](int p) { return p < 0 || position(p) >= surface.points.size(); }))
       return;
     const auto corners = [&](std::size_t first) {
-      return to_text(surface.points[at(v[first])]) + " " + to_text(surface.points[at(v[first + 1])]) + " " +
-             to_text(surface.points[at(v[first + 2])]);
+      return to_text(surface.points[position(v[first])]) + " " +
+             to_text(surface.points[position(v[first + 1])]) + " " +
+             to_text(surface.points[position(v[first + 2])]);
     };
     found = "triangle " + corners(0) + " meets triangle " + corners(3);
   };
@@ -90,10 +89,10 @@ std::optional<std::string> find_outside_point(const TetGenOutcome& outcome, cons
   int number = 0;
   if (std::sscanf(outcome.last_warning.c_str(), "Warning: The %d-th region point lies outside", &number) ==
           1 &&
-      number >= 1 && at(number) <= surface.seeds.size()) {
-    const RegionSeed& seed = surface.seeds[at(number - 1)];
-    return "the point " + to_text(seed.point) + " of region \"" + surface.region_names[at(seed.region)] +
-           "\" lies outside the surface; give a point inside";
+      number >= 1 && position(number) <= surface.seeds.size()) {
+    const RegionSeed& seed = surface.seeds[position(number - 1)];
+    return "the point " + to_text(seed.point) + " of region \"" +
+           surface.region_names[position(seed.region)] + "\" lies outside the surface; give a point inside";
   }
   return std::nullopt;
 }
@@ -102,7 +101,7 @@ std::string problem_of(const TetGenOutcome& outcome, const SurfaceComplex& surfa
   switch (outcome.end) {
     case TetGenEnd::out_of_memory:
       return "TetGen needs more memory than there is (" +
-             to_text(static_cast<double>(physical_memory()) / kGibibyte) +
+             to_text(static_cast<double>(physical_memory()) / gibibyte) +
              " GiB); use a larger max_volume or edge_length";
     case TetGenEnd::self_intersection: {
       const auto place = find_intersection(surface, log);
@@ -129,24 +128,24 @@ std::string problem_of(const TetGenOutcome& outcome, const SurfaceComplex& surfa
          "quality a little";
 }
 
-Vec3 centroid_of(const RawMesh& mesh, std::size_t cell) {
+Vec3 cell_centroid(const RawMesh& mesh, std::size_t cell) {
   Vec3 sum = Vec3::Zero();
-  for (const int point : mesh.cells[cell]) sum += mesh.points[at(point)];
+  for (const int point : mesh.cells[cell]) sum += mesh.points[position(point)];
   return sum / 4;
 }
 
 void check_regions(const RawMesh& mesh, const SurfaceComplex& surface, const Origin& origin) {
   const auto lost = std::find(mesh.cell_regions.begin(), mesh.cell_regions.end(), -1);
   if (lost != mesh.cell_regions.end())
-    throw InputError(
-        fault_at(origin, "",
-                 "the part around " +
-                     to_text(centroid_of(mesh, static_cast<std::size_t>(lost - mesh.cell_regions.begin()))) +
-                     " belongs to no region; give a point inside it for each closed part"));
+    throw InputError(fault_at(
+        origin, "",
+        "the part around " +
+            to_text(cell_centroid(mesh, static_cast<std::size_t>(lost - mesh.cell_regions.begin()))) +
+            " belongs to no region; give a point inside it for each closed part"));
   for (const RegionSeed& seed : surface.seeds)
     if (std::find(mesh.cell_regions.begin(), mesh.cell_regions.end(), seed.region) == mesh.cell_regions.end())
       throw InputError(fault_at(origin, "",
-                                "region \"" + surface.region_names[at(seed.region)] +
+                                "region \"" + surface.region_names[position(seed.region)] +
                                     "\" got no cells (its point " + to_text(seed.point) +
                                     " lies outside, or in the same part as that of another region); give a "
                                     "point inside a part of its own"));
@@ -154,8 +153,8 @@ void check_regions(const RawMesh& mesh, const SurfaceComplex& surface, const Ori
 
 /// A triangle for each side of a sheet, seen from there clockwise: out of the cell on that side.
 void add_sheet(const std::array<int, 3>& v, const SurfaceSheet& sheet, RawMesh& mesh) {
-  const Vec3& p = mesh.points[at(v[0])];
-  const Vec3 turn = (mesh.points[at(v[1])] - p).cross(mesh.points[at(v[2])] - p);
+  const Vec3& p = mesh.points[position(v[0])];
+  const Vec3 turn = (mesh.points[position(v[1])] - p).cross(mesh.points[position(v[2])] - p);
   const bool is_front = turn.dot(sheet.normal) > 0;
   mesh.triangles.push_back(v);
   mesh.triangle_walls.push_back(is_front ? sheet.back : sheet.front);
@@ -175,7 +174,7 @@ RawMesh raw_mesh_of(const TetGenMesh& from, const SurfaceComplex& surface) {
   for (std::size_t t = 0; t < from.walls.size(); ++t) {
     const std::array<int, 3> v = {from.triangles[3 * t], from.triangles[3 * t + 1],
                                   from.triangles[3 * t + 2]};
-    if (from.sheets[t] >= 0) add_sheet(v, surface.sheets[at(from.sheets[t])], mesh);
+    if (from.sheets[t] >= 0) add_sheet(v, surface.sheets[position(from.sheets[t])], mesh);
     if (from.walls[t] < 0) continue;  // an interface, or a sheet
     mesh.triangles.push_back(v);
     mesh.triangle_walls.push_back(from.walls[t]);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "base/vector_text.h"
 #include "solver/angular/harmonics/harmonics.h"
 
 namespace etendue {
@@ -16,7 +17,7 @@ namespace {
 constexpr double settled = 1e-14;
 // Sums that are off by more than this after so many steps mean that there is no scaling.
 constexpr double acceptable = 1e-11;
-constexpr int most_steps = 5000;
+constexpr int most_scaling_steps = 5000;
 
 Eigen::Map<const Eigen::VectorXd> weights_of(const DirectionSet& set) {
   return {set.weights().data(), set.count()};
@@ -43,8 +44,6 @@ class NoScaling : public InputError {
   using InputError::InputError;
 };
 
-std::string text_of(const Vec3& w) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", w.x(), w.y(), w.z()); }
-
 /// An ordinate whose light should be scattered though the matrix sends nothing anywhere. What scatters
 /// nowhere may keep its zeros.
 void check_sums(const Eigen::VectorXd& sums, const Eigen::VectorXd& total, const DirectionSet& set) {
@@ -58,7 +57,7 @@ void check_sums(const Eigen::VectorXd& sums, const Eigen::VectorXd& total, const
             : nullptr;
     if (problem != nullptr)
       throw InputError(fmt::format("light in the direction {} {}",
-                                   text_of(set.directions()[static_cast<std::size_t>(n)]), problem));
+                                   vector_text(set.directions()[static_cast<std::size_t>(n)]), problem));
   }
 }
 
@@ -68,7 +67,7 @@ Eigen::VectorXd symmetric_factors(const Eigen::MatrixXd& a, const Eigen::VectorX
                                   const Eigen::VectorXd& total) {
   Eigen::VectorXd b = Eigen::VectorXd::Ones(a.rows());
   double change = 1;
-  for (int step = 0; step < most_steps && change > settled; ++step) {
+  for (int step = 0; step < most_scaling_steps && change > settled; ++step) {
     const Eigen::VectorXd sums = a * (weights.array() * b.array()).matrix();
     double largest = 0;
     for (Eigen::Index m = 0; m < b.size(); ++m) {

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/errors.h"
+#include "base/vector_text.h"
 #include "solver/materials/kernels/kernel_formula.h"
 #include "solver/materials/kernels/leaf_canopy.h"
 #include "solver/materials/kernels/micro_flakes.h"
@@ -19,20 +20,18 @@ namespace {
 using std::numbers::pi;
 
 /// Values that a person wrote with some digits agree to this part of the largest.
-constexpr double agreement = 1e-9;
+constexpr double written_agreement = 1e-9;
 
 /// Part of itself by which the integral of a formula may be off: a tenth of what solutions on 100 directions
 /// are.
 constexpr double largest_uncertainty = 1e-3;
-
-std::string text_of(const Vec3& w) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", w.x(), w.y(), w.z()); }
 
 const Vec3& direction(const DirectionSet& set, Eigen::Index m) {
   return set.directions()[static_cast<std::size_t>(m)];
 }
 
 std::string from_into(const DirectionSet& set, Eigen::Index from, Eigen::Index into) {
-  return fmt::format("from {} into {}", text_of(direction(set, from)), text_of(direction(set, into)));
+  return fmt::format("from {} into {}", vector_text(direction(set, from)), vector_text(direction(set, into)));
 }
 
 void check_signs(const Eigen::MatrixXd& rate, const DirectionSet& set) {
@@ -45,7 +44,7 @@ void check_signs(const Eigen::MatrixXd& rate, const DirectionSet& set) {
 
 /// k(w -> v) = k(-v -> -w); ordinates 2k and 2k + 1 are opposite.
 void check_reciprocity(const Eigen::MatrixXd& rate, const DirectionSet& set) {
-  const double scale = agreement * rate.maxCoeff();
+  const double scale = written_agreement * rate.maxCoeff();
   for (Eigen::Index n = 0; n < rate.cols(); ++n)
     for (Eigen::Index m = 0; m < rate.rows(); ++m)
       if (std::abs(rate(m, n) - rate(n ^ 1, m ^ 1)) > scale)
@@ -60,12 +59,12 @@ std::vector<double> absorbed(double extinction, const std::vector<double>& scatt
                              const DirectionSet& set) {
   std::vector<double> absorbing;
   for (std::size_t n = 0; n < scattered.size(); ++n) {
-    if (scattered[n] > extinction * (1 + agreement))
+    if (scattered[n] > extinction * (1 + written_agreement))
       throw InputError(
           fmt::format("the kernel scatters {:.6g} of each unit of length out of the direction {}, more than "
                       "the extinction "
                       "{:.6g} takes; give more extinction, or absorption in its place",
-                      scattered[n], text_of(set.directions()[n]), extinction));
+                      scattered[n], vector_text(set.directions()[n]), extinction));
     absorbing.push_back(std::max(0.0, extinction - scattered[n]));
   }
   return absorbing;
@@ -77,7 +76,7 @@ void check_resolved(const OutgoingMoments& moments, const Vec3& before) {
     throw InputError(fmt::format(
         "what the kernel scatters out of the direction {}, {:.6g}, is uncertain by {:.2g} of itself (at most "
         "{:.0e} is accepted); it is too sharp for a formula, use a phase function or a matrix",
-        text_of(before), moments.scattered, moments.uncertainty, largest_uncertainty));
+        vector_text(before), moments.scattered, moments.uncertainty, largest_uncertainty));
 }
 
 double mean_over_directions(const std::vector<double>& values, const DirectionSet& set) {

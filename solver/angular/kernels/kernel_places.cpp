@@ -11,7 +11,7 @@ namespace etendue {
 namespace {
 
 /// How near a product of a factor of the place and one of the directions a formula must be to be one.
-constexpr double agreement = 1e-9;
+constexpr double product_agreement = 1e-9;
 
 bool varies(const KernelFormula& kernel) {
   return kernel.formula->uses("x") || kernel.formula->uses("y") || kernel.formula->uses("z");
@@ -39,7 +39,8 @@ bool are_proportional(const std::vector<std::vector<double>>& prints) {
   const double largest = prints[cell][pair];
   for (const std::vector<double>& print : prints)
     for (std::size_t i = 0; i < print.size(); ++i)
-      if (!(std::abs(print[i] * largest - print[pair] * prints[cell][i]) <= agreement * largest * largest))
+      if (!(std::abs(print[i] * largest - print[pair] * prints[cell][i]) <=
+            product_agreement * largest * largest))
         return false;
   return true;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/quadrature/cell_rule.h"
+#include "base/vector_text.h"
 #include "mesh/tetrahedra/corners.h"
 #include "solver/problem/problem_checks.h"
 
@@ -22,12 +23,11 @@ double mean(const AngularFormula& formula, const std::array<Vec3, 4>& cell, cons
   return sum;
 }
 
-std::string text_of(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z()); }
-
 [[noreturn]] void refuse(const Medium& medium, const Bands& bands, int band, double value, double scattered,
                          const Vec3& point, const Vec3& direction) {
-  const std::string where = fmt::format("in the cell around {} in the direction {} (band {})", text_of(point),
-                                        text_of(direction), bands.names[static_cast<std::size_t>(band)]);
+  const std::string where =
+      fmt::format("in the cell around {} in the direction {} (band {})", vector_text(point),
+                  vector_text(direction), bands.names[static_cast<std::size_t>(band)]);
   if (medium.extinction_by_direction && std::isfinite(value))
     throw InputError(fault_at(
         origin_of(medium, "extinction"), fmt::format("{:.6g}", value + scattered),

@@ -4,29 +4,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "solver/angular/kernels/scattered_light.h"
+#include "solver/materials/kernels/leaf_canopy.h"
 #include "solver/materials/kernels/micro_flakes.h"
 
 namespace etendue {
-namespace {
-
-/// The mean of Ross's G over directions.
-constexpr double mean_leaf_projection = 0.5;
-
-/// k(before -> after) for a density of 1 [1/sr].
-double kernel(const DirectionalScattering& scattering, const LeafNormals& normals, const Vec3& before,
-              const Vec3& after) {
-  if (const auto* leaves = std::get_if<LeafCanopy>(&scattering))
-    return leaf_value(*leaves, normals, before, after);
-  // Flakes seen edge on send on straight ahead, which needs an `after` beside `before`.
-  constexpr double straight = 1e-6;
-  if ((after - before).norm() < straight)
-    return flake_value(std::get<MicroFlakes>(scattering), before,
-                       (after + straight * after.unitOrthogonal()).normalized());
-  return flake_value(std::get<MicroFlakes>(scattering), before, after);
-}
-
-}  // namespace
-
 bool is_seen_by_rays(const DirectionalScattering& scattering) {
   return std::holds_alternative<LeafCanopy>(scattering) || std::holds_alternative<MicroFlakes>(scattering);
 }
@@ -66,8 +48,9 @@ std::vector<DirectionalMatter::View> DirectionalMatter::views(const Vec3& travel
       view.scattered = view.extinction * flakes.albedo;
     }
     for (std::size_t n = 0; n < directions_.directions().size(); ++n)
-      view.weights.push_back(directions_.weights()[n] *
-                             kernel(kind.scattering, kind.normals, directions_.directions()[n], travel));
+      view.weights.push_back(directions_.weights()[n] * scattering_value(kind.scattering, kind.normals,
+                                                                         directions_.directions()[n],
+                                                                         travel));
     const double sum = std::accumulate(view.weights.begin(), view.weights.end(), 0.0);
     for (double& weight : view.weights) weight = sum > 0 ? weight / sum : 0;
     views.push_back(std::move(view));

@@ -22,8 +22,6 @@
 namespace etendue {
 namespace {
 
-/// The mean of Ross's G over directions.
-constexpr double mean_leaf_projection = 0.5;
 /// Rows of the table of the scattering coefficient of a formula by direction: its cubics are off by
 /// a millionth of what is as smooth as wz^2.
 constexpr int table_rows = 48;

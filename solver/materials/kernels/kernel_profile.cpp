@@ -13,7 +13,7 @@ namespace {
 using std::numbers::pi;
 
 /// Of the mean over the azimuth: kernels of leaves are smooth but for kinks.
-constexpr int azimuths = 48;
+constexpr int profile_azimuths = 48;
 
 double scattered_from(const LeafCanopy& leaves, const Vec3& before) {
   return (leaves.reflectance + leaves.transmittance) * leaf_projection(leaves.angles, before);
@@ -47,12 +47,12 @@ double KernelProfile::operator()(double cosine) const {
     return std::get<KernelFormula>(scattering_).at(before_, after);
   };
   double sum = 0;
-  for (int j = 0; j < azimuths; ++j) {
-    const double azimuth = 2 * pi * (j + 0.5) / azimuths;
+  for (int j = 0; j < profile_azimuths; ++j) {
+    const double azimuth = 2 * pi * (j + 0.5) / profile_azimuths;
     const Vec3 after = cosine * before_ + sine * (std::cos(azimuth) * side + std::sin(azimuth) * other);
     sum += value(after);
   }
-  return sum / azimuths / scattered_;
+  return sum / profile_azimuths / scattered_;
 }
 
 }  // namespace etendue

@@ -12,14 +12,14 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int inclinations = 48, azimuths = 64;
+constexpr int inclinations = 48, leaf_azimuths = 64;
 
 void add_ring(LeafNormals& leaves, double inclination, double share) {
-  for (int j = 0; j < azimuths; ++j) {
-    const double azimuth = 2 * pi * (j + 0.5) / azimuths;
+  for (int j = 0; j < leaf_azimuths; ++j) {
+    const double azimuth = 2 * pi * (j + 0.5) / leaf_azimuths;
     leaves.normals.emplace_back(std::sin(inclination) * std::cos(azimuth),
                                 std::sin(inclination) * std::sin(azimuth), std::cos(inclination));
-    leaves.shares.push_back(share / azimuths);
+    leaves.shares.push_back(share / leaf_azimuths);
   }
 }
 

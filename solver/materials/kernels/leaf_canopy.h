@@ -19,8 +19,10 @@ LeafNormals leaf_normals(LeafAngles angles);
 /// Wit 1965, in the trigonometric form of Bunnik 1978); not of leaves that are all level or upright.
 double inclination_density(LeafAngles angles, double inclination);
 
-/// Ross's G (Ross 1981): the mean projection of a unit of leaf area along a direction; 1/2 in the mean over
-/// directions.
+/// The mean over directions of Ross's G.
+inline constexpr double mean_leaf_projection = 0.5;
+
+/// Ross's G (Ross 1981): the mean projection of a unit of leaf area along a direction.
 double leaf_projection(LeafAngles angles, const Vec3& direction);
 
 /// Ross's kernel k(before -> after) for a leaf area density of 1 [1/sr]: the mean over leaves of

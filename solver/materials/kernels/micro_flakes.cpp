@@ -12,15 +12,14 @@ namespace etendue {
 namespace {
 
 using std::numbers::pi;
-using Complex = std::complex<double>;
 
-constexpr int nodes = 96;
+constexpr int flake_nodes = 96;
 
 /// The integral over phi of 1/(alpha^2 + beta^2 (p + q cos phi)^2), in partial fractions that are known each.
-double ring(double alpha, Complex beta, double p, double q) {
-  const Complex turned = Complex(0, 1) * beta, square = beta * beta * q * q;
-  const Complex a = alpha + turned * p, b = alpha - turned * p;
-  return pi / alpha * (1.0 / std::sqrt(a * a + square) + 1.0 / std::sqrt(b * b + square)).real();
+double ring(double alpha, std::complex<double> beta, double p, double q) {
+  const std::complex<double> turned = std::complex<double>(0, 1) * beta, beta_squared = beta * beta * q * q;
+  const std::complex<double> a = alpha + turned * p, b = alpha - turned * p;
+  return pi / alpha * (1.0 / std::sqrt(a * a + beta_squared) + 1.0 / std::sqrt(b * b + beta_squared)).real();
 }
 
 }  // namespace
@@ -32,7 +31,7 @@ double flake_projection(const MicroFlakes& flakes, const Vec3& direction) {
 }
 
 double mean_flake_projection(const MicroFlakes& flakes) {
-  const GaussRule rule = unit_rule(nodes);
+  const GaussRule rule = unit_rule(flake_nodes);
   double sum = 0;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     const double cosine = rule.nodes[i];
@@ -47,12 +46,12 @@ double flake_momentum_transfer(const MicroFlakes& flakes, const Vec3& direction)
   // Off a mirror 1 - w.v = 2 (w.h)^2 and dv = 4 |w.h| dh: the integral of D(h) |w.h|^3 over the sphere.
   // Flakes are the normals h = C u/|C u| of an ellipsoid, C^2 = S, of area |C u| du/pi. With s t = C w, |t| =
   // 1, and c = u.t the rings about t are known, and 2 s^3/pi times the integral of c^3 ring(c) remains.
-  static const GaussRule rule = unit_rule(nodes);
+  static const GaussRule rule = unit_rule(flake_nodes);
   const double along = flakes.along, across = flakes.across, cosine = flakes.axis.dot(direction);
   const double size = flake_projection(flakes, direction);
   const double near = std::min(1.0, std::abs(along * cosine) / size);
   const double far = std::sqrt(1 - near * near);
-  const Complex beta = std::sqrt(Complex((along - across) * (along + across)));
+  const std::complex<double> beta = std::sqrt(std::complex<double>((along - across) * (along + across)));
   // Where a ring first meets the faces of thin flakes, or the ends of thin fibres, it has a peak: nodes are
   // dense on both sides.
   const double peak = along > across ? far : near;

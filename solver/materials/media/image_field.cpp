@@ -9,7 +9,7 @@ namespace etendue {
 namespace {
 
 /// Points this part of the field's size outside still count as on its surface.
-constexpr double kTolerance = 1e-9;
+constexpr double part_of_size_outside = 1e-9;
 
 }  // namespace
 
@@ -23,7 +23,8 @@ std::optional<double> ImageField::at(const Vec3& point) const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int voxels = grid_.points[axis] - 1;
     const double along = place[static_cast<Eigen::Index>(axis)];
-    if (!(along >= -kTolerance * voxels && along <= (1 + kTolerance) * voxels)) return std::nullopt;
+    if (!(along >= -part_of_size_outside * voxels && along <= (1 + part_of_size_outside) * voxels))
+      return std::nullopt;
     voxel[axis] = std::clamp(static_cast<int>(along), 0, voxels - 1);
     part[axis] = std::clamp(along - voxel[axis], 0.0, 1.0);
   }

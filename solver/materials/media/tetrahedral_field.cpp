@@ -10,12 +10,12 @@ namespace etendue {
 namespace {
 
 /// Points this part of the field's diagonal outside still count as on its surface.
-constexpr double kTolerance = 1e-9;
+constexpr double part_of_diagonal_outside = 1e-9;
 
 double tolerance_of(const std::vector<Vec3>& points) {
   Box box;
   for (const Vec3& point : points) box.extend(point);
-  return box.isEmpty() ? 0 : kTolerance * box.diagonal().norm();
+  return box.isEmpty() ? 0 : part_of_diagonal_outside * box.diagonal().norm();
 }
 
 std::vector<Box> boxes_of(const std::vector<Vec3>& points, const std::vector<std::array<int, 4>>& cells) {

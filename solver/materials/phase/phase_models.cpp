@@ -16,8 +16,6 @@ double henyey_greenstein(double g, double mu) {
   return (1 - g * g) / (4 * pi * base * std::sqrt(base));
 }
 
-double power(double g, int degree) { return degree == 0 ? 1 : std::pow(g, degree); }
-
 /// Of Cornette and Shanks's function over (1 + mu^2) times Henyey and Greenstein's.
 double cornette_shanks_factor(double g) { return 3 / (2 * (2 + g * g)); }
 
@@ -40,7 +38,7 @@ double value_of(const PhaseHenyeyGreenstein& phase, double mu) {
   return henyey_greenstein(phase.asymmetry, mu);
 }
 
-double moment_of(const PhaseHenyeyGreenstein& phase, int degree) { return power(phase.asymmetry, degree); }
+double moment_of(const PhaseHenyeyGreenstein& phase, int degree) { return std::pow(phase.asymmetry, degree); }
 
 std::string name_of(const PhaseHenyeyGreenstein& phase) {
   return fmt::format("henyey-greenstein, g = {:g}", phase.asymmetry);
@@ -52,7 +50,7 @@ double value_of(const PhaseDoubleHenyeyGreenstein& phase, double mu) {
 }
 
 double moment_of(const PhaseDoubleHenyeyGreenstein& phase, int degree) {
-  return phase.weight * power(phase.first, degree) + (1 - phase.weight) * power(phase.second, degree);
+  return phase.weight * std::pow(phase.first, degree) + (1 - phase.weight) * std::pow(phase.second, degree);
 }
 
 std::string name_of(const PhaseDoubleHenyeyGreenstein& phase) {
@@ -69,10 +67,10 @@ double value_of(const PhaseCornetteShanks& phase, double mu) {
 // Greenstein's function are powers of g.
 double moment_of(const PhaseCornetteShanks& phase, int degree) {
   const double g = phase.parameter, l = degree;
-  double sum = power(g, degree) * (1 + (l + 1) * (l + 1) / ((2 * l + 1) * (2 * l + 3)));
-  sum += power(g, degree + 2) * (l + 1) * (l + 2) / ((2 * l + 1) * (2 * l + 3));
-  if (degree >= 1) sum += power(g, degree) * l * l / ((2 * l + 1) * (2 * l - 1));
-  if (degree >= 2) sum += power(g, degree - 2) * l * (l - 1) / ((2 * l + 1) * (2 * l - 1));
+  double sum = std::pow(g, degree) * (1 + (l + 1) * (l + 1) / ((2 * l + 1) * (2 * l + 3)));
+  sum += std::pow(g, degree + 2) * (l + 1) * (l + 2) / ((2 * l + 1) * (2 * l + 3));
+  if (degree >= 1) sum += std::pow(g, degree) * l * l / ((2 * l + 1) * (2 * l - 1));
+  if (degree >= 2) sum += std::pow(g, degree - 2) * l * (l - 1) / ((2 * l + 1) * (2 * l - 1));
   return cornette_shanks_factor(g) * sum;
 }
 

@@ -13,8 +13,6 @@ namespace {
 
 using std::numbers::pi;
 
-double power(double g, int degree) { return degree == 0 ? 1 : std::pow(g, degree); }
-
 /// Poisson's kernel: 1/(2 pi) (1 + 2 sum of g^k cos(k t)).
 double poisson(double g, double mu) { return (1 - g * g) / (2 * pi * (1 + g * g - 2 * g * mu)); }
 
@@ -31,11 +29,14 @@ double plane_value(const PhaseTable& phase, double mu) { return phase.value(mu);
 double plane_moment(const PhaseIsotropic&, int degree) { return degree == 0 ? 1 : 0; }
 // (1 + cos^2 t) / (3 pi) = (1 + 2/6 cos 2t) / (2 pi)
 double plane_moment(const PhaseRayleigh&, int degree) { return degree == 0 ? 1 : degree == 2 ? 1.0 / 6 : 0; }
-double plane_moment(const PhaseHenyeyGreenstein& phase, int degree) { return power(phase.asymmetry, degree); }
+double plane_moment(const PhaseHenyeyGreenstein& phase, int degree) {
+  return std::pow(phase.asymmetry, degree);
+}
 // 1 + cos^2 t = 3/2 + cos(2t)/2, and cos(2t) cos(kt) = (cos((k-2) t) + cos((k+2) t)) / 2.
 double plane_moment(const PhaseCornetteShanks& phase, int degree) {
   const double g = phase.parameter;
-  return (3 * power(g, degree) + (power(g, std::abs(degree - 2)) + power(g, degree + 2)) / 2) / (3 + g * g);
+  return (3 * std::pow(g, degree) + (std::pow(g, std::abs(degree - 2)) + std::pow(g, degree + 2)) / 2) /
+         (3 + g * g);
 }
 double plane_moment(const PhaseLegendre& phase, int degree) { return moment_of(phase, degree); }
 

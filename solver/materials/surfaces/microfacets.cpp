@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/quadrature/panel_rule.h"
+#include "base/square.h"
 
 namespace etendue {
 namespace {
@@ -13,11 +14,9 @@ namespace {
 using std::numbers::pi;
 
 /// Of the disc of visible facets: rings and points on each.
-constexpr int rings = 16, turns = 64;
+constexpr int rings = 16, facet_turns = 64;
 /// At 90 degrees nothing is seen of the facets; the limit is taken from beside it.
 constexpr double grazing = 1e-4;
-
-double square(double x) { return x * x; }
 
 }  // namespace
 
@@ -72,8 +71,8 @@ double Microfacets::mean_weight(double cos_in) const {
   return integral_by_panels(0, pi / 2, rings, [&](double t) {
     const double u = square(std::sin(t));
     double sum = 0;
-    for (int i = 0; i < turns; ++i) sum += sample(cos_in, u, (i + 0.5) / turns).weight;
-    return std::sin(2 * t) * sum / turns;
+    for (int i = 0; i < facet_turns; ++i) sum += sample(cos_in, u, (i + 0.5) / facet_turns).weight;
+    return std::sin(2 * t) * sum / facet_turns;
   });
 }
 

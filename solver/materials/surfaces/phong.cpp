@@ -6,15 +6,14 @@
 #include <numbers>
 
 #include "base/quadrature/panel_rule.h"
+#include "solver/materials/surfaces/gaussian_end.h"
 
 namespace etendue {
 namespace {
 
 using std::numbers::pi;
 
-constexpr int panels = 64;
-/// Where exp(-x^2) is below rounding.
-constexpr double dark = 6.5;
+constexpr int lobe_panels = 64;
 
 /// The integral of max(a + b cos x, 0) over a full turn; b >= 0.
 double positive_turn(double a, double b) {
@@ -46,12 +45,13 @@ double Phong::exact_albedo(double cos_in) const {
   };
   // The ring that touches has a root: x = from + (to - from) y^2 (3 - 2 y) is flat there.
   const auto part = [&](double from, double to) {
-    return integral_by_panels(0, 1, panels, [&](double y) {
+    return integral_by_panels(0, 1, lobe_panels, [&](double y) {
       return ring(from + (to - from) * y * y * (3 - 2 * y)) * (to - from) * 6 * y * (1 - y);
     });
   };
-  const double touches = sin_in > 0 ? std::min(dark, std::sqrt(-power * std::log(sin_in))) : dark;
-  return reflectance_ * (exponent_ + 2) / (2 * pi) * (part(0, touches) + part(touches, dark));
+  const double touches =
+      sin_in > 0 ? std::min(gaussian_end, std::sqrt(-power * std::log(sin_in))) : gaussian_end;
+  return reflectance_ * (exponent_ + 2) / (2 * pi) * (part(0, touches) + part(touches, gaussian_end));
 }
 
 // Density (n + 1)/(2 pi) cos^n a about the mirrored direction (-sin, 0, cos).

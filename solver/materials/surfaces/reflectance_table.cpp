@@ -20,7 +20,7 @@ constexpr double degree = pi / 180;
 /// of one instrument differ by.
 constexpr double both_ways = 0.02;
 /// Of the integrals in one interval of the grid, where the reflectance itself is linear.
-constexpr int panels = 16;
+constexpr int interval_panels = 16;
 
 std::vector<double> distinct(const std::vector<ReflectancePoint>& points, double ReflectancePoint::*which) {
   std::vector<double> values;
@@ -143,7 +143,7 @@ double ReflectanceTable::exact_albedo(double cos_in) const {
   double sum = 0;
   for (std::size_t o = 1; o < outs.size(); ++o)
     for (std::size_t t = 1; t < turns.size(); ++t)
-      sum += integral_by_panels(outs[o - 1], outs[o], panels, [&](double out) {
+      sum += integral_by_panels(outs[o - 1], outs[o], interval_panels, [&](double out) {
         return std::sin(2 * out) * integral_by_panels(turns[t - 1], turns[t], 1, [&](double azimuth) {
                  return at(angle_in, out, azimuth);
                });

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "base/quadrature/panel_rule.h"
+#include "base/square.h"
+#include "solver/materials/surfaces/gaussian_end.h"
 
 namespace etendue {
 namespace {
@@ -13,11 +15,7 @@ namespace {
 using std::numbers::pi;
 
 /// Of the slopes: points of the tangent, and of the azimuth on each side of a right angle.
-constexpr int steps = 16, turns = 32;
-/// Where exp(-x^2) is below rounding.
-constexpr double dark = 6.5;
-
-double square(double x) { return x * x; }
+constexpr int slope_steps = 16, slope_turns = 32;
 
 }  // namespace
 
@@ -53,14 +51,14 @@ double Ward::exact_albedo(double cos_in) const {
   const double sin_in = std::sqrt(std::max(0.0, 1 - square(cos_in)));
   const auto of_azimuth = [&](double cosine) {
     const double slant = sin_in * cosine, end = (slant + std::hypot(slant, cos_in)) / cos_in;
-    return integral_by_panels(0, std::min(dark, end / roughness_), steps, [&](double x) {
+    return integral_by_panels(0, std::min(gaussian_end, end / roughness_), slope_steps, [&](double x) {
       const double slope = roughness_ * x;
       const double weight = 2 - cos_in * (1 + square(slope)) / (slant * slope + cos_in);
       return 2 * x * std::exp(-square(x)) * weight;
     });
   };
   // Light that grazes is reflected by slopes towards it alone: points are dense about the right angle.
-  return reflectance_ * integral_by_panels(0, 1, turns, [&](double y) {
+  return reflectance_ * integral_by_panels(0, 1, slope_turns, [&](double y) {
            const double cosine = std::sin(pi / 2 * y * y * y);
            return 3 * y * y / 2 * (of_azimuth(cosine) + of_azimuth(-cosine));
          });

@@ -29,7 +29,7 @@ constexpr std::size_t climbers = 6;
 constexpr int halvings = 12;
 constexpr double first_step = 0.1;
 // What may be missed of it.
-constexpr double margin = 1.02;
+constexpr double climb_margin = 1.02;
 // Normals of faces in one plane differ by rounding.
 constexpr double same_normal = 1e-9;
 
@@ -58,7 +58,7 @@ double largest_value(const Function& function) {
     }
     largest = std::max(largest, value);
   }
-  return margin * largest;
+  return climb_margin * largest;
 }
 
 /// A direction that is given in a frame about `normal`; as it is without one.
@@ -95,7 +95,7 @@ FormulaEmitter::Node FormulaEmitter::in_plane(const Place& place) const {
     if (seen == 0) continue;
     const double value = formula->at(point, travel);
     node.integral += 2 * pi / circle * seen * value;
-    node.largest = std::max(node.largest, margin * value);
+    node.largest = std::max(node.largest, climb_margin * value);
   }
   return node;
 }

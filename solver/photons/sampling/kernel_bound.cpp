@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/errors.h"
+#include "base/vector_text.h"
 #include "solver/angular/sets/direction_set.h"
 #include "solver/photons/kernel/photon_turns.h"
 
@@ -24,9 +25,7 @@ struct Looks {
 };
 constexpr Looks at_one = {3, 24}, at_many = {1, 8};
 // What is missed between them; neighbouring rings count too.
-constexpr double margin = 1.15;
-
-std::string text_of(const Vec3& w) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", w.x(), w.y(), w.z()); }
+constexpr double ring_margin = 1.15;
 
 std::size_t ring_of(double t) {
   return std::min(rings - 1, static_cast<std::size_t>(t * static_cast<double>(rings)));
@@ -70,7 +69,7 @@ KernelBound::KernelBound(const KernelFormula& kernel, const std::vector<Vec3>& p
   const std::vector<double> seen = bound_;
   for (std::size_t ring = 0; ring < rings; ++ring) {
     const double before = ring > 0 ? seen[ring - 1] : 0, behind = ring + 1 < rings ? seen[ring + 1] : 0;
-    bound_[ring] = margin * std::max({before, seen[ring], behind});
+    bound_[ring] = ring_margin * std::max({before, seen[ring], behind});
     const double from = static_cast<double>(ring) / rings, to = static_cast<double>(ring + 1) / rings;
     cumulative_.push_back((ring > 0 ? cumulative_.back() : 0) +
                           4 * pi * (to * to - from * from) * bound_[ring]);
@@ -84,7 +83,7 @@ void KernelBound::look(const KernelFormula& kernel, const Vec3& before, const Ve
   if (!(value >= 0 && std::isfinite(value)))
     throw InputError(
         fmt::format("the kernel is {:.6g} from {} into {}; must be a finite number of at least 0", value,
-                    text_of(before), text_of(after)));
+                    vector_text(before), vector_text(after)));
   double& bound = bound_[ring_of(t)];
   bound = std::max(bound, value);
 }

@@ -8,12 +8,8 @@
 namespace etendue {
 namespace {
 
-// Relative to the weight at the start. Survivors weigh ten times as much.
-constexpr double roulette = 1e-3;
 // Of a photon map: hits of even weight say more than as many of which most weigh little (Jensen 2001).
 constexpr double roulette_of_hits = 0.1;
-// Starts that are made at a time.
-constexpr std::size_t chunk = 4096;
 
 }  // namespace
 
@@ -35,9 +31,9 @@ PhotonBatches::Outcome PhotonBatches::walk(std::uint64_t first, std::size_t coun
       continue;
     }
     sums.clear();
-    for (std::size_t done = 0; done < count; done += chunk) {
+    for (std::size_t done = 0; done < count; done += starts_at_a_time) {
       const std::vector<PhotonStart> starts =
-          band.sources.starts(seed_, {first, count}, done, std::min(chunk, count - done));
+          band.sources.starts(seed_, {first, count}, done, std::min(starts_at_a_time, count - done));
       const PhotonCounts counts = kernels_.follow(
           band.mesh.view(), {starts, first + done, seed_, roulette, watch_by(counter)}, sums.view());
       if (counter.stopped()) return {};
@@ -58,9 +54,9 @@ PhotonBatches::Hits PhotonBatches::hits(int number, std::uint64_t first, std::si
   const Band& band = *bands_[static_cast<std::size_t>(number)];
   Hits hits;
   if (band.sources.power() == 0) return hits;
-  std::size_t walls = 4 * chunk, matter = 4 * chunk;
+  std::size_t walls = 4 * starts_at_a_time, matter = 4 * starts_at_a_time;
   for (std::size_t done = 0; done < count;) {
-    const std::size_t now = std::min(chunk, count - done), old_walls = hits.walls.size(),
+    const std::size_t now = std::min(starts_at_a_time, count - done), old_walls = hits.walls.size(),
                       old_matter = hits.matter.size();
     hits.walls.resize(old_walls + walls);
     hits.matter.resize(old_matter + matter);

@@ -12,6 +12,12 @@
 
 namespace etendue {
 
+/// Weight, relative to that at the start, below which a photon plays roulette; survivors weigh ten times as
+/// much.
+inline constexpr double roulette = 1e-3;
+/// Starts of photons that are made in one call.
+inline constexpr std::size_t starts_at_a_time = 4096;
+
 /// Counts the histories of a walk, and ends it where the counter is stopped. The counter must outlive it.
 inline WalkWatch watch_by(StageCounter& counter) {
   return {[](void* watcher, std::uint64_t ended) { return static_cast<StageCounter*>(watcher)->add(ended); },

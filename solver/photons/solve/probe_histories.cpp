@@ -19,10 +19,6 @@ namespace etendue {
 namespace {
 
 constexpr int batches = 32;
-// Starts that are made at a time.
-constexpr std::size_t chunk = 4096;
-// Relative to the weight at the start. Nothing is tallied on the path, so few light photons are followed.
-constexpr double roulette = 1e-3;
 
 /// Directions that fill the sphere evenly, shifted by two random numbers: a lattice of two irrational steps
 /// (Roberts 2018, after Cranley and Patterson 1976).
@@ -74,9 +70,9 @@ class Walk {
     const std::array shift = {uniform(word[0]), uniform(word[1])};
     const std::uint64_t first = range.first;
     std::vector<double> sums(5, 0);
-    for (std::size_t done = 0; done < size && !counter.stopped(); done += chunk) {
+    for (std::size_t done = 0; done < size && !counter.stopped(); done += starts_at_a_time) {
       std::vector<PhotonStart> starts;
-      for (std::size_t i = done; i < std::min(size, done + chunk); ++i)
+      for (std::size_t i = done; i < std::min(size, done + starts_at_a_time); ++i)
         starts.push_back(start_towards(direction_of(i, shift, mesh_.view().in_plane)));
       range.starts = starts;
       range.first = first + done;

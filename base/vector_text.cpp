@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "base/vector_text.h"
+
+#include <fmt/format.h>
+
+namespace etendue {
+
+std::string vector_text(const Vec3& vector) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", vector.x(), vector.y(), vector.z());
+}
+
+}  // namespace etendue
