@@ -8,8 +8,8 @@
 
 #include "app/cli/starters.h"
 #include "app/request/commands.h"
-#include "base/edit_distance.h"
 #include "base/errors.h"
+#include "base/text/edit_distance.h"
 
 namespace etendue {
 namespace {

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "app/write/result/program_version.h"
-#include "base/edit_distance.h"
 #include "base/errors.h"
+#include "base/text/edit_distance.h"
 
 namespace etendue {
 namespace {

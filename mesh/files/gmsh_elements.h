@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/name_table.h"
-#include "base/text_lines.h"
+#include "base/text/text_lines.h"
 #include "mesh/tetrahedra/raw_mesh.h"
 
 namespace etendue {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/text_lines.h"
+#include "base/text/text_lines.h"
 #include "mesh/files/gmsh_elements.h"
 
 namespace etendue {

@@ -7,7 +7,7 @@
 
 #include "base/errors.h"
 #include "base/name_table.h"
-#include "base/text_lines.h"
+#include "base/text/text_lines.h"
 
 namespace etendue {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "base/number_columns.h"
+#include "base/text/number_columns.h"
 
 #include <cmath>
 #include <cstdlib>

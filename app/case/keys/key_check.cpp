@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/case/keys/override.h"
-#include "base/edit_distance.h"
+#include "base/text/edit_distance.h"
 
 namespace etendue {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/case/keys/keys.h"
-#include "base/edit_distance.h"
 #include "base/errors.h"
+#include "base/text/edit_distance.h"
 
 namespace etendue {
 namespace {

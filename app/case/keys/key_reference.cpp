@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/case/keys/keys.h"
-#include "base/edit_distance.h"
+#include "base/text/edit_distance.h"
 
 namespace etendue {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/edit_distance.h"
+#include "base/text/edit_distance.h"
 
 namespace etendue {
 namespace {

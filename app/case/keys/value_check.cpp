@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/edit_distance.h"
+#include "base/text/edit_distance.h"
 
 namespace etendue {
 namespace {

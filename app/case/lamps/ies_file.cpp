@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/case/lamps/lamp_planes.h"
-#include "base/trimmed.h"
+#include "base/text/trimmed.h"
 
 namespace etendue {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "app/case/lamps/lamp_planes.h"
 #include "base/errors.h"
-#include "base/trimmed.h"
+#include "base/text/trimmed.h"
 
 namespace etendue {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "app/case/lamps/ies_file.h"
 #include "app/case/lamps/ldt_file.h"
-#include "base/number_columns.h"
-#include "base/text_lines.h"
+#include "base/text/number_columns.h"
+#include "base/text/text_lines.h"
 #include "base/unreadable_file.h"
 
 namespace etendue {

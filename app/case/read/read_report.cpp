@@ -9,7 +9,7 @@
 #include "app/case/build/build.h"
 #include "app/case/keys/case_tables.h"
 #include "app/case/keys/resolve_path.h"
-#include "base/edit_distance.h"
+#include "base/text/edit_distance.h"
 #include "solver/angular/sets/direction_set.h"
 
 namespace etendue {

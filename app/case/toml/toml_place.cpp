@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/trimmed.h"
+#include "base/text/trimmed.h"
 
 namespace etendue {
 namespace {

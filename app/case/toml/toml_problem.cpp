@@ -7,7 +7,7 @@
 #include <regex>
 
 #include "app/case/toml/toml_fault.h"
-#include "base/trimmed.h"
+#include "base/text/trimmed.h"
 
 namespace etendue {
 namespace {

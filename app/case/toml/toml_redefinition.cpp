@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "base/trimmed.h"
+#include "base/text/trimmed.h"
 
 namespace etendue {
 namespace {

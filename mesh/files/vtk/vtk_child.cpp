@@ -3,7 +3,7 @@
 
 #include "base/child_process.h"
 #include "base/errors.h"
-#include "mesh/files/refused_file.h"
+#include "mesh/files/vtk/refused_file.h"
 #include "mesh/files/vtk/vtk_threads.h"
 
 namespace etendue {

@@ -25,7 +25,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include "base/errors.h"
-#include "mesh/files/refused_file.h"
+#include "mesh/files/vtk/refused_file.h"
 #include "mesh/files/vtk/vtk_messages.h"
 
 namespace etendue {

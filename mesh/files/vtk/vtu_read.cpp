@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "base/text_lines.h"
-#include "mesh/files/refused_file.h"
+#include "base/text/text_lines.h"
 #include "mesh/files/vtk/raw_mesh_bytes.h"
+#include "mesh/files/vtk/refused_file.h"
 #include "mesh/files/vtk/vtk_child.h"
 #include "mesh/files/vtk/vtu_file.h"
 #include "mesh/files/vtk/vtu_grid.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "base/vector_text.h"
+#include "base/text/vector_text.h"
 #include "solver/angular/harmonics/harmonics.h"
 
 namespace etendue {

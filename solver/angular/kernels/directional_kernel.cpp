@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "base/errors.h"
-#include "base/vector_text.h"
+#include "base/text/vector_text.h"
 #include "solver/materials/kernels/kernel_formula.h"
 #include "solver/materials/kernels/leaf_canopy.h"
 #include "solver/materials/kernels/micro_flakes.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/quadrature/cell_rule.h"
-#include "base/vector_text.h"
+#include "base/text/vector_text.h"
 #include "mesh/tetrahedra/corners.h"
 #include "solver/problem/problem_checks.h"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "base/errors.h"
-#include "base/vector_text.h"
+#include "base/text/vector_text.h"
 #include "solver/angular/sets/direction_set.h"
 #include "solver/photons/kernel/photon_turns.h"
 

@@ -8,7 +8,7 @@
 
 #include "app/case/keys/resolve_path.h"
 #include "app/case/values/band_values.h"
-#include "base/number_columns.h"
+#include "base/text/number_columns.h"
 #include "solver/materials/kernels/micro_flakes.h"
 
 namespace etendue {

@@ -11,7 +11,7 @@
 
 #include "app/case/keys/resolve_path.h"
 #include "app/case/values/band_values.h"
-#include "base/number_columns.h"
+#include "base/text/number_columns.h"
 #include "solver/materials/surfaces/microfacets.h"
 #include "solver/materials/surfaces/phong.h"
 #include "solver/materials/surfaces/reflectance_table.h"

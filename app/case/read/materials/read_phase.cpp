@@ -10,8 +10,8 @@
 
 #include "app/case/keys/keys.h"
 #include "app/case/keys/resolve_path.h"
-#include "base/edit_distance.h"
-#include "base/number_columns.h"
+#include "base/text/edit_distance.h"
+#include "base/text/number_columns.h"
 #include "solver/materials/phase/mie_scattering.h"
 
 namespace etendue {

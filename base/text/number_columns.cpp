@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "base/number_columns.h"
+#include "base/text/number_columns.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,8 +9,8 @@
 #include <optional>
 #include <string_view>
 
-#include "base/text_lines.h"
-#include "base/trimmed.h"
+#include "base/text/text_lines.h"
+#include "base/text/trimmed.h"
 
 namespace etendue {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "base/text_lines.h"
+#include "base/text/text_lines.h"
 
 #include <cerrno>
 #include <charconv>
@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "base/errors.h"
-#include "base/trimmed.h"
+#include "base/text/trimmed.h"
 
 namespace etendue {
 namespace {

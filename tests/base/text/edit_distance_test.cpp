@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "base/edit_distance.h"
+#include "base/text/edit_distance.h"
 
 #include <gtest/gtest.h>
 

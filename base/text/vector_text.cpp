@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "base/vector_text.h"
+#include "base/text/vector_text.h"
 
 #include <fmt/format.h>
 
