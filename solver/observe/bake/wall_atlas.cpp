@@ -18,7 +18,7 @@ namespace {
 constexpr int margin = 2;
 
 /// Texels grow by this until all charts fit.
-constexpr double coarser = 1.02;
+constexpr double texel_growth = 1.02;
 
 /// Places stand this part of the way to the middle of their face off its edges.
 constexpr double off_the_edge = 1e-4;
@@ -113,7 +113,7 @@ double packed_texel(std::vector<Chart>& charts, int side) {
     area += chart.width * chart.height;
     largest = std::max({largest, chart.width, chart.height});
   }
-  for (double texel = std::sqrt(area) / side; texel < largest; texel *= coarser)
+  for (double texel = std::sqrt(area) / side; texel < largest; texel *= texel_growth)
     if (pack(charts, texel, side)) return texel;
   throw InputError("the walls have " + std::to_string(charts.size()) +
                    " flat parts, too many for a texture of " + std::to_string(side) + " pixels; use more");

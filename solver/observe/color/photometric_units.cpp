@@ -9,7 +9,7 @@ namespace {
 
 constexpr double foot = 0.3048;  // [m], exact since 1959
 constexpr double centimetre = 1e-2;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Wyszecki and Stiles, Color Science (1982), table 4.10: units of luminance with pi are those of a perfect
 // diffuser under the illuminance of the same name.

@@ -20,14 +20,14 @@ struct Positions {
   }
 };
 
-using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Positions>, Positions,
-                                                  3, std::uint32_t>;
+using HitIndex = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Positions>,
+                                                     Positions, 3, std::uint32_t>;
 
 }  // namespace
 
 struct HitTree::Tree {
   Positions positions;
-  Index index;
+  HitIndex index;
   explicit Tree(std::span<const PhotonHit> hits)
       : positions{hits}, index(3, positions, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size)) {}
 };

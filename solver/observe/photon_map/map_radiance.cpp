@@ -16,12 +16,12 @@ namespace etendue {
 namespace {
 
 // A ray ends where less of its light is left: an estimate from 100 hits is known to a tenth.
-constexpr double faint = 1e-4;
-constexpr int most_mirrors = 1000;
+constexpr double faint_estimate = 1e-4;
+constexpr int most_estimate_mirrors = 1000;
 // Steps along a ray, in radii of the ball at the last one: balls of neighbouring estimates overlap.
 // And the fewest and most steps through the medium of one region.
 constexpr double step_in_radii = 1;
-constexpr double fewest_steps = 4, most_steps = 200;
+constexpr double fewest_ball_steps = 4, most_ball_steps = 200;
 
 Vec3 direction_of(const PhotonHit& hit) { return {hit.direction[0], hit.direction[1], hit.direction[2]}; }
 
@@ -124,7 +124,7 @@ double MapRadiance::along(const PointInCell& start, const Vec3& direction, int b
   double radiance = 0, left = 1;
   PointInCell at = start;
   Vec3 towards = direction;
-  for (int i = 0; i < most_mirrors && left > faint; ++i) {
+  for (int i = 0; i < most_estimate_mirrors && left > faint_estimate; ++i) {
     const RaySegment segment{at.position, towards, band};
     work.parts.clear();
     const RayEnd end =
@@ -165,7 +165,7 @@ void MapRadiance::add_matter(const RaySegment& segment, Workspace& work, double&
                              double& left) const {
   const TetrahedralMesh& mesh = problem_.mesh();
   double begin = 0;
-  for (std::size_t first = 0, last = 0; first < work.parts.size() && left > faint; first = last) {
+  for (std::size_t first = 0, last = 0; first < work.parts.size() && left > faint_estimate; first = last) {
     double length = 0, depth = 0;
     const int region = mesh.region(work.parts[first].first);
     for (; last < work.parts.size() && mesh.region(work.parts[last].first) == region; ++last) {
@@ -203,8 +203,8 @@ double MapRadiance::march(const RaySegment& segment, std::size_t first, std::siz
     length += work.parts[i].second;
     scattering = std::max(scattering, problem_.scattering(work.parts[i].first, segment.band));
   }
-  double radiance = 0, left = 1, reached = 0, used = 0, step = length / fewest_steps, place = begin;
-  for (std::size_t i = first; i < last && left > faint;) {
+  double radiance = 0, left = 1, reached = 0, used = 0, step = length / fewest_ball_steps, place = begin;
+  for (std::size_t i = first; i < last && left > faint_estimate;) {
     double rest = scattering > 0 ? step : length, source = 0;
     if (scattering > 0) {
       std::size_t middle = i;
@@ -214,7 +214,8 @@ double MapRadiance::march(const RaySegment& segment, std::size_t first, std::siz
       source = scattered(work.parts[middle].first, segment.at(begin + where), -segment.direction,
                          segment.band, work)
                    .value;
-      step = std::clamp(step_in_radii * work.volume.radius, length / most_steps, length / fewest_steps);
+      step = std::clamp(step_in_radii * work.volume.radius, length / most_ball_steps,
+                        length / fewest_ball_steps);
     }
     reached += rest;
     while (rest > 0 && i < last) {

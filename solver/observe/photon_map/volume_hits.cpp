@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t feelers = 64, scouts = 24;
 constexpr double scouted = 1.2;
 // A ray that goes so near to all of its length meets nothing.
-constexpr double whole = 1 - 1e-12;
+constexpr double whole_ball = 1 - 1e-12;
 
 /// A spiral of equal solid angles (Saff and Kuijlaars 1997).
 template <std::size_t count>
@@ -67,7 +67,7 @@ bool VolumeHits::around(CellIndex cell, const Vec3& point, Around& found) const 
   const double radius = found.radius = found.near.radius;
   if (radius == 0) return false;
   const bool is_free = std::ranges::all_of(directions, [&](const Vec3& direction) {
-    return path_in_region(cell, point, direction, scouted * radius) >= whole * scouted * radius;
+    return path_in_region(cell, point, direction, scouted * radius) >= whole_ball * scouted * radius;
   });
   if (is_free) {
     found.hits = found.near.number;
@@ -77,7 +77,7 @@ bool VolumeHits::around(CellIndex cell, const Vec3& point, Around& found) const 
   for (const std::uint32_t number : found.near.number) {
     const Vec3 to = position_of(kept_.hits[number]) - point;
     const double distance = to.norm();
-    if (distance == 0 || path_in_region(cell, point, to / distance, distance) >= whole * distance)
+    if (distance == 0 || path_in_region(cell, point, to / distance, distance) >= whole_ball * distance)
       found.hits.push_back(number);
   }
   found.volume = volume_seen(cell, point, radius);

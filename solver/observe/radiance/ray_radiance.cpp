@@ -20,8 +20,8 @@ namespace {
 
 /// A ray is given up where less than this of its light is left, which is less than a picture's numbers
 /// resolve, and after so many mirrors.
-constexpr double faint = 1e-8;
-constexpr int most_mirrors = 10000;
+constexpr double faint_ray = 1e-8;
+constexpr int most_ray_mirrors = 10000;
 
 /// A ray has come back to where it was where place and direction are within this part of its path length.
 constexpr double same_place = 1e-12;
@@ -104,7 +104,7 @@ void RayRadiance::along(const PointInCell& start, const Vec3& direction, const R
   Vec3 towards = direction;
   std::optional<FirstReflection> first;
   double path_length = 0;
-  for (int i = 0; i < most_mirrors; ++i) {
+  for (int i = 0; i < most_ray_mirrors; ++i) {
     const RayEnd end = walk(at, towards, work);
     const RaySegment segment{at.position, towards, view, lights_.paths().matter().view(-towards),
                              i > 0 || view.first_wall_diffuse};
@@ -277,7 +277,7 @@ bool RayRadiance::reflect(FaceIndex face, double cosine, Workspace& work) const 
     work.factor[b] *= mirrored_part(wall, b, cosine);
     left = std::max(left, work.factor[b] * std::exp(-std::min(work.depth_rest[b], work.depth[b])));
   }
-  return left > faint;
+  return left > faint_ray;
 }
 
 }  // namespace etendue

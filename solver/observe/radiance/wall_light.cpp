@@ -24,7 +24,7 @@ constexpr std::size_t most_cut = 24, most_known = 256;
 constexpr int few_rays = 16;
 
 /// From one detail to the next coarser one, and an opening within which all of a light is one.
-constexpr double coarser = 1.3, whole = 20;
+constexpr double detail_growth = 1.3, whole_opening = 20;
 
 /// Returns whether a light is made of triangles, and of so many at most.
 bool is_flat(const LightSource& source, std::size_t most) {
@@ -44,9 +44,9 @@ LightDetail detail_within(const LightSource& source, const PointInCell& point, L
   while (true) {
     beams.clear();
     source.add_beams(point, Sight::clear, detail, beams);
-    if (beams.size() <= static_cast<std::size_t>(rays) || detail.opening > whole) return detail;
+    if (beams.size() <= static_cast<std::size_t>(rays) || detail.opening > whole_opening) return detail;
     for (double* size : {&detail.opening, &detail.single, &detail.thickness, &detail.largest_side})
-      *size *= coarser;
+      *size *= detail_growth;
   }
 }
 

@@ -40,13 +40,13 @@ double solid_angle_at(double angle, int across) {
 }
 
 /// A beam comes from an image of a point where the two differ by less.
-constexpr double same_direction = 1e-9;
+constexpr double beam_from_image = 1e-9;
 
 /// Path length from a place to that image of a point light, itself or in mirrors, which is in a direction.
 double path_length(const PointSource& point, const Vec3& place, const Vec3& towards) {
   for (const PointSource::Image& image : point.images()) {
     const Vec3 path = image.position - place;
-    if ((path.normalized() - towards).norm() < same_direction) return path.norm();
+    if ((path.normalized() - towards).norm() < beam_from_image) return path.norm();
   }
   return 0;
 }

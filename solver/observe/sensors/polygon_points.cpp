@@ -21,7 +21,7 @@ namespace {
 
 using Triangle = std::array<Vec3, 3>;
 
-bool holds(const Triangle& triangle, const Vec3& normal, const Vec3& point) {
+bool triangle_holds(const Triangle& triangle, const Vec3& normal, const Vec3& point) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 &a = triangle[i], &b = triangle[(i + 1) % 3];
     if (point == a || normal.dot((b - a).cross(point - a)) < 0) return false;
@@ -35,7 +35,7 @@ std::size_t ear_of(const std::vector<Vec3>& polygon, const Vec3& normal) {
   for (std::size_t i = 1; i <= polygon.size(); ++i) {
     const Triangle cut = {polygon[i - 1], polygon[i % polygon.size()], polygon[(i + 1) % polygon.size()]};
     const bool left = normal.dot((cut[1] - cut[0]).cross(cut[2] - cut[1])) >= 0;
-    if (left && std::ranges::none_of(polygon, [&](const Vec3& p) { return holds(cut, normal, p); }))
+    if (left && std::ranges::none_of(polygon, [&](const Vec3& p) { return triangle_holds(cut, normal, p); }))
       return i % polygon.size();
   }
   return 1;

@@ -131,7 +131,7 @@ void add_flow(const Radiance& radiance, const SurfaceFace& part, const Ordinate&
   }
 }
 
-double mean_of(std::span<const double> values, std::size_t band, std::size_t bands) {
+double cell_mean(std::span<const double> values, std::size_t band, std::size_t bands) {
   return (values[band] + values[bands + band] + values[2 * bands + band] + values[3 * bands + band]) / 4;
 }
 
@@ -194,10 +194,10 @@ class Bookkeeping {
       account.path[b] += path;
       account.absorbed[b] += absorption * path;
       account.scattered_out[b] += (sources_.extinction(cell, b, view) - absorption) * path;
-      account.emitted[b] += emitted + phase_volume * mean_of(shining_, b, radiance_.bands());
-      account.scattered_in[b] +=
-          phase_volume * (mean_of(source_, b, radiance_.bands()) + mean_of(added_, b, radiance_.bands())) -
-          emitted;
+      account.emitted[b] += emitted + phase_volume * cell_mean(shining_, b, radiance_.bands());
+      account.scattered_in[b] += phase_volume * (cell_mean(source_, b, radiance_.bands()) +
+                                                 cell_mean(added_, b, radiance_.bands())) -
+                                 emitted;
     }
   }
 

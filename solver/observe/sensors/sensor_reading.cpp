@@ -23,7 +23,7 @@ namespace {
 using std::numbers::pi;
 
 /// Estimated relative error at which no more rays are sent.
-constexpr double sum_tolerance = 1e-6;
+constexpr double ray_tolerance = 1e-6;
 
 /// Rays that an integral takes at least.
 constexpr int fewest_rays = 68;
@@ -59,7 +59,7 @@ Measurement most_of(const GridReading& grid, std::size_t bands, Quantity quantit
   return extreme_of(grid, bands, quantity, std::greater<>{});
 }
 
-Measurement mean_of(const GridReading& grid, std::size_t bands, const std::vector<double>& errors) {
+Measurement grid_mean(const GridReading& grid, std::size_t bands, const std::vector<double>& errors) {
   Measurement mean{Quantity::irradiance_mean, std::vector<double>(bands, 0), std::vector<double>(bands, 0),
                    std::vector<double>(bands, 0)};
   const auto known = static_cast<double>(
@@ -90,7 +90,7 @@ ConeIntegrals SensorReader::integrate(const Cone& cone, std::size_t count, const
         functions(direction, values);
         work.counter.add();
       },
-      sum_tolerance, rays, [&] { return !work.counter.stopped(); });
+      ray_tolerance, rays, [&] { return !work.counter.stopped(); });
   const auto taken = static_cast<std::size_t>(found.directions);
   if (taken < counted_rays(rays)) work.counter.add(counted_rays(rays) - taken);
   return found;
@@ -226,7 +226,7 @@ void SensorReader::read_grid(const Sensor& sensor, const Locate& locate, int thr
       errors[p * bands + b] = here.error[b];
     }
   });
-  reading.measurements = {mean_of(reading.grid, bands, errors),
+  reading.measurements = {grid_mean(reading.grid, bands, errors),
                           extreme_of(reading.grid, bands, Quantity::irradiance_least, std::less<>{}),
                           most_of(reading.grid, bands, Quantity::irradiance_most)};
 }

@@ -19,7 +19,7 @@ namespace {
 using std::numbers::pi;
 
 /// Of integrals over the cone of what a light sends.
-constexpr double sum_tolerance = 1e-9;
+constexpr double cone_tolerance = 1e-9;
 constexpr int most_directions = 20000;
 
 /// Of sums over a face or a cell: estimated error, and points of a light that is a single beam. Of wide
@@ -27,7 +27,7 @@ constexpr int most_directions = 20000;
 constexpr double part_tolerance = 1e-3;
 constexpr std::size_t most_points = 1000, most_beams = 4000;
 
-bool holds(const std::optional<Cone>& cone, const Vec3& travel) { return !cone || cone->holds(travel); }
+bool cone_holds(const std::optional<Cone>& cone, const Vec3& travel) { return !cone || cone->holds(travel); }
 
 /// Those of all lights but one.
 LightBeams beams_at(const LightSetup& lights, const PointInCell& place,
@@ -90,7 +90,7 @@ std::vector<PathCoefficients> coefficients_of(const LightSetup& lights, CellInde
     const Vec3 point = point_at(node.barycentric, corners);
     const LightBeams beams = beams_at(lights, {cell, point});
     for (std::size_t n = 0; n < beams.size(); ++n) {
-      if (!holds(cone, beams.direction(n))) continue;
+      if (!cone_holds(cone, beams.direction(n))) continue;
       const RayMatter::View view = matter.view(beams.direction(n));
       for (std::size_t b = 0; b < mean.size(); ++b) {
         const PathCoefficients here = matter.at(cell, b, view, point);
@@ -129,7 +129,7 @@ double projected(const std::optional<Cone>& cone, const Vec3& normal) {
              [&](const Vec3& travel, std::span<double> value) {
                value[0] = std::max(0.0, normal.dot(travel));
              },
-             sum_tolerance, most_directions)
+             cone_tolerance, most_directions)
       .values[0];
 }
 
@@ -147,7 +147,7 @@ void add_face(const LightSetup& lights, const SurfaceFace& part, const std::opti
       [&](const Vec3& point, std::span<double> values) {
         const LightBeams beams = beams_at(lights, {part.inside, point}, own);
         for (std::size_t n = 0; n < beams.size(); ++n) {
-          if (!holds(cone, beams.direction(n))) continue;
+          if (!cone_holds(cone, beams.direction(n))) continue;
           const double across = outwards.dot(beams.direction(n));
           for (std::size_t b = 0; b < bands; ++b)
             values[(across > 0 ? 0 : bands) + b] += std::abs(across) * beams.fluence(n)[b];
@@ -207,7 +207,7 @@ class Emission {
                                      [&](const Vec3& travel, std::span<double> value) {
                                        value[0] = point.intensity(point.images().front(), travel);
                                      },
-                                     sum_tolerance, most_directions)
+                                     cone_tolerance, most_directions)
                                      .values[0];
     for (std::size_t b = 0; b < account.path.size(); ++b) account.emitted[b] += part * point.power()[b];
   }

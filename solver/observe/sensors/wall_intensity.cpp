@@ -16,7 +16,7 @@ namespace {
 using std::numbers::pi;
 
 /// A beam goes along a direction where the two differ by less.
-constexpr double same_direction = 1e-9;
+constexpr double beam_along_direction = 1e-9;
 
 struct WallPoint {
   PointInCell place;
@@ -63,8 +63,8 @@ void add_point_light(const LightSetup& lights, const PointLightPlace& light, int
   light.source->add_beams({end.cell, end.point}, Sight::attenuated, fine_light, beams);
   const double square = (end.point - light.place.position).squaredNorm();
   for (std::size_t i = 0; i < beams.size(); ++i)
-    for (std::size_t b = 0; b < intensity.size() && (beams.direction(i) - direction).norm() < same_direction;
-         ++b)
+    for (std::size_t b = 0;
+         b < intensity.size() && (beams.direction(i) - direction).norm() < beam_along_direction; ++b)
       intensity[b] += beams.fluence(i)[b] * square;
 }
 

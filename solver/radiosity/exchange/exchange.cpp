@@ -5,13 +5,6 @@
 #include <cmath>
 
 namespace etendue {
-namespace {
-
-// Passes after which closing gives up: it gains about a digit in each.
-constexpr int most_closing_passes = 100;
-
-}  // namespace
-
 Exchange::Exchange(const std::vector<FlatPatch>& patches, int rays, int threads)
     : patches_(patches), visibility_(patches, rays, threads), threads_(threads), scale_(patches.size(), 1) {}
 

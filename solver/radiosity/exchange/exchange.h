@@ -12,6 +12,10 @@ namespace etendue {
 
 /// Receives the part of the form factors that is made, 0 to 1.
 using FactorProgress = std::function<void(double)>;
+/// Parts of a loop over patches or cells after each of which progress is reported.
+inline constexpr std::size_t progress_steps = 100;
+/// Passes after which closing gives up: it gains about a digit in each.
+inline constexpr int most_closing_passes = 100;
 
 /// The exchange areas G_jk = A_j F_jk of patches [length^2]: symmetric, which is the reciprocity of form
 /// factors.

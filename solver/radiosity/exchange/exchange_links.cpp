@@ -17,7 +17,7 @@ constexpr std::size_t pairs_at_once = 1 << 15;
 // Measured, in a cube and in a room with a crate.
 constexpr double links_of_a_patch = 1.5;
 // Of what a link holds in single precision.
-constexpr double rounding = 1e-6;
+constexpr double link_rounding = 1e-6;
 
 }  // namespace
 
@@ -56,7 +56,7 @@ double ExchangeLinks::strongest(const Link& pair, const std::vector<double>& pow
 std::size_t ExchangeLinks::refine(const std::vector<double>& brightness, const FactorProgress& progress) {
   const std::vector<double> power = powers(brightness);
   const auto stays = [&](const Link& link) {
-    return strongest(link, power) <= (1 + rounding) * link.most_sent;
+    return strongest(link, power) <= (1 + link_rounding) * link.most_sent;
   };
   std::vector<Link> open;
   std::size_t count = 0;

@@ -6,13 +6,6 @@
 #include "solver/radiosity/form_factors/exchange_area.h"
 
 namespace etendue {
-namespace {
-
-// Parts of the rows after each of which progress is reported.
-constexpr std::size_t progress_steps = 100;
-
-}  // namespace
-
 ExchangeMatrix::ExchangeMatrix(const std::vector<FlatPatch>& patches, int rays, int threads,
                                std::size_t largest_kept, const FactorProgress& progress)
     : Exchange(patches, rays, threads) {

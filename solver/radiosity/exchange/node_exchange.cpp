@@ -13,7 +13,7 @@ namespace {
 // Largest |normal - mean normal| of a node that looks to one side: some 30 degrees.
 constexpr double one_side = 0.5;
 // Height above a plane, relative to the distance to it, that is rounding.
-constexpr double in_plane = 1e-12;
+constexpr double node_in_plane = 1e-12;
 
 /// Returns whether all of b is behind all patches of a.
 bool is_behind(const PatchNode& a, const PatchNode& b) {
@@ -22,7 +22,7 @@ bool is_behind(const PatchNode& a, const PatchNode& b) {
   const double reach = separation.norm() + a.radius + b.radius;
   // Of b above its centre along the axis of a: it lies in a ball and between two planes across its own axis.
   const double rise = std::min(b.radius, across * b.radius + std::abs(cosine) * b.thickness);
-  return a.axis.dot(separation) + a.thickness + rise + a.spread * reach <= in_plane * reach;
+  return a.axis.dot(separation) + a.thickness + rise + a.spread * reach <= node_in_plane * reach;
 }
 
 double kernel_between(const SurfaceSample& p, const SurfaceSample& q) {

@@ -13,14 +13,14 @@ namespace {
 
 // Where some rays are blocked, so many times the rays are sent.
 constexpr int rays_of_shadows = 8;
-// Distance behind a plane, relative to the size of a patch and its distance, that is rounding.
-constexpr double behind = 1e-9;
+// Distance behind_plane a plane, relative to the size of a patch and its distance, that is rounding.
+constexpr double behind_plane = 1e-9;
 
-/// Returns whether nothing of a node, or of the remaining part of it, lies behind a plane.
+/// Returns whether nothing of a node, or of the remaining part of it, lies behind_plane a plane.
 bool all_before(const PatchTree& tree, const PatchNode& node, const FlatPatch& plane) {
   const Vec3 separation = node.center - plane.centroid();
   const double height = plane.normal().dot(separation),
-               close = behind * (separation.norm() + node.radius + plane.radius());
+               close = behind_plane * (separation.norm() + node.radius + plane.radius());
   if (height > node.radius - close) return true;
   if (!node.is_patch()) {
     const auto child = static_cast<std::size_t>(node.children);

@@ -9,9 +9,6 @@
 namespace etendue {
 namespace {
 
-// Passes after which closing gives up.
-constexpr int most_closing_passes = 100;
-
 bool is_even(const Wall& wall) {
   const auto same = [](const auto& values) {
     return std::ranges::all_of(values, [&](const auto& value) { return value == values.front(); });

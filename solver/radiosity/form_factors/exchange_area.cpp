@@ -14,7 +14,7 @@ constexpr double wanted_accuracy = 1e-9;
 // Distance over the sum of both radii from which on points are summed.
 constexpr double far_apart = 5;
 // Distance from a plane, relative to the size of both patches, below which a corner lies in it.
-constexpr double in_plane = 1e-12;
+constexpr double patch_in_plane = 1e-12;
 
 struct HeightRange {
   double lowest = std::numeric_limits<double>::infinity();
@@ -68,7 +68,7 @@ enum class FarPatches { by_points, by_contours };
 
 double exchange(const FlatPatch& a, const FlatPatch& b, FarPatches far) {
   const double distance = (a.centroid() - b.centroid()).norm();
-  const double close = in_plane * (distance + a.radius() + b.radius());
+  const double close = patch_in_plane * (distance + a.radius() + b.radius());
   const HeightRange of_a = heights(a, b), of_b = heights(b, a);
   if (of_a.highest <= close || of_b.highest <= close) return 0;
   const bool a_whole = of_a.lowest >= -close, b_whole = of_b.lowest >= -close;

@@ -38,7 +38,7 @@ bool continues(const ContourEdge& a, const ContourEdge& b) {
 }
 
 /// Joins edges in one line that follow each other where no other edge meets them.
-std::vector<ContourEdge> joined(std::vector<ContourEdge> edges) {
+std::vector<ContourEdge> joined_edges(std::vector<ContourEdge> edges) {
   std::multimap<Key, std::size_t> starts;
   for (std::size_t i = 0; i < edges.size(); ++i) starts.emplace(key_of(edges[i].from), i);
   std::vector<char> taken(edges.size(), 0);
@@ -94,7 +94,7 @@ FlatPatch::FlatPatch(std::vector<TriangleCorners> triangles) : triangles_(std::m
   centroid_ /= area_;
   for (const TriangleCorners& t : triangles_)
     for (const Vec3& corner : t) radius_ = std::max(radius_, (corner - centroid_).norm());
-  contour_ = joined(outline(triangles_));
+  contour_ = joined_edges(outline(triangles_));
   points_ = rule_on(triangles_);
 }
 

@@ -13,7 +13,7 @@ namespace {
 // two apart, faces of a mesh anything, and they shall not all follow each other.
 constexpr double too_large = 1.5;
 // Sizes are halves of halves.
-constexpr double rounding = 1e-6;
+constexpr double size_rounding = 1e-6;
 
 /// [band] mean over all walls.
 std::vector<double> means(const WallPatches& patches, const std::vector<double>& values, std::size_t bands) {
@@ -63,7 +63,7 @@ std::vector<bool> patches_to_cut(const TetrahedralMesh& mesh, const WallPatches&
     return largest;
   };
   for (std::size_t p = 0; p < count; ++p)
-    cut[p] = patches.sizes[p] > rule.smallest * (1 + rounding) &&
+    cut[p] = patches.sizes[p] > rule.smallest * (1 + size_rounding) &&
              std::ranges::any_of(neighbours[p], [&](std::size_t q) { return change(p, q) > rule.change; });
   grade(patches, neighbours, cut);
   return cut;

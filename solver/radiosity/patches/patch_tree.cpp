@@ -16,7 +16,7 @@ constexpr double thin = 1e-3;
 
 using Place = Eigen::Matrix<double, 6, 1>;
 
-SurfaceSample joined(const SurfaceSample& a, const SurfaceSample& b) {
+SurfaceSample joined_samples(const SurfaceSample& a, const SurfaceSample& b) {
   const double area = a.area + b.area;
   return {(a.area * a.position + b.area * b.position) / area, a.area_normal + b.area_normal, area};
 }
@@ -26,7 +26,7 @@ std::vector<SurfaceSample> few(std::vector<SurfaceSample> samples) {
   while (samples.size() > most_samples) {
     std::vector<SurfaceSample> half;
     for (std::size_t i = 0; i + 1 < samples.size(); i += 2)
-      half.push_back(joined(samples[i], samples[i + 1]));
+      half.push_back(joined_samples(samples[i], samples[i + 1]));
     if (samples.size() % 2 != 0) half.push_back(samples.back());
     samples = std::move(half);
   }

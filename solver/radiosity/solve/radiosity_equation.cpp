@@ -9,7 +9,7 @@
 namespace etendue {
 namespace {
 
-double area_of(const RadiosityEquation& equation, std::size_t patch) {
+double patch_area(const RadiosityEquation& equation, std::size_t patch) {
   return equation.exchange.patches()[patch].area();
 }
 
@@ -17,7 +17,7 @@ double area_of(const RadiosityEquation& equation, std::size_t patch) {
 std::vector<double> powers(const RadiosityEquation& equation, const std::vector<double>& x) {
   std::vector<double> sum(equation.bands, 0);
   for (std::size_t i = 0; i < x.size(); ++i)
-    sum[i % equation.bands] += area_of(equation, i / equation.bands) * x[i];
+    sum[i % equation.bands] += patch_area(equation, i / equation.bands) * x[i];
   return sum;
 }
 
@@ -28,7 +28,7 @@ void note_redirected(const RadiosityEquation& equation, const std::vector<double
   std::vector<double> sent = equation.sent_on(state.irradiance), arrived = state.irradiance;
   for (std::size_t i = 0; i < sent.size(); ++i) {
     sent[i] += equation.emission[i] - (unsent.empty() ? 0 : unsent[i]);
-    arrived[i] *= area_of(equation, i / equation.bands);
+    arrived[i] *= patch_area(equation, i / equation.bands);
   }
   state.redirected = equation.redirected(sent, arrived);
 }
@@ -89,7 +89,7 @@ RadiosityState solve_directly(const RadiosityEquation& equation) {
         right[row] += g * equation.emission[k * equation.bands + b];
         matrix(row, static_cast<Eigen::Index>(k)) = -g * equation.reflectance[k * equation.bands + b];
       }
-      matrix(row, row) += area_of(equation, j);
+      matrix(row, row) += patch_area(equation, j);
       for (const SheetPassage& passage : equation.passages)
         matrix(row, static_cast<Eigen::Index>(passage.from)) -=
             areas[passage.to * equation.bands + b] * passage.share *
@@ -118,7 +118,7 @@ RadiosityState solve_by_gathering(const RadiosityEquation& equation, const Radio
     const std::vector<double> exitant = powers(equation, sent),
                               redirected = powers(equation, equation.redirected(sent, incident));
     for (std::size_t i = 0; i < incident.size(); ++i) {
-      incident[i] /= area_of(equation, i / bands);
+      incident[i] /= patch_area(equation, i / bands);
       state.irradiance[i] += incident[i];
     }
     sent = equation.sent_on(incident);
@@ -149,7 +149,7 @@ RadiosityState solve_by_shooting(const RadiosityEquation& equation, const Radios
   const auto waiting = [&](std::size_t j) {
     double sum = 0;
     for (std::size_t b = 0; b < bands; ++b) sum += unsent[j * bands + b];
-    return sum * area_of(equation, j);
+    return sum * patch_area(equation, j);
   };
   const auto look = [&] {
     note_redirected(equation, unsent, state);
@@ -177,11 +177,11 @@ RadiosityState solve_by_shooting(const RadiosityEquation& equation, const Radios
     for (const SheetPassage& passage : equation.passages)
       for (std::size_t b = 0; b < bands; ++b)
         unsent[passage.to * bands + b] += equation.transmittance[passage.to * bands + b] * passage.share *
-                                          row[passage.from * bands + b] / area_of(equation, passage.from) *
+                                          row[passage.from * bands + b] / patch_area(equation, passage.from) *
                                           shot_power[b];
     for (std::size_t k = 0; k < n; ++k) {
       for (std::size_t b = 0; b < bands; ++b) {
-        const double incident = row[k * bands + b] / area_of(equation, k) * shot_power[b];
+        const double incident = row[k * bands + b] / patch_area(equation, k) * shot_power[b];
         state.irradiance[k * bands + b] += incident;
         unsent[k * bands + b] += equation.reflectance[k * bands + b] * incident;
       }

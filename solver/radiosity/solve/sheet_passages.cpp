@@ -16,7 +16,7 @@ struct Part {
   const TriangleCorners* corners;
 };
 
-double area_of(const TriangleCorners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2; }
+double triangle_area(const TriangleCorners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2; }
 
 /// Returns whether the point, which lies in the plane of the triangle, is inside.
 bool contains(const TriangleCorners& t, const Vec3& point) {
@@ -28,7 +28,7 @@ bool contains(const TriangleCorners& t, const Vec3& point) {
 
 /// Pieces of one face are quarters of quarters: of two that meet, one lies in the other.
 double common_area(const TriangleCorners& a, const TriangleCorners& b) {
-  const double area_a = area_of(a), area_b = area_of(b);
+  const double area_a = triangle_area(a), area_b = triangle_area(b);
   const TriangleCorners &small = area_a < area_b ? a : b, &large = area_a < area_b ? b : a;
   return contains(large, (small[0] + small[1] + small[2]) / 3) ? std::min(area_a, area_b) : 0;
 }

@@ -17,7 +17,7 @@ bool has_redirecting_walls(const Problem& problem) {
       problem.walls(), [](const Wall& wall) { return redirects(wall, Redirection::mirrors_and_lobes); });
 }
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // Error of row sums after closing: far below that of the factors.
 constexpr double closed = 1e-12;
 // Residual power where a solution is examined for refinement: of links, and of the change that

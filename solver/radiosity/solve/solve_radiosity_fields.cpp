@@ -11,9 +11,7 @@
 namespace etendue {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-// Parts of the cells after each of which progress is reported.
-constexpr std::size_t progress_steps = 100;
+using std::numbers::pi;
 
 // Four points of degree 2 in a tetrahedron (Keast 1986, rule 2): weights 1/4, this near to a vertex each.
 constexpr double near_share = 0.585410196624968515, far_share = 0.138196601125010504;

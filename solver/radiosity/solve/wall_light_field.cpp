@@ -11,7 +11,7 @@
 namespace etendue {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct PatchView {
   double solid_angle = 0;

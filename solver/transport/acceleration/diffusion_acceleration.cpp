@@ -31,7 +31,7 @@ constexpr double accuracy_of_fluence = 0.5;
 constexpr double accuracy_with_moments = 0.05;
 
 /// Of isotropic light of fluence 1 through a plane, one way: 1/4; in the plane 1/pi.
-double partial_current(AngularSpace space) { return half_range(space) / full_range(space); }
+double isotropic_partial_current(AngularSpace space) { return half_range(space) / full_range(space); }
 
 double reflectance(const Wall& wall, std::size_t band) {
   return std::min(1.0,
@@ -147,7 +147,7 @@ DiffusionCoefficients DiffusionAcceleration::coefficients(std::size_t band, cons
   const TetrahedralMesh& mesh = problem_.mesh();
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   DiffusionCoefficients result;
-  result.partial_current = partial_current(problem_.space());
+  result.partial_current = isotropic_partial_current(problem_.space());
   result.is_plane = problem_.space() == AngularSpace::plane;
   for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c) {
     const CellIndex cell(static_cast<std::int64_t>(c));
@@ -303,7 +303,7 @@ NodalVector DiffusionAcceleration::right_side(std::size_t band, const TransportS
 void DiffusionAcceleration::correct_walls(std::size_t band, const NodalVector& correction,
                                           const TransportState& residual, TransportState& corrected) const {
   const TetrahedralMesh& mesh = problem_.mesh();
-  const double twice = 2 * partial_current(problem_.space());
+  const double twice = 2 * isotropic_partial_current(problem_.space());
   const auto stride = static_cast<std::size_t>(sweep_.cells().stride());
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);

@@ -72,8 +72,8 @@ void set_balance(const Eigen::Matrix3d& second, const Eigen::Matrix3d& balance, 
 }
 
 /// Of scattering through moments: B = (1 - albedo g) A.
-DiffusiveMedium by_moments(const PhaseFunction& phase, const ScatteringTreatment& how, double ratio,
-                           const Moments& moments) {
+DiffusiveMedium medium_by_moments(const PhaseFunction& phase, const ScatteringTreatment& how, double ratio,
+                                  const Moments& moments) {
   DiffusiveMedium medium;
   medium.scattered = 1 - how.forward;
   const double mean = how.degree > 0 ? reduced_moment(phase, 1, how.forward) : 0;
@@ -124,10 +124,10 @@ std::vector<DiffusiveMedium> diffusive_media(const Problem& problem, const Direc
         return g.region == region && std::count(g.bands.begin(), g.bands.end(), band) > 0;
       });
       if (ratio < 0)
-        media.push_back(by_moments(PhaseIsotropic{}, {}, 0, moments));
+        media.push_back(medium_by_moments(PhaseIsotropic{}, {}, 0, moments));
       else if (group == groups.end())
-        media.push_back(
-            by_moments(problem.medium(region).phase[static_cast<std::size_t>(band)], how, ratio, moments));
+        media.push_back(medium_by_moments(problem.medium(region).phase[static_cast<std::size_t>(band)], how,
+                                          ratio, moments));
       else
         media.push_back(by_matrix(*group, ratio, directions, moments));
     }

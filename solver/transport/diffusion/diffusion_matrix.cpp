@@ -11,7 +11,7 @@ namespace {
 constexpr double penalty = 4;
 
 /// Of isotropic light of fluence 1 through a face, one way.
-double partial_current(const DiffusionCoefficients& coefficients, const Vec3& normal) {
+double partial_current_along(const DiffusionCoefficients& coefficients, const Vec3& normal) {
   return coefficients.partial_current * (coefficients.is_plane ? normal.head<2>().norm() : 1);
 }
 
@@ -98,7 +98,7 @@ void add_interior_face(const TetrahedralMesh& mesh, const DiffusionCoefficients&
   FaceSide minus = face_side(mesh, coefficients, mesh.owner(face), face, -1);
   FaceSide plus = face_side(mesh, coefficients, mesh.neighbour(face), face, 1);
   const double area = mesh.area(face);
-  const double kappa = weigh(minus, plus, partial_current(coefficients, mesh.area_normal(face) / area));
+  const double kappa = weigh(minus, plus, partial_current_along(coefficients, mesh.area_normal(face) / area));
   matrix.diagonal(minus.cell) += jump_block(area, kappa, minus, minus);
   matrix.diagonal(plus.cell) += jump_block(area, kappa, plus, plus);
   matrix.behind(minus.cell, minus.corner) = jump_block(area, kappa, minus, plus);

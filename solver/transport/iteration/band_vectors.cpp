@@ -11,7 +11,7 @@ namespace etendue {
 namespace {
 
 /// Rows of one partial sum. It decides the order of sums, so it must not depend on the number of threads.
-constexpr std::size_t block_rows = 4096;
+constexpr std::size_t summed_rows = 4096;
 
 void append(std::vector<double>& weights, std::size_t count, double weight) {
   weights.insert(weights.end(), count, weight);
@@ -57,15 +57,15 @@ BandScalars BandVectors::dot(const TransportState& a, const TransportState& b) c
 BandScalars BandVectors::dot(const TransportState& a, const TransportState& b,
                              const BandScalars& factor) const {
   const std::size_t rows = weights_.size();
-  const std::size_t blocks = (rows + block_rows - 1) / block_rows;
+  const std::size_t blocks = (rows + summed_rows - 1) / summed_rows;
   std::vector<double> partial(blocks * bands_, 0);
   const double* left = a.values().data();
   const double* right = b.values().data();
 #pragma omp parallel for schedule(static) num_threads(threads_)
   for (std::size_t block = 0; block < blocks; ++block) {
     double* sum = &partial[block * bands_];
-    const std::size_t end = std::min(rows, (block + 1) * block_rows);
-    for (std::size_t row = block * block_rows; row < end; ++row)
+    const std::size_t end = std::min(rows, (block + 1) * summed_rows);
+    for (std::size_t row = block * summed_rows; row < end; ++row)
       for (std::size_t band = 0; band < bands_; ++band)
         sum[band] += weights_[row] * (factor[band] * left[row * stride_ + band]) *
                      (factor[band] * right[row * stride_ + band]);
@@ -86,12 +86,12 @@ BandScalars BandVectors::norm(const TransportState& a) const {
 }
 
 BandScalars BandVectors::units(const TransportState& a) const {
-  const std::size_t rows = weights_.size(), blocks = (rows + block_rows - 1) / block_rows;
+  const std::size_t rows = weights_.size(), blocks = (rows + summed_rows - 1) / summed_rows;
   std::vector<double> largest(blocks * bands_, 0);
   const double* values = a.values().data();
 #pragma omp parallel for schedule(static) num_threads(threads_)
   for (std::size_t block = 0; block < blocks; ++block)
-    for (std::size_t row = block * block_rows; row < std::min(rows, (block + 1) * block_rows); ++row)
+    for (std::size_t row = block * summed_rows; row < std::min(rows, (block + 1) * summed_rows); ++row)
       for (std::size_t band = 0; band < bands_; ++band)
         largest[block * bands_ + band] =
             std::max(largest[block * bands_ + band], std::abs(values[row * stride_ + band]));

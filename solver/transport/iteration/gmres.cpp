@@ -20,8 +20,6 @@ constexpr double safety = 0.5;
 /// rounding, 1e-7 to 4e-7 of what each is given: in a void a cycle that continues to 5e-7 takes twice as many
 /// sweeps.
 constexpr double single_cycle = 1e-6;
-/// Relative residuals below this are rounding.
-constexpr double rounding = 1e-15;
 
 /// Krylov space of one cycle and its least-squares problems.
 struct Cycle {
@@ -50,10 +48,10 @@ class Stagnation {
 };
 
 /// One run of GMRES.
-class Run : public IterationRun {
+class GmresRun : public IterationRun {
  public:
-  Run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
-      const SolveObserver& observer, std::size_t memory)
+  GmresRun(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
+           const SolveObserver& observer, std::size_t memory)
       : IterationRun(sweep, state, options, observer),
         work_(state.layout()),
         judge_(options.acceleration != nullptr ? options.acceleration : options.judge),
@@ -77,7 +75,7 @@ class Run : public IterationRun {
       result_.bands[b].residual = errors[b];
       // Without acceleration the residual after the first sweep shows only that there are sources.
       result_.bands[b].converged =
-          (measured_ || accelerated(b) || errors[b] <= rounding) && errors[b] <= options_.tolerance;
+          (measured_ || accelerated(b) || errors[b] <= smallest_residual) && errors[b] <= options_.tolerance;
     }
     if (!report_sweep(taking_part) || all_converged() || sweeps_left() <= 0 || stagnates(errors)) {
       take_image();
@@ -322,7 +320,7 @@ class Run : public IterationRun {
 
 IterationResult Gmres::run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
                            const SolveObserver& observer) {
-  return Run(sweep, state, options, observer, memory_).run();
+  return GmresRun(sweep, state, options, observer, memory_).run();
 }
 
 }  // namespace etendue

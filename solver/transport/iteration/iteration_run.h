@@ -11,6 +11,9 @@
 
 namespace etendue {
 
+/// Relative residuals below this are rounding.
+inline constexpr double smallest_residual = 1e-15;
+
 /// One run of an iteration: the part that all of them share. It lets the iteration step until all bands have
 /// converged, the sweeps are used up or the observer stops it; it counts sweeps, keeps the history, reports
 /// progress and checks that all numbers are finite.

@@ -32,10 +32,10 @@ struct Change {
 };
 
 /// One run of the iteration that keeps values positive.
-class Run : public IterationRun {
+class PositiveRun : public IterationRun {
  public:
-  Run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
-      const SolveObserver& observer)
+  PositiveRun(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
+              const SolveObserver& observer)
       : IterationRun(sweep, state, options, observer),
         memory_(anderson_memory(static_cast<double>(state.layout().total()))),
         image_(state.layout()),
@@ -197,7 +197,7 @@ std::size_t anderson_memory(double state_size) {
 
 IterationResult PositiveIteration::run(TransportSweep& sweep, TransportState& state,
                                        const IterationOptions& options, const SolveObserver& observer) {
-  return Run(sweep, state, options, observer).run();
+  return PositiveRun(sweep, state, options, observer).run();
 }
 
 }  // namespace etendue

@@ -20,8 +20,6 @@ namespace {
 constexpr std::size_t rate_window = 4;
 /// A rate above this cannot be distinguished from 1 by residuals with rounding errors.
 constexpr double largest_rate = 1 - 1e-12;
-/// Residuals below this are rounding.
-constexpr double rounding = 1e-15;
 
 /// Steps over which an iteration that converges does not fail to shorten them.
 constexpr std::size_t divergence_window = 20;
@@ -70,10 +68,10 @@ class Image {
 };
 
 /// One run of source iteration.
-class Run : public IterationRun {
+class SourceRun : public IterationRun {
  public:
-  Run(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
-      const SolveObserver& observer)
+  SourceRun(TransportSweep& sweep, TransportState& state, const IterationOptions& options,
+            const SolveObserver& observer)
       : IterationRun(sweep, state, options, observer),
         image_(sweep, state),
         next_(state.layout()),
@@ -176,7 +174,7 @@ class Run : public IterationRun {
 
 double RateEstimate::error(double residual) {
   residuals_.push_back(residual);
-  if (residual <= rounding) return error_ = residual;
+  if (residual <= smallest_residual) return error_ = residual;
   if (residuals_.size() < 2) return error_ = std::max(residual, 1.0);
   const std::size_t span = std::min(rate_window, residuals_.size() - 1);
   const double before = residuals_[residuals_.size() - 1 - span];
@@ -195,7 +193,7 @@ double RateEstimate::sweeps_left(double tolerance) const {
 
 IterationResult SourceIteration::run(TransportSweep& sweep, TransportState& state,
                                      const IterationOptions& options, const SolveObserver& observer) {
-  return Run(sweep, state, options, observer).run();
+  return SourceRun(sweep, state, options, observer).run();
 }
 
 }  // namespace etendue

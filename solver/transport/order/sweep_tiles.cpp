@@ -26,8 +26,8 @@ std::size_t cells_per_tile(std::size_t cells, std::size_t cell_bytes, std::size_
 
 class SweepTiles::Halving {
  public:
-  Halving(const TetrahedralMesh& mesh, std::size_t most_cells, SweepTiles& tiles)
-      : most_cells_(most_cells), tiles_(tiles) {
+  Halving(const TetrahedralMesh& mesh, std::size_t most_cells_of_tile, SweepTiles& tiles)
+      : most_cells_(most_cells_of_tile), tiles_(tiles) {
     for (std::int32_t c = 0; c < mesh.cell_count(); ++c) points_.push_back(mesh.centroid(CellIndex(c)));
   }
 
@@ -72,11 +72,11 @@ class SweepTiles::Halving {
   std::vector<Vec3> points_;
 };
 
-SweepTiles::SweepTiles(const TetrahedralMesh& mesh, std::size_t most_cells)
+SweepTiles::SweepTiles(const TetrahedralMesh& mesh, std::size_t most_cells_of_tile)
     : of_cell_(static_cast<std::size_t>(mesh.cell_count())) {
   std::vector<std::int32_t> cells(of_cell_.size());
   std::iota(cells.begin(), cells.end(), 0);
-  root_ = Halving(mesh, most_cells, *this).halve(cells);
+  root_ = Halving(mesh, most_cells_of_tile, *this).halve(cells);
 }
 
 std::vector<std::int32_t> SweepTiles::along(const Vec3& direction) const {

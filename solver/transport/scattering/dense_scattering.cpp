@@ -30,7 +30,8 @@ double replaced(const Problem& problem, const DenseGroup& group, CellIndex cell,
          (group.directional.absorbing.empty() ? 0 : problem.absorption(cell, band));
 }
 
-[[noreturn]] void fail(const Medium& medium, const InputError& error, const std::string& where = "") {
+[[noreturn]] void refuse_medium(const Medium& medium, const InputError& error,
+                                const std::string& where = "") {
   Origin origin = medium.origin;
   if (origin.key.empty()) origin.key = "media." + medium.name;
   throw InputError(fault_at(origin, "", where + error.faults().front().text));
@@ -47,7 +48,7 @@ DirectionalKernel directional_kernel_of(const Medium& medium, int band, Scatteri
             {},
             1};
   } catch (const InputError& error) {
-    fail(medium, error);
+    refuse_medium(medium, error);
   }
 }
 
@@ -72,9 +73,9 @@ void add_places(const Problem& problem, const DirectionSet& directions, int regi
   }
   for (std::size_t i = 0; i < places.size(); ++i)
     if (!failed[i].empty())
-      fail(medium, InputError(failed[i]),
-           fmt::format("at ({:.4g}, {:.4g}, {:.4g}) ", places[i].place.x(), places[i].place.y(),
-                       places[i].place.z()));
+      refuse_medium(medium, InputError(failed[i]),
+                    fmt::format("at ({:.4g}, {:.4g}, {:.4g}) ", places[i].place.x(), places[i].place.y(),
+                                places[i].place.z()));
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace etendue {
 namespace {
 
-/// Difference of harmonics, which are about 1, that is rounding.
-constexpr double rounding = 1e-9;
+/// Difference of harmonics, which are about 1, that is harmonics_rounding.
+constexpr double harmonics_rounding = 1e-9;
 
 constexpr int no_class = -1;
 
@@ -25,8 +25,8 @@ int class_of(const Images& images, const DiscreteHarmonics& harmonics, int k) {
     for (std::size_t m = 0; m < images[axis].size() && (is_even || is_odd); ++m) {
       const double here = harmonics.value(k, OrdinateIndex(static_cast<std::int64_t>(m)));
       const double there = harmonics.value(k, images[axis][m]);
-      is_even = is_even && std::abs(there - here) < rounding;
-      is_odd = is_odd && std::abs(there + here) < rounding;
+      is_even = is_even && std::abs(there - here) < harmonics_rounding;
+      is_odd = is_odd && std::abs(there + here) < harmonics_rounding;
     }
     if (!is_even && !is_odd) return no_class;
     result |= (is_odd ? 1 : 0) << axis;

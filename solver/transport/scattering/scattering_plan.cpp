@@ -10,8 +10,8 @@
 namespace etendue {
 namespace {
 
-ScatteringTreatment by_moments(const ScatteringChoice& choice, const PhaseFunction& phase,
-                               const DirectionSet& directions) {
+ScatteringTreatment treatment_by_moments(const ScatteringChoice& choice, const PhaseFunction& phase,
+                                         const DirectionSet& directions) {
   const ScatteringDegree degree = choice.degree < 0 ? scattering_degree(phase, directions)
                                                     : given_degree(choice.degree, phase, directions);
   ScatteringTreatment treatment{ScatteringBackend::moments, degree.degree, 0, degree.reason};
@@ -46,7 +46,7 @@ ScatteringTreatment treat(const ScatteringChoice& choice, const PhaseFunction& p
   const std::string memory = memory_text(bytes);
   if (choice.backend == ScatteringBackend::dense || choice.backend == ScatteringBackend::galerkin)
     return {choice.backend, 0, 0, "as given; " + memory};
-  ScatteringTreatment moments = by_moments(choice, phase, directions);
+  ScatteringTreatment moments = treatment_by_moments(choice, phase, directions);
   if (choice.backend == ScatteringBackend::moments || choice.degree >= 0 ||
       is_negligible_beyond(phase, moments.degree))
     return moments;

@@ -12,8 +12,8 @@ namespace etendue {
 namespace {
 
 /// Values at nodes, [item][node][stride], as [item][wanted][band]: constants are repeated at every vertex.
-std::vector<double> unpadded(std::span<const double> values, std::size_t nodes, std::size_t wanted,
-                             std::size_t stride, std::size_t bands) {
+std::vector<double> vertex_values(std::span<const double> values, std::size_t nodes, std::size_t wanted,
+                                  std::size_t stride, std::size_t bands) {
   const std::size_t items = values.size() / (nodes * stride);
   std::vector<double> result(items * wanted * bands);
   for (std::size_t item = 0; item < items; ++item)
@@ -80,13 +80,13 @@ void read_out(const TransportSweep& sweep, const TransportState& state, SweepRec
   const auto stride = static_cast<std::size_t>(sweep.cells().stride());
   const auto nodes = static_cast<std::size_t>(sweep.cells().nodes());
   const auto face_nodes = static_cast<std::size_t>(sweep.cells().face_nodes());
-  solution.fluence = unpadded(state.fluence(), nodes, 4, stride, bands);
+  solution.fluence = vertex_values(state.fluence(), nodes, 4, stride, bands);
   solution.net_flux = net_flux_at_vertices(record.net_flux.span(), nodes, stride, bands);
-  solution.irradiance = unpadded(state.irradiance(), face_nodes, 3, stride, bands);
-  solution.exitance = unpadded(record.exitance.span(), face_nodes, 3, stride, bands);
+  solution.irradiance = vertex_values(state.irradiance(), face_nodes, 3, stride, bands);
+  solution.exitance = vertex_values(record.exitance.span(), face_nodes, 3, stride, bands);
   for (OrdinateRadiance& kept : record.radiance)
-    solution.radiance.push_back({kept.ordinate, unpadded(kept.values, nodes, 4, stride, bands)});
-  solution.meters = unpadded(record.meters, 1, 1, stride, bands);
+    solution.radiance.push_back({kept.ordinate, vertex_values(kept.values, nodes, 4, stride, bands)});
+  solution.meters = vertex_values(record.meters, 1, 1, stride, bands);
   solution.state = saved(state, sweep.cells().bands());
   solution.absorbed = std::move(record.absorbed);
   complete_absorbed(sweep, solution);

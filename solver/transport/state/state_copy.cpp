@@ -10,7 +10,7 @@
 namespace etendue {
 namespace {
 
-std::vector<double> unpadded(std::span<const double> values, std::size_t bands, std::size_t stride) {
+std::vector<double> unpadded_rows(std::span<const double> values, std::size_t bands, std::size_t stride) {
   std::vector<double> result;
   result.reserve(values.size() / stride * bands);
   for (std::size_t row = 0; row < values.size(); row += stride)
@@ -36,12 +36,12 @@ SavedState saved(const TransportState& state, int bands) {
   const auto count = static_cast<std::size_t>(bands);
   const auto stride = static_cast<std::size_t>(lane_stride(bands));
   return {bands,
-          unpadded(state.fluence(), count, stride),
-          unpadded(state.moments(), count, stride),
-          unpadded(state.irradiance(), count, stride),
-          unpadded(state.mirrors(), count, stride),
-          unpadded(state.lagged(), count, stride),
-          unpadded(state.radiance(), count, stride)};
+          unpadded_rows(state.fluence(), count, stride),
+          unpadded_rows(state.moments(), count, stride),
+          unpadded_rows(state.irradiance(), count, stride),
+          unpadded_rows(state.mirrors(), count, stride),
+          unpadded_rows(state.lagged(), count, stride),
+          unpadded_rows(state.radiance(), count, stride)};
 }
 
 void restore(const SavedState& from, int bands, TransportState& state) {

@@ -11,7 +11,7 @@ namespace {
 /// Cells that one thread adds up at a time.
 constexpr std::int32_t block_cells = 1024;
 /// The same of rows of moments, which are longer.
-constexpr std::int64_t block_rows = 64;
+constexpr std::int64_t reduced_rows = 64;
 
 /// to += from; from = 0
 template <class Real>
@@ -59,11 +59,11 @@ void BatchReduction<Real>::add_moments(std::int32_t first_batch, Workspaces work
                                        const SweepPass& pass) const {
   const auto rows = static_cast<std::int64_t>(d_.moments.row_count());
 #pragma omp parallel for schedule(static) num_threads(threads_)
-  for (std::int64_t first = 0; first < rows; first += block_rows) {
+  for (std::int64_t first = 0; first < rows; first += reduced_rows) {
     const ProcessorTimer timer(seconds_);
     for (std::size_t t = 0; t < workspaces.size(); ++t)
       moments_.directions_to_moments(
-          static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(rows, first + block_rows)),
+          static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(rows, first + reduced_rows)),
           first_batch + static_cast<std::int32_t>(t), workspaces[t]->rows, pass.next);
   }
 }

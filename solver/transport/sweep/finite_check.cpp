@@ -51,8 +51,8 @@ void check_rows(std::span<const double> values, std::size_t stride, std::vector<
       finite[band] &= std::isfinite(values[first + band]) ? 1 : 0;
 }
 
-[[noreturn]] void fail(const TransportSweep& sweep, int sweep_number, std::string_view quantity,
-                       std::size_t band, const std::string& place) {
+[[noreturn]] void refuse_value(const TransportSweep& sweep, int sweep_number, std::string_view quantity,
+                               std::size_t band, const std::string& place) {
   throw NotFiniteError(fmt::format("sweep {}, band {}: the {} is not a finite number{}", sweep_number,
                                    sweep.problem().bands().names[band], quantity, place));
 }
@@ -62,7 +62,7 @@ void check_rows(std::span<const double> values, std::size_t stride, std::vector<
 void check_finite(const TransportSweep& sweep, int sweep_number, std::string_view quantity,
                   std::span<const double> sizes) {
   for (std::size_t band = 0; band < sizes.size(); ++band)
-    if (!std::isfinite(sizes[band])) fail(sweep, sweep_number, quantity, band, "");
+    if (!std::isfinite(sizes[band])) refuse_value(sweep, sweep_number, quantity, band, "");
 }
 
 void check_finite(const TransportSweep& sweep, int sweep_number, const TransportState& state) {
@@ -70,7 +70,7 @@ void check_finite(const TransportSweep& sweep, int sweep_number, const Transport
   check_rows(state.fluence(), static_cast<std::size_t>(sweep.cells().stride()), finite);
   check_rows(state.irradiance(), static_cast<std::size_t>(sweep.cells().stride()), finite);
   for (std::size_t band = 0; band < finite.size(); ++band)
-    if (!finite[band]) fail(sweep, sweep_number, "radiance", band, place_text(sweep, band, state));
+    if (!finite[band]) refuse_value(sweep, sweep_number, "radiance", band, place_text(sweep, band, state));
 }
 
 }  // namespace etendue

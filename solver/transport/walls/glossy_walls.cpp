@@ -7,12 +7,10 @@
 
 #include "solver/transport/order/projected_area.h"
 #include "solver/transport/order/sweep_order.h"
+#include "solver/transport/walls/same_plane.h"
 
 namespace etendue {
 namespace {
-
-/// Normals of one flat wall differ by rounding only.
-constexpr double same_plane = 1e-10;
 
 /// A matrix that is wanted: of a wall and a band on a plane.
 struct Plane {

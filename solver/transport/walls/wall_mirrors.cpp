@@ -10,15 +10,9 @@
 #include "base/errors.h"
 #include "solver/angular/refraction/ordinate_reflectance.h"
 #include "solver/problem/mirror.h"
+#include "solver/transport/walls/same_plane.h"
 
 namespace etendue {
-namespace {
-
-/// Normals of one flat mirror differ by rounding only.
-constexpr double same_plane = 1e-10;
-
-}  // namespace
-
 WallMirrors::WallMirrors(const Problem& problem, const DirectionSet& directions,
                          const OrdinateSchedule& schedule, std::span<const double> half_range,
                          std::size_t face_length)

@@ -6,14 +6,13 @@
 #include <cstddef>
 
 #include "base/clipped_polygon.h"
+#include "solver/uncollided/closed_form/triangle.h"
 
 namespace etendue {
 namespace {
 
-/// Cosine with the direction below which a face lies along it.
-constexpr double along = 1e-10;
-
-using Triangle = std::array<Vec3, 3>;
+/// Cosine with the direction below which a face lies along_the_beam it.
+constexpr double along_the_beam = 1e-10;
 
 void append_common(const Triangle& entry, const Triangle& exit, const Vec3& exit_normal,
                    const Vec3& direction, std::vector<Column>& columns) {
@@ -73,7 +72,7 @@ std::vector<Column> columns_of(const std::array<Vec3, 4>& vertices, const Vec3& 
     Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]).normalized();
     if (normal.dot(vertices[k] - face[0]) > 0) normal = -normal;
     const double cosine = normal.dot(direction);
-    if (std::abs(cosine) <= along) continue;
+    if (std::abs(cosine) <= along_the_beam) continue;
     if (cosine < 0) {
       entries.push_back(face);
     } else {

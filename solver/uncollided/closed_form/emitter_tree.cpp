@@ -9,12 +9,10 @@
 
 #include "base/quadrature/simplex_rules.h"
 #include "solver/uncollided/closed_form/closest_point.h"
+#include "solver/uncollided/closed_form/triangle.h"
 
 namespace etendue {
 namespace {
-
-/// Unit normals that agree to this lie in one plane; so do the corners of walls that a file gives.
-constexpr double one_plane = 1e-6;
 
 /// A group whose points lie farther beside it than this part of its radius is sampled in parts.
 constexpr double beside = 0.1;

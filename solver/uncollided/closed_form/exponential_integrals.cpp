@@ -18,15 +18,15 @@ constexpr double thickest = 700;
 
 /// Coefficients of (E_1(x) + gamma + log x) / x.
 constexpr std::array<double, series_terms> series_coefficients() {
-  std::array<double, series_terms> coefficients{};
+  std::array<double, series_terms> series_of_integral{};
   double factorial = 1;
   for (std::size_t k = 1; k <= series_terms; ++k) {
     factorial *= static_cast<double>(k);
-    coefficients[k - 1] = (k % 2 == 1 ? 1 : -1) / (static_cast<double>(k) * factorial);
+    series_of_integral[k - 1] = (k % 2 == 1 ? 1 : -1) / (static_cast<double>(k) * factorial);
   }
-  return coefficients;
+  return series_of_integral;
 }
-constexpr std::array<double, series_terms> coefficients = series_coefficients();
+constexpr std::array<double, series_terms> series_of_integral = series_coefficients();
 
 /// The rest is below 1e-13.
 std::size_t terms_up_to(double x) { return x < 0.2 ? 8 : x < 0.7 ? 13 : series_terms; }
@@ -34,8 +34,8 @@ std::size_t terms_up_to(double x) { return x < 0.2 ? 8 : x < 0.7 ? 13 : series_t
 /// E_1 where x is at most the border.
 Eight first_by_series(const Eight& x) {
   const std::size_t terms = terms_up_to(x.maxCoeff());
-  Eight sum = Eight::Constant(coefficients[terms - 1]);
-  for (std::size_t k = terms - 1; k-- > 0;) sum = sum * x + coefficients[k];
+  Eight sum = Eight::Constant(series_of_integral[terms - 1]);
+  for (std::size_t k = terms - 1; k-- > 0;) sum = sum * x + series_of_integral[k];
   const Eight logarithm = x.max(std::numeric_limits<double>::min()).log();
   return x * sum - logarithm - std::numbers::egamma;
 }

@@ -7,6 +7,7 @@
 #include "base/quadrature/simplex_rules.h"
 #include "solver/uncollided/closed_form/outline.h"
 #include "solver/uncollided/closed_form/side_light.h"
+#include "solver/uncollided/closed_form/triangle.h"
 #include "solver/uncollided/closed_form/uniform_emitters.h"
 
 namespace etendue {
@@ -15,22 +16,11 @@ namespace {
 /// More sides than these cost more than groups of triangles do.
 constexpr std::size_t most_shapes = 6, most_sides = 24;
 /// Parts with sides of at most so many times their distance are seen as points of a rule.
-constexpr double largest_side = 0.7;
+constexpr double largest_part_side = 0.7;
 /// A shape is far, and seen as points of a rule, where its size is less than this part of its distance.
 constexpr double far = 0.35;
 /// Solid angles of which the sides leave no more than that are differences of larger numbers.
 constexpr double cancelled = 1e-5;
-/// An eye that is so near to the plane, in units of the size, lies in it but for rounding.
-constexpr double in_plane = 1e-10;
-
-using Triangle = std::array<Vec3, 3>;
-
-Vec3 area_vector(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]) / 2; }
-
-double longest_side(const Triangle& t) {
-  return std::sqrt(
-      std::max({(t[0] - t[1]).squaredNorm(), (t[1] - t[2]).squaredNorm(), (t[2] - t[0]).squaredNorm()}));
-}
 
 /// Sums of a rule of degree 5 over parts that are as small as they are near.
 struct Rule {
@@ -40,7 +30,7 @@ struct Rule {
   /// `corners` seen from the eye; `above` is its height times the area.
   void add(const Triangle& corners, double above) {
     const auto& [a, b, c] = corners;
-    if (longest_side(corners) > largest_side * ((a + b + c) / 3).norm()) {
+    if (longest_side(corners) > largest_part_side * ((a + b + c) / 3).norm()) {
       const Vec3 ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
       for (const Triangle& part : {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
         add(part, above / 4);
@@ -77,7 +67,7 @@ FlatShape::FlatShape(std::span<const Triangle> triangles) : sides_(outline(trian
 
 double FlatShape::height(const Vec3& eye) const {
   const double height = normal_.dot(eye - sides_.front().first);
-  return height <= in_plane * size_ ? 0 : height;
+  return height <= rounding_height * size_ ? 0 : height;
 }
 
 std::vector<std::size_t> FlatShape::sides_at(const Vec3& point, double distance) const {

@@ -9,7 +9,7 @@ namespace etendue {
 namespace {
 
 /// Sides that turn by less than this lie in one line.
-constexpr double straight = 1e-9;
+constexpr double straight_sides = 1e-9;
 
 std::array<double, 6> key(const Side& side) {
   return {side.first.x(), side.first.y(), side.first.z(), side.second.x(), side.second.y(), side.second.z()};
@@ -17,7 +17,7 @@ std::array<double, 6> key(const Side& side) {
 
 bool in_line(const Side& a, const Side& b) {
   const Vec3 x = a.second - a.first, y = b.second - b.first;
-  return x.cross(y).norm() < straight * x.norm() * y.norm() && x.dot(y) > 0;
+  return x.cross(y).norm() < straight_sides * x.norm() * y.norm() && x.dot(y) > 0;
 }
 
 /// Joins sides that continue in one line.

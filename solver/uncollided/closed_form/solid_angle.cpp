@@ -13,10 +13,10 @@ namespace etendue {
 namespace {
 
 /// Distance from a plane, relative to the size, below which the origin lies on it.
-constexpr double on_plane = 1e-10;
+constexpr double origin_on_plane = 1e-10;
 /// From an angle of 1e-10 rad between the corners of a triangle and a plane up to parts of 1e-3 rad there are
 /// 34 and 10 cuts.
-constexpr int most_cuts = 64;
+constexpr int most_plane_cuts = 64;
 
 std::span<const FacePointWeight> points_of(TriangleRule rule) {
   static const std::array<FacePointWeight, 1> one_point = {{{{1. / 3, 1. / 3, 1. / 3}, 1}}};
@@ -38,7 +38,7 @@ void append_unit_parts(const SphericalTriangle& t, double largest_side, int cuts
 }
 
 /// A face and its plane normal.x = offset; where that is positive light leaves the body here.
-struct Side {
+struct CutFace {
   const ConvexFace& face;
   double offset;
 };
@@ -51,7 +51,7 @@ void append_fan(const std::vector<Vec3>& cone, const Wedge& planes, std::vector<
 }
 
 /// Seen from the inside of its plane the corners of a face turn the other way.
-std::vector<Vec3> common_cone(const Side& entry, const Side& exit) {
+std::vector<Vec3> common_cone(const CutFace& entry, const CutFace& exit) {
   std::vector<Vec3> cone = entry.face.corners;
   const std::vector<Vec3>& c = exit.face.corners;
   Vec3 turn = Vec3::Zero();
@@ -65,7 +65,7 @@ std::vector<Vec3> common_cone(const Side& entry, const Side& exit) {
 }  // namespace
 
 void check_solid_angle_cuts(int cuts) {
-  if (cuts > most_cuts)
+  if (cuts > most_plane_cuts)
     throw std::runtime_error("the solid angle of a surface that is seen edge-on cannot be divided");
 }
 
@@ -103,20 +103,20 @@ void append_points(const SphericalTriangle& triangle, double largest_side, Trian
 }
 
 std::vector<Wedge> wedges_of(std::span<const ConvexFace> faces) {
-  std::vector<Side> entries, exits;
+  std::vector<CutFace> entries, exits;
   double size = 0;
   for (const ConvexFace& face : faces)
     for (const Vec3& corner : face.corners) size = std::max(size, (corner - faces[0].corners[0]).norm());
   for (const ConvexFace& face : faces) {
     const double offset = face.normal.dot(face.corners[0]);
-    if (std::abs(offset) <= on_plane * size) continue;
+    if (std::abs(offset) <= origin_on_plane * size) continue;
     (offset > 0 ? exits : entries).push_back({face, offset});
   }
   std::vector<Wedge> wedges;
-  for (const Side& exit : exits) {
+  for (const CutFace& exit : exits) {
     if (entries.empty())
       append_fan(exit.face.corners, {{}, Vec3::Zero(), 0, exit.face.normal, exit.offset}, wedges);
-    for (const Side& entry : entries)
+    for (const CutFace& entry : entries)
       append_fan(common_cone(entry, exit),
                  {{}, entry.face.normal, entry.offset, exit.face.normal, exit.offset}, wedges);
   }

@@ -9,21 +9,17 @@
 #include "solver/uncollided/closed_form/exponential_integrals.h"
 #include "solver/uncollided/closed_form/outline.h"
 #include "solver/uncollided/closed_form/side_points.h"
+#include "solver/uncollided/closed_form/triangle.h"
 
 namespace etendue {
 namespace {
 
-/// Unit normals that agree to this, and offsets to this part of the size, are those of one plane.
-constexpr double one_plane = 1e-6;
 /// More than these cost more than groups of tetrahedra do.
-constexpr std::size_t most_bodies = 6, most_edges = 60;
+constexpr std::size_t most_bodies = 6, most_solid_edges = 60;
 /// A body of this optical size is one in empty space but for so much.
 constexpr double thinnest = 1e-13;
 
-using Triangle = std::array<Vec3, 3>;
 using Tetrahedron = std::array<Vec3, 4>;
-
-Vec3 area_vector(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]) / 2; }
 
 /// Corners counterclockwise as seen from outside.
 std::array<Triangle, 4> faces_of(Tetrahedron t) {
@@ -64,7 +60,7 @@ std::vector<Plane> planes_of(std::span<const Triangle> triangles, double size) {
     });
     if (plane == planes.end()) {
       // A face has three edges at least, each of them another one too.
-      if (planes.size() > most_edges) break;
+      if (planes.size() > most_solid_edges) break;
       plane = planes.insert(plane, {normal, offset, {}});
     }
     plane->triangles.push_back(triangle);
@@ -234,7 +230,7 @@ std::vector<std::pair<SolidShape, std::vector<double>>> solid_shapes(
   for (const auto& [emission, members] : groups) {
     shapes.emplace_back(SolidShape(members), emission);
     edges += shapes.back().first.edge_count();
-    if (edges > most_edges || shapes.back().first.face_count() > most_edges) return {};
+    if (edges > most_solid_edges || shapes.back().first.face_count() > most_solid_edges) return {};
   }
   return shapes;
 }

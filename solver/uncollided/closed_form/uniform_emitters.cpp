@@ -6,18 +6,15 @@
 
 #include "base/clipped_polygon.h"
 #include "solver/uncollided/closed_form/outline.h"
+#include "solver/uncollided/closed_form/triangle.h"
 
 namespace etendue {
 namespace {
 
-/// Unit normals that agree to this, and offsets to this part of the size, are those of one plane.
-constexpr double one_plane = 1e-6;
 /// Emitters among which each triangle is searched.
 constexpr std::size_t most_emitters = 64;
 /// Sides of an outline that turn back by more than this are not convex.
 constexpr double turns_back = 1e-12;
-/// Heights above a plane, in units of the size, that are rounding: rays end at walls to 1e-9 of their length.
-constexpr double in_plane = 1e-10;
 /// Areas that differ by less are the same.
 constexpr double same_area = 1e-9;
 
@@ -58,7 +55,7 @@ bool stand_for(const std::vector<Vec3>& corners, const UniformEmitter& emitter) 
       height = std::max(height, std::abs(normal.dot(corner - first)));
     }
   }
-  return height <= in_plane * size && std::abs(fan - whole) <= same_area * whole;
+  return height <= rounding_height * size && std::abs(fan - whole) <= same_area * whole;
 }
 
 EmitterPart triangle_of(const std::array<Vec3, 3>& corners, const std::vector<double>& radiance) {
@@ -91,7 +88,7 @@ std::optional<std::vector<UniformEmitter>> uniform_emitters(std::span<const Emit
 bool shines_to(const EmitterPart& triangle, const Vec3& eye) {
   const Vec3 a = triangle.corners[0] - eye, b = triangle.corners[1] - eye, c = triangle.corners[2] - eye;
   const Vec3 normal = (b - a).cross(c - a);
-  return -normal.dot(a) > in_plane * normal.norm() * std::max({a.norm(), b.norm(), c.norm()});
+  return -normal.dot(a) > rounding_height * normal.norm() * std::max({a.norm(), b.norm(), c.norm()});
 }
 
 std::vector<EmitterPart> few_triangles(std::span<const EmitterPart> triangles) {

@@ -12,7 +12,7 @@ namespace {
 
 using Vec4 = Eigen::Vector4d;
 
-constexpr int most_steps = 60, most_halvings = 40;
+constexpr int most_multiplier_steps = 60, most_step_halvings = 40;
 /// Error of the four moments at which the iteration ends, and up to which its result is taken.
 constexpr double exact = 1e-14, good_enough = 1e-9;
 /// Part of the decrease by the gradient that a step has to bring (Armijo 1966).
@@ -50,7 +50,8 @@ class MomentFit {
   Vec4 minimum() const {
     Vec4 multipliers = Vec4::Zero();
     Potential here = at(multipliers);
-    for (int step = 0; step < most_steps && here.gradient.lpNorm<Eigen::Infinity>() > exact; ++step) {
+    for (int step = 0; step < most_multiplier_steps && here.gradient.lpNorm<Eigen::Infinity>() > exact;
+         ++step) {
       const Vec4 change = -here.curvature.ldlt().solve(here.gradient);
       if (!change.allFinite() || !descend(change, multipliers, here)) break;
     }
@@ -72,7 +73,7 @@ class MomentFit {
   bool descend(const Vec4& change, Vec4& multipliers, Potential& here) const {
     const double slope = here.gradient.dot(change);
     double part = 1;
-    for (int halving = 0; halving < most_halvings; ++halving, part /= 2) {
+    for (int halving = 0; halving < most_step_halvings; ++halving, part /= 2) {
       const Potential there = at(multipliers + part * change);
       // Close to the minimum the value is constant to rounding: there the gradient tells.
       const bool down = there.value <= here.value + sufficient_decrease * part * slope ||

@@ -6,17 +6,16 @@
 
 #include "mesh/tetrahedra/corners.h"
 #include "solver/uncollided/closed_form/polygon_irradiance.h"
+#include "solver/uncollided/closed_form/triangle.h"
 
 namespace etendue {
 namespace {
-
-using Triangle = std::array<Vec3, 3>;
 
 /// Triangles are cut until they are seen within such a solid angle [sr], as one with sides of three degrees,
 /// and their sides are shorter than this part of their distance.
 constexpr double small_solid_angle = 1.2e-3, small_side = 0.15;
 /// Halvings of a face at most, for points that lie nearly on it.
-constexpr int most_halvings = 60;
+constexpr int most_face_halvings = 60;
 
 /// Halves a triangle, of corners relative to the point, along its longest side until it is small, and calls
 /// found(triangle).
@@ -55,7 +54,7 @@ void SkyIrradiance::add(const PointInCell& at, const Vec3& normal, std::span<dou
     for (Vec3& corner : corners) corner -= at.position;
     // Seen from behind or in its own plane it brings nothing.
     if (corners[0].dot(mesh.area_normal(face)) <= 0) continue;
-    for_small_parts(corners, most_halvings, [&](const Triangle& part) {
+    for_small_parts(corners, most_face_halvings, [&](const Triangle& part) {
       const double across = polygon_irradiance(part, normal);
       const Vec3 towards = (part[0] + part[1] + part[2]).normalized();
       const auto out = paths_.leave(at, towards, transmittance);

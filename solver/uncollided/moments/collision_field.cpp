@@ -11,7 +11,7 @@ namespace etendue {
 namespace {
 
 /// Part of all that scatters in a cell below which a direction is left out: it scatters isotropically.
-constexpr double trifle = 1e-9;
+constexpr double negligible_scattering = 1e-9;
 
 /// [band] the sum over directions of the largest absolute values.
 std::vector<double> sizes_of(const DirectionalMoments& moments) {
@@ -25,7 +25,7 @@ std::vector<double> sizes_of(const DirectionalMoments& moments) {
 
 bool is_trifle(std::span<const double> values, const std::vector<double>& sizes) {
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (std::abs(values[i]) > trifle * sizes[i % sizes.size()]) return false;
+    if (std::abs(values[i]) > negligible_scattering * sizes[i % sizes.size()]) return false;
   return true;
 }
 

@@ -13,7 +13,7 @@ namespace {
 /// within these bounds. A multiple of 4, so that coarser grids are parts of it
 /// (docs/user/lights.md, First collisions).
 constexpr double divisions_per_width = 6;
-constexpr int fewest_divisions = 32, most_divisions = 48;
+constexpr int fewest_divisions = 32, most_cube_divisions = 48;
 
 int divisions_for(const Problem& problem) {
   double narrowest = 1;
@@ -21,7 +21,8 @@ int divisions_for(const Problem& problem) {
   for (const PhaseFunction& phase : list.phases())
     narrowest = std::min(narrowest, 1 - std::abs(phase_asymmetry(phase)));
   const double wanted = divisions_per_width / std::max(narrowest, 1e-3);
-  return 4 * static_cast<int>(std::ceil(std::clamp<double>(wanted, fewest_divisions, most_divisions) / 4));
+  return 4 *
+         static_cast<int>(std::ceil(std::clamp<double>(wanted, fewest_divisions, most_cube_divisions) / 4));
 }
 
 }  // namespace

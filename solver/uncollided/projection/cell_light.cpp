@@ -14,9 +14,9 @@ namespace {
 
 /// A cell as far away as so many of its sizes, no thicker than this and in which a medium leaves no
 /// more of the light at one point than at another but for a factor is seen from four points.
-constexpr double far_in_sizes = 8. / 3, thin = 0.3, even_factor = 1.2;
+constexpr double far_in_cell_sizes = 8. / 3, thin_cell = 0.3, even_cell_factor = 1.2;
 /// How often a cell with a shadow's edge is divided in eight.
-constexpr int most_divisions = 2;
+constexpr int most_cell_divisions = 2;
 
 /// Moments of the same kind.
 NodalMoments none_of(const NodalMoments& moments) {
@@ -44,7 +44,7 @@ class PointsOfCell {
     NodalMoments sum = none_of(moments_);
     const Seen seen = add_points(whole_cell(), cell_.volume, sum);
     if (seen.in_part)
-      add_parts(whole_cell(), cell_.volume, most_divisions);
+      add_parts(whole_cell(), cell_.volume, most_cell_divisions);
     else if (any || seen.evenly)
       moments_.add(sum);
     return any || seen.in_part || seen.evenly;
@@ -63,7 +63,7 @@ class PointsOfCell {
       fewest = std::min(fewest, count);
       most = std::max(most, count);
     }
-    return {fewest != most, transmittance_.is_even(even_factor, none_)};
+    return {fewest != most, transmittance_.is_even(even_cell_factor, none_)};
   }
   void add_parts(const SubTetrahedron& whole, double measure, int divisions) {
     for (const SubTetrahedron& part : equal_parts(whole)) {
@@ -133,9 +133,9 @@ LitCell::LitCell(const LightPaths& paths, CellIndex cell)
 
 void add_directly(const LightPaths& paths, const LightSource& source, const ShadowPlanes& shadows,
                   const LitCell& cell, LightBeams& beams, NodalMoments& moments) {
-  const bool far = !source.is_near(cell.centroid, far_in_sizes * cell.size);
+  const bool far = !source.is_near(cell.centroid, far_in_cell_sizes * cell.size);
   // Between parallel mirrors suns from both sides make up for what each misses, if both are seen alike.
-  if (far && cell.thickness <= thin && !shadows.pass_through(cell.corners) &&
+  if (far && cell.thickness <= thin_cell && !shadows.pass_through(cell.corners) &&
       PointsOfCell(paths, source, cell, beams, moments).add(!shadows.are_complete()))
     return;
   if (source.as_point() != nullptr)

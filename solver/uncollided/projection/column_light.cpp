@@ -14,18 +14,18 @@ namespace {
 
 /// Optical depth in the cell by which the corners of a column may differ in length, and the factor between
 /// the light along its rays, for a rule of degree 5 to see it to about 1e-6.
-constexpr double even_depth = 1, even_factor = 2.7;
+constexpr double even_column_depth = 1, even_column_factor = 2.7;
 /// Of the light that is sent; it may vary as it likes.
-constexpr double trifle = 1e-13;
+constexpr double negligible_beam = 1e-13;
 /// Optical depth that lets through no more.
 constexpr double opaque = 30;
 /// Part of a cell's volume.
 constexpr double sliver = 1e-10;
-constexpr int most_cuts = 8, most_cuts_in_shadow = 4;
+constexpr int most_column_cuts = 8, most_column_cuts_in_shadow = 4;
 
 std::vector<double> trifle_of(const BeamSource& source) {
   std::vector<double> part = source.light().irradiance;
-  for (double& value : part) value *= trifle;
+  for (double& value : part) value *= negligible_beam;
   return part;
 }
 
@@ -56,13 +56,13 @@ class BeamInColumns {
     }
     // Where nothing arrives something may between the points, unless all edges of shadows are known.
     const bool is_trifle = fluence_.is_trifle(trifle_) && (parted || fluence_.lit() > 0);
-    if (!is_trifle && cuts < most_cuts && !is_alike(column))
+    if (!is_trifle && cuts < most_column_cuts && !is_alike(column))
       return add_quarters(direction, column, parted, cuts + 1);
     // Else they are looked for in wide columns only: in the others suns from both sides make up for each
     // other.
     const bool looked_at = parted || is_wide(direction, column);
-    const bool at_edge = !parted && cuts < most_cuts_in_shadow && fluence_.lit() < fluence_.size();
-    if (looked_at && (at_edge || (cuts < most_cuts && !fluence_.is_even(even_factor, trifle_))))
+    const bool at_edge = !parted && cuts < most_column_cuts_in_shadow && fluence_.lit() < fluence_.size();
+    if (looked_at && (at_edge || (cuts < most_column_cuts && !fluence_.is_even(even_column_factor, trifle_))))
       return add_quarters(direction, column, parted, cuts + 1);
     add_points(direction, column);
   }
@@ -75,7 +75,7 @@ class BeamInColumns {
   /// Returns whether its edges are equally long, or let nothing through.
   bool is_alike(const Column& column) const {
     const auto [least, most] = std::ranges::minmax(column.length);
-    return extinction_ * (most - least) <= even_depth || extinction_ * least >= opaque;
+    return extinction_ * (most - least) <= even_column_depth || extinction_ * least >= opaque;
   }
 
   /// Returns whether its corners are far from each other along the light.
@@ -83,7 +83,7 @@ class BeamInColumns {
     std::array<double, 3> begin{};
     for (std::size_t i = 0; i < 3; ++i) begin[i] = direction.dot(column.entry[i]);
     const auto [least, most] = std::ranges::minmax(begin);
-    return extinction_ * (most - least) > even_depth;
+    return extinction_ * (most - least) > even_column_depth;
   }
 
   static Vec3 entry(const Column& column, const FacePointWeight& point) {

@@ -10,10 +10,10 @@ namespace {
 
 /// Cells that are nearer to a light than so many of their sizes are sampled at fourteen points, others at
 /// four.
-constexpr double near_in_sizes = 4;
+constexpr double near_in_cell_sizes = 4;
 /// The length of the mean direction below which light comes from so many directions that a coarse grid tells
 /// them apart.
-constexpr double wide = 0.96;
+constexpr double wide_cone = 0.96;
 
 /// The light that rays find, by direction.
 class FoundLight {
@@ -54,7 +54,7 @@ class FoundLight {
         sum += fluence;
         mean += fluence * beams_.direction(k);
       }
-    return mean.norm() < wide * sum;
+    return mean.norm() < wide_cone * sum;
   }
   void add_beam(std::size_t k, const std::array<double, 4>& barycentric, double weight) {
     const Vec3& direction = beams_.direction(k);
@@ -90,7 +90,7 @@ void add_extended_collisions(const LightPaths& paths, const LightSource& source,
   // Samples the light, and scales it to the power of the entries that count; returns the others.
   const auto sample = [&](Sight sight, std::vector<char> wanted, DirectionalMoments& moments) {
     FoundLight found(paths, source, cell, beams, moments);
-    if (source.is_near(cell.centroid, near_in_sizes * cell.size))
+    if (source.is_near(cell.centroid, near_in_cell_sizes * cell.size))
       found.sample(cell_rule(), sight);
     else
       found.sample(four_point_rule(), sight);

@@ -13,14 +13,14 @@ namespace {
 
 /// Cells that are nearer to a surface that shines than this many of their sizes are divided where its light
 /// varies steeply, and up to so many sizes they have a rule of degree 5, as all faces have.
-constexpr double touching_in_sizes = 1e-9, near_in_sizes = 1.5, middling_in_sizes = 4;
+constexpr double touching_in_sizes = 1e-9, light_near_in_sizes = 1.5, middling_in_sizes = 4;
 constexpr double tolerance_of_cells = 1e-3, tolerance_of_faces = 1e-4;
 constexpr int divisions_of_cells = 2, divisions_of_faces = 5;
 /// Cells larger than the light once more for each time that their size has to be halved, so often at most.
 constexpr int divisions_to_light = 4;
 /// Cells in and near a volume that shines in many ways are sampled point by point where they are thicker
 /// than this.
-constexpr double thick = 1;
+constexpr double thick_for_volume = 1;
 /// How often a cell or face with a part in the shadow is divided. Less than this part of the light in the
 /// shadow, or out of it, is rounding.
 constexpr int divisions_in_shadow = 2, divisions_along_edges = 1;
@@ -184,7 +184,7 @@ void ExtendedLight::add_lit(const Site<corners>& site, const InterpolatedAttenua
       add_point(point.barycentric, point.weight * site.measure, moments);
     return;
   }
-  const bool near = source_.is_near(site.centroid, near_in_sizes * site.size);
+  const bool near = source_.is_near(site.centroid, light_near_in_sizes * site.size);
   integrate(site, corners == 3 ? tolerance_of_faces : tolerance_of_cells, near ? divisions : 0, add_point,
             moments);
 }
@@ -249,7 +249,7 @@ void ExtendedLight::add(const Site<corners>& site, const std::array<std::int32_t
     return add_lit(site, interpolated, divisions, deposit, beams, moments);
   LightDetail detail = corners == 3 ? wall_in_shadow : coarse_light;
   if (!edges.empty()) detail.shadow_edges = &edges;
-  if (source_.plane() && source_.is_near(site.centroid, near_in_sizes * site.size))
+  if (source_.plane() && source_.is_near(site.centroid, light_near_in_sizes * site.size))
     return corners == 3 ? add_along_rays(site, detail, penumbra_tolerance, divisions_in_penumbra, deposit,
                                          beams, moments)
                         : add_along_rays(site, detail, tolerance_of_cells, divisions_of_cells, deposit, beams,
@@ -270,8 +270,8 @@ void ExtendedLight::add(const LitCell& cell, LightBeams& beams, NodalMoments& mo
         sum.add(shape, measure, b, light.flux[b][static_cast<Eigen::Index>(axis)], 1 + axis);
     }
   };
-  if (source_.is_in_parts() && cell.thickness > thick &&
-      source_.is_near(cell.centroid, near_in_sizes * cell.size))
+  if (source_.is_in_parts() && cell.thickness > thick_for_volume &&
+      source_.is_near(cell.centroid, light_near_in_sizes * cell.size))
     return add_point_by_point(site, site.whole, site.measure, 0, coarse_light, deposit, beams, moments);
   std::vector<ShadowEdge> edges;
   if (source_.flat_parts().size() <= most_cut_in_cells) edges = edges_.before(site.corner);

@@ -16,8 +16,8 @@
 namespace etendue {
 namespace {
 
-constexpr double largest_side = 0.35;
-constexpr double far_in_sizes = 8;
+constexpr double largest_face_side = 0.35;
+constexpr double far_in_face_sizes = 8;
 
 struct LitFace {
   LitFace(const TetrahedralMesh& mesh, FaceIndex face)
@@ -49,13 +49,13 @@ struct LitFace {
 };
 
 /// How often a face with a shadow's edge is divided in four.
-constexpr int most_divisions = 3;
+constexpr int most_shadow_divisions = 3;
 /// Optical thickness of the medium along a face from which on it is divided until all that a light brings to
 /// its points agrees within a factor, as long as that is not a trifle of what the light would bring.
-constexpr double thin = 0.3, even_factor = 2;
+constexpr double thin_along_face = 0.3, even_face_factor = 2;
 /// A wide light's face is not divided below this thickness.
-constexpr double even_depth = 0.7;
-constexpr double trifle = 1e-13;
+constexpr double even_face_depth = 0.7;
+constexpr double negligible_on_face = 1e-13;
 constexpr int most_even_divisions = 8;
 
 struct Divisions {
@@ -81,10 +81,11 @@ class PointsOfFace {
         trifle_(beams.bands(), 0) {
     look(face.centroid, Sight::clear);
     for (std::size_t k = 0; k < beams_.size(); ++k)
-      for (std::size_t b = 0; b < beams_.bands(); ++b) trifle_[b] += trifle * beams_.fluence(k)[b];
+      for (std::size_t b = 0; b < beams_.bands(); ++b)
+        trifle_[b] += negligible_on_face * beams_.fluence(k)[b];
     // The beam may miss the centroid.
     for (std::size_t b = 0; b < beams_.bands() && only.beam != nullptr; ++b)
-      trifle_[b] = trifle * only.beam->light().irradiance[b];
+      trifle_[b] = negligible_on_face * only.beam->light().irradiance[b];
   }
 
   /// Divided in four as often as it is in part in a shadow, and as what media leave varies over it.
@@ -101,7 +102,7 @@ class PointsOfFace {
     if (fewest != most && left.in_shadow > 0) {
       for (const SubTriangle& child : equal_parts(part))
         add(three_point_rule(), child, measure / 4, {left.in_shadow - 1, 0});
-    } else if (left.even > 0 && !arriving_.is_even(even_factor, trifle_)) {
+    } else if (left.even > 0 && !arriving_.is_even(even_face_factor, trifle_)) {
       for (const SubTriangle& child : equal_parts(part))
         add(rule, child, measure / 4, {left.in_shadow, left.even - 1});
     } else {
@@ -150,7 +151,7 @@ void add_image(const LightPaths& paths, const PointSource& source, const PointSo
   const SphericalTriangle seen{face.corners[0] - image.position, face.corners[1] - image.position,
                                face.corners[2] - image.position};
   for (const SphericalTriangle& part : cut_by_planes(seen, planes))
-    append_points(part, largest_side, TriangleRule::seven_points, points);
+    append_points(part, largest_face_side, TriangleRule::seven_points, points);
   for (const SolidAnglePoint& point : points) {
     const double distance = height / face.normal.dot(point.direction);
     const Vec3 position = image.position + distance * point.direction;
@@ -167,10 +168,10 @@ void add_image(const LightPaths& paths, const PointSource& source, const PointSo
 
 /// A wide light is seen in part from everywhere, so edges of shadows are nowhere.
 void add_wide(const LightSource& source, const LitFace& face, double thickness, PointsOfFace& points) {
-  if (thickness > thin)
+  if (thickness > thin_along_face)
     points.add(seven_point_rule(), whole_face, face.area,
-               {0, static_cast<int>(std::ceil(std::log2(std::max(1.0, thickness / even_depth))))});
-  else if (source.is_near(face.centroid, far_in_sizes / 3 * face.size))
+               {0, static_cast<int>(std::ceil(std::log2(std::max(1.0, thickness / even_face_depth))))});
+  else if (source.is_near(face.centroid, far_in_face_sizes / 3 * face.size))
     points.add(seven_point_rule(), whole_face, face.area, {0, 0});
   else
     points.add(three_point_rule(), whole_face, face.area, {0, 0});
@@ -196,7 +197,7 @@ void add_irradiance(const LightPaths& paths, const LightSource& source, const Sh
     PointsOfFace points(source, {}, face, beams, moments);
     return add_wide(source, face, thickness, points);
   }
-  const Divisions divisions{most_divisions, thickness > thin ? most_even_divisions : 0};
+  const Divisions divisions{most_shadow_divisions, thickness > thin_along_face ? most_even_divisions : 0};
   const std::vector<std::array<Vec3, 3>> parts = cut_by_planes(face.corners, planes);
   const BeamSource* beam = source.as_beam();
   if (beam == nullptr || !beam->has_profile()) {

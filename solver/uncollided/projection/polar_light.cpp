@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/uncollided/closed_form/solid_angle.h"
+#include "solver/uncollided/closed_form/triangle.h"
 #include "solver/uncollided/projection/arriving_light.h"
 #include "solver/uncollided/projection/cell_light.h"
 #include "solver/uncollided/projection/ray_segment.h"
@@ -13,19 +14,15 @@ namespace etendue {
 namespace {
 
 /// Chords of the unit sphere up to which a rule of degree 5 sees a wedge of an empty cell to about 1e-6.
-constexpr double largest_side = 0.35;
+constexpr double largest_wedge_side = 0.35;
 /// Ratio and difference in optical depth of the paths to where the edges of a part come in and go out, and
 /// the factor between the light along its rays, up to which the rule sees as much of it.
-constexpr double even_ratio = 1.5, even_depth = 0.7, even_factor = 2;
+constexpr double even_wedge_ratio = 1.5, even_wedge_depth = 0.7, even_wedge_factor = 2;
 /// Of what would arrive in empty space; it may vary as it likes.
-constexpr double trifle = 1e-13;
-constexpr int most_cuts = 8, most_cuts_in_shadow = 3;
+constexpr double negligible_arrival = 1e-13;
+constexpr int most_wedge_cuts = 8, most_wedge_cuts_in_shadow = 3;
 /// Part of the distance from a corner to the middle of a cell.
 constexpr double inside_corner = 1e-3;
-
-double longest_side(const SphericalTriangle& t) {
-  return std::max({(t[0] - t[1]).norm(), (t[1] - t[2]).norm(), (t[2] - t[0]).norm()});
-}
 
 /// The light of a point, or of its image behind mirrors, in the wedges of a cell.
 class PointInWedges {
@@ -41,7 +38,7 @@ class PointInWedges {
         parted_(parted),
         moments_(moments),
         transmittance_(paths.bands()),
-        trifle_(paths.bands(), trifle) {}
+        trifle_(paths.bands(), negligible_arrival) {}
 
   /// Returns whether no more than a trifle of the light is left at the corners and in the middle of the cell.
   bool is_dark() {
@@ -64,16 +61,16 @@ class PointInWedges {
 
   void add(const Wedge& wedge, const SphericalTriangle& part, int cuts = 0) {
     check_solid_angle_cuts(cuts);
-    if (longest_side(part) > largest_side || (cuts < most_cuts && !is_alike(wedge, part)))
+    if (longest_side(part) > largest_wedge_side || (cuts < most_wedge_cuts && !is_alike(wedge, part)))
       return add_quarters(wedge, part, cuts + 1);
     points_.clear();
     append_points(part, 2, TriangleRule::seven_points, points_);
     transmittance_.clear();
     for (const SolidAnglePoint& point : points_) look(wedge, point.direction, transmittance_.add());
-    if (cuts < most_cuts && !transmittance_.is_even(even_factor, trifle_))
+    if (cuts < most_wedge_cuts && !transmittance_.is_even(even_wedge_factor, trifle_))
       return add_quarters(wedge, part, cuts + 1);
     const std::size_t lit = transmittance_.lit();
-    if (!parted_ && lit > 0 && lit < points_.size() && cuts < most_cuts_in_shadow)
+    if (!parted_ && lit > 0 && lit < points_.size() && cuts < most_wedge_cuts_in_shadow)
       return add_quarters(wedge, part, cuts + 1);
     for (std::size_t i = 0; i < points_.size(); ++i)
       if (!transmittance_.is_dark(i)) add_ray(wedge, points_[i], transmittance_.at(i));
@@ -92,7 +89,7 @@ class PointInWedges {
     }
     const auto differ = [&](const std::array<double, 3>& lengths) {
       const auto [least, most] = std::ranges::minmax(lengths);
-      return most > even_ratio * least || extinction_ * (most - least) > even_depth;
+      return most > even_wedge_ratio * least || extinction_ * (most - least) > even_wedge_depth;
     };
     return !differ(in) && !differ(out);
   }

@@ -19,17 +19,17 @@ namespace {
 /// Beams whose depths at all vertices are kept at a time.
 constexpr std::size_t group = 32;
 /// Less than that is nothing, but its logarithm is a number.
-constexpr double least_transmittance = 1e-300;
+constexpr double least_beam_transmittance = 1e-300;
 /// Optical depths that differ by less over a cell are seen well enough by four points, by fourteen; where
 /// they differ by more the cell is cut in two, so many times at most and not where a trifle of the light is
 /// left.
-constexpr double even = 0.03, uneven = 1.5, trifle = 15;
-constexpr int most_cuts = 9;
+constexpr double even_depth = 0.03, uneven_depth = 1.5, negligible_depth = 15;
+constexpr int most_sky_cuts = 9;
 
 /// Optical thickness of a cell from which on fourteen points of it are sampled, else four.
-constexpr double thick = 0.3;
+constexpr double thick_for_sky = 0.3;
 /// Resolution at which planes are distinct: by their normals, and their places in sizes of the domain.
-constexpr double same_plane = 1e-6;
+constexpr double distinct_plane = 1e-6;
 
 /// One beam in one band at the corners of a part of a cell.
 struct Corners {
@@ -59,8 +59,8 @@ void append_points(const Corners& at, double measure, double least, int cuts, Po
         p = i;
         q = j;
       }
-  if (at.difference(p, q) < even) return append_points(four_point_rule(), at, measure, points);
-  if (at.difference(p, q) < uneven || cuts == 0 || at.least() > least + trifle)
+  if (at.difference(p, q) < even_depth) return append_points(four_point_rule(), at, measure, points);
+  if (at.difference(p, q) < uneven_depth || cuts == 0 || at.least() > least + negligible_depth)
     return append_points(cell_rule(), at, measure, points);
   for (const std::size_t moved : {p, q}) {
     Corners half = at;
@@ -78,7 +78,7 @@ std::vector<std::int32_t> planes_of_faces(const TetrahedralMesh& mesh) {
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const Vec3 normal = mesh.area_normal(FaceIndex(f)).normalized();
     const double place = normal.dot(mesh.centroid(FaceIndex(f)) - box.low) / box.diagonal();
-    const auto rounded = [](double value) { return std::llround(value / same_plane); };
+    const auto rounded = [](double value) { return std::llround(value / distinct_plane); };
     planes.push_back(
         numbers
             .try_emplace({rounded(normal.x()), rounded(normal.y()), rounded(normal.z()), rounded(place)},
@@ -129,7 +129,7 @@ class BeamGroup {
       const bool alike = std::ranges::all_of(place, [&](std::size_t p) { return entry_[p] == entry; });
       if (alike && entry == no_entry) continue;
       if (!alike || entry == several_entries) {
-        if (cell.thickness < thick)
+        if (cell.thickness < thick_for_sky)
           look(cell, k, four_point_rule(), transmittance, moments);
         else
           look(cell, k, cell_rule(), transmittance, moments);
@@ -139,7 +139,7 @@ class BeamGroup {
         Corners at{whole_cell(), {}};
         for (std::size_t i = 0; i < 4; ++i) at.depth[i] = depth_[place[i] * bands_ + b];
         points.clear();
-        append_points(at, cell.volume, at.least(), most_cuts, points);
+        append_points(at, cell.volume, at.least(), most_sky_cuts, points);
         add(cell, {k, static_cast<std::size_t>(entry % parts())}, b, points, moments);
       }
     }
@@ -161,7 +161,7 @@ class BeamGroup {
     entry_[v * count_ + k] =
         beginnings.planes[entry->face.at()] * parts() + static_cast<std::int64_t>(sky_.kind(entry->part));
     for (std::size_t b = 0; b < bands_; ++b)
-      depth_[(v * count_ + k) * bands_ + b] = -std::log(std::max(transmittance[b], least_transmittance));
+      depth_[(v * count_ + k) * bands_ + b] = -std::log(std::max(transmittance[b], least_beam_transmittance));
   }
 
   /// By rays.

@@ -13,7 +13,7 @@ constexpr std::size_t most_copies = 4096;
 /// Part of a beam's direction that leads out from between all parallel mirrors, below which it never leaves.
 constexpr double least_way_out = 1e-3;
 /// Distance below which parallel mirrors are in one plane [length].
-constexpr double one_plane = 1e-9;
+constexpr double one_mirror_plane = 1e-9;
 
 MirrorCopy reflection(const MirrorPlanes& planes, int plane) {
   const Vec3& normal = planes.normal(plane);
@@ -75,7 +75,7 @@ std::vector<MirrorCopy> copies_along(const LightPaths& paths, MirrorSet mirrors,
   for (int i = 0; i < planes.count(); ++i)
     for (int j = 0; j < i; ++j) {
       // The two sides of one sheet never see each other.
-      if (!planes.are_parallel(i, j) || distance(planes, i, j) < one_plane) continue;
+      if (!planes.are_parallel(i, j) || distance(planes, i, j) < one_mirror_plane) continue;
       pairs.emplace_back(j, i);
       alone &= ~(MirrorSet{1} << i) & ~(MirrorSet{1} << j);
       out -= out.dot(planes.normal(i)) * planes.normal(i);

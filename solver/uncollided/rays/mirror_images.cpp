@@ -10,7 +10,7 @@ namespace etendue {
 namespace {
 
 /// Normals, and offsets over the size of the domain, that agree to this are those of one plane.
-constexpr double same_plane = 1e-9;
+constexpr double same_mirror_plane = 1e-9;
 
 double size_of(const TetrahedralMesh& mesh) {
   double size = 0;
@@ -44,8 +44,8 @@ MirrorPlanes::MirrorPlanes(const Problem& problem) : problem_(problem) {
     const Vec3 normal = mesh.area_normal(face).normalized();
     const double offset = normal.dot(mesh.centroid(face));
     const auto same = [&](const Plane& plane) {
-      return (plane.normal - normal).norm() < same_plane &&
-             std::abs(plane.offset - offset) < same_plane * size;
+      return (plane.normal - normal).norm() < same_mirror_plane &&
+             std::abs(plane.offset - offset) < same_mirror_plane * size;
     };
     auto plane = std::find_if(planes_.begin(), planes_.end(), same);
     if (plane == planes_.end()) plane = planes_.insert(planes_.end(), {normal, offset, mesh.wall(face)});
@@ -59,7 +59,7 @@ Vec3 MirrorPlanes::reflected(int plane, const Vec3& direction) const {
 }
 
 bool MirrorPlanes::are_parallel(int a, int b) const {
-  return std::abs(normal(a).dot(normal(b))) > 1 - same_plane;
+  return std::abs(normal(a).dot(normal(b))) > 1 - same_mirror_plane;
 }
 
 bool MirrorPlanes::touches(MirrorSet set, const Vec3& point, double distance) const {
@@ -99,15 +99,17 @@ double MirrorPlanes::reflectance(MirrorSet set, std::size_t band) const {
 
 void MirrorPlanes::require_right_angle(const Plane& a, const Plane& b) const {
   const double cosine = a.normal.dot(b.normal);
-  if (std::abs(cosine) < same_plane) return;
-  const bool parallel = std::abs(cosine) > 1 - same_plane;
+  if (std::abs(cosine) < same_mirror_plane) return;
+  const bool parallel = std::abs(cosine) > 1 - same_mirror_plane;
   throw InputError(
       refusal(problem_.wall(a.wall), problem_.wall(b.wall).name,
               parallel ? "shows a light again and again" : "stands at an angle that is not 90 degrees"));
 }
 
 void MirrorPlanes::require_one_image_per_direction(const Vec3& direction) const {
-  const auto meets = [&](const Plane& plane) { return std::abs(plane.normal.dot(direction)) > same_plane; };
+  const auto meets = [&](const Plane& plane) {
+    return std::abs(plane.normal.dot(direction)) > same_mirror_plane;
+  };
   for (std::size_t i = 0; i < planes_.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (meets(planes_[i]) && meets(planes_[j])) require_right_angle(planes_[i], planes_[j]);
@@ -127,8 +129,8 @@ std::vector<MirrorSet> MirrorPlanes::images_of_direction() const {
     bool repeated = false;
     for (const std::size_t j : different) {
       const double cosine = std::abs(planes_[i].normal.dot(planes_[j].normal));
-      repeated = repeated || cosine > 1 - same_plane;
-      if (cosine > same_plane && cosine <= 1 - same_plane)
+      repeated = repeated || cosine > 1 - same_mirror_plane;
+      if (cosine > same_mirror_plane && cosine <= 1 - same_mirror_plane)
         throw InputError(refusal(problem_.wall(planes_[i].wall), problem_.wall(planes_[j].wall).name,
                                  "stands at an angle that is neither 0 nor 90 degrees"));
     }

@@ -11,7 +11,7 @@ namespace etendue {
 namespace {
 
 /// Sine of an angle below which surfaces continue straight, and up to which they bend but a little.
-constexpr double straight = 1e-6, hardly = 0.1;
+constexpr double straight_surface = 1e-6, hardly = 0.1;
 
 /// A face that light notices, at one of its edges.
 struct FaceAtEdge {
@@ -73,7 +73,8 @@ bool go_on(std::span<const FaceAtEdge> around, double bend) {
 }
 
 bool is_same(const ShadowEdge::Surface& a, const ShadowEdge::Surface& b) {
-  return part_alike(a, b) && (a.normal - b.normal).norm() < straight && (a.away - b.away).norm() < straight;
+  return part_alike(a, b) && (a.normal - b.normal).norm() < straight_surface &&
+         (a.away - b.away).norm() < straight_surface;
 }
 
 /// Shadow edge along one edge of the mesh, with its ends.
@@ -89,7 +90,7 @@ std::vector<MeshShadowEdge> mesh_shadow_edges(const LightPaths& paths) {
   for (std::size_t first = 0, last = 0; first < faces.size(); first = last) {
     while (last < faces.size() && faces[last].ends == faces[first].ends) ++last;
     const std::span<const FaceAtEdge> around(&faces[first], last - first);
-    if (go_on(around, straight)) continue;
+    if (go_on(around, straight_surface)) continue;
     const auto& ends = faces[first].ends;
     MeshShadowEdge edge{
         ends,
@@ -132,7 +133,7 @@ void join_at_vertices(const std::vector<MeshShadowEdge>& edges, Lines& lines) {
   for (std::size_t i = 0; i < at_vertex.size(); ++i)
     for (std::size_t j = i + 1; j < at_vertex.size() && at_vertex[j].first == at_vertex[i].first; ++j) {
       const ShadowEdge &a = edges[at_vertex[i].second].line, &b = edges[at_vertex[j].second].line;
-      if (direction_of(a).cross(direction_of(b)).norm() < straight && is_alike(a, b))
+      if (direction_of(a).cross(direction_of(b)).norm() < straight_surface && is_alike(a, b))
         lines.join(at_vertex[i].second, at_vertex[j].second);
     }
 }

@@ -8,11 +8,8 @@
 namespace etendue {
 namespace {
 
-/// A direction that comes back to that of the beam through mirrors does so to rounding.
-constexpr double same_direction = 1e-9;
-
 /// Power that enters: the irradiance times the area of the walls as the beam sees it.
-std::vector<double> power_of(const BeamLight& light, const TetrahedralMesh& mesh) {
+std::vector<double> beam_power(const BeamLight& light, const TetrahedralMesh& mesh) {
   double area = 0;
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     if (std::count(light.walls.begin(), light.walls.end(), mesh.wall(FaceIndex(f))) > 0)
@@ -36,11 +33,11 @@ std::optional<BeamProfile> image_of(const std::optional<BeamProfile>& profile, c
 }  // namespace
 
 BeamSource::BeamSource(std::string name, const BeamLight& light, const LightPaths& paths)
-    : LightSource(std::move(name), power_of(light, paths.problem().mesh())), light_(light), paths_(paths) {
+    : LightSource(std::move(name), beam_power(light, paths.problem().mesh())), light_(light), paths_(paths) {
   for (const MirrorSet mirrors : paths.mirrors().images_of_direction()) {
     const Vec3 direction = paths.mirrors().image_direction(mirrors, light.direction);
     // A beam along a mirror is its own image.
-    const auto same = [&](const Vec3& other) { return (other - direction).norm() < same_direction; };
+    const auto same = [&](const Vec3& other) { return (other - direction).norm() < returning_direction; };
     if (std::ranges::any_of(directions_, same)) continue;
     directions_.push_back(direction);
     mirrors_.push_back(mirrors);
@@ -50,7 +47,7 @@ BeamSource::BeamSource(std::string name, const BeamLight& light, const LightPath
 
 bool BeamSource::arrives(const PointInCell& at, const Vec3& direction, std::span<double> fluence) const {
   const std::optional<WayOut> out = paths_.leave(at, -direction, fluence);
-  if (!out || !((out->direction + light_.direction).norm() < same_direction) ||
+  if (!out || !((out->direction + light_.direction).norm() < returning_direction) ||
       std::ranges::count(light_.walls, paths_.problem().mesh().wall(out->face)) == 0)
     return false;
   const double part = part_on_ray(light_.profile, out->point);

@@ -10,6 +10,9 @@
 
 namespace etendue {
 
+/// A direction that comes back to that of a beam through mirrors does so to rounding.
+inline constexpr double returning_direction = 1e-9;
+
 /// Collimated light that enters through walls, with its images behind mirrors.
 class BeamSource : public LightSource {
  public:

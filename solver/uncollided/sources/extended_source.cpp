@@ -21,7 +21,7 @@ constexpr double far_in_distances = 0.1;
 /// So are those of which less than this part of their size arrives.
 constexpr double least_of_size = 1e-4;
 /// Of the size of a light: parts that are no farther from a plane lie in it.
-constexpr double in_plane = 1e-9;
+constexpr double part_in_plane = 1e-9;
 
 std::optional<ExtendedSource::Plane> common_plane(std::span<const EmitterPart> flat) {
   if (flat.empty()) return {};
@@ -30,7 +30,7 @@ std::optional<ExtendedSource::Plane> common_plane(std::span<const EmitterPart> f
     for (const Vec3& corner : triangle_of(part)) box.extend(corner);
   const auto first = triangle_of(flat.front());
   const auto plane = ExtendedSource::Plane::Through(first[0], first[1], first[2]);
-  const double allowed = in_plane * box.diagonal().norm();
+  const double allowed = part_in_plane * box.diagonal().norm();
   for (const EmitterPart& part : flat)
     for (const Vec3& corner : triangle_of(part))
       if (plane.absDistance(corner) > allowed) return {};

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_faces = 12;
 
 /// Corners so near to a plane, in sizes of the body, lie in it.
-constexpr double in_plane = 1e-9;
+constexpr double corner_in_plane = 1e-9;
 
 /// Of each vertex of the mesh, whether it is in the plane of a mirror.
 std::vector<char> vertices_of(const LightPaths& paths, int plane) {
@@ -39,7 +39,7 @@ bool touches_whole(const LightPaths& paths, std::span<const EmitterPart> cells, 
   Eigen::AlignedBox3d box;
   for (const EmitterPart& cell : cells)
     for (const Vec3& corner : cell.corners) box.extend(corner);
-  const double distance = in_plane * box.diagonal().norm();
+  const double distance = corner_in_plane * box.diagonal().norm();
   bool any = false;
   for (const EmitterPart& cell : cells) {
     unsigned off = 0;

@@ -16,7 +16,7 @@ namespace etendue {
 namespace {
 
 /// Part of a size within which a point lies on a plane.
-constexpr double on_plane = 1e-9;
+constexpr double point_on_plane = 1e-9;
 /// Planes behind shadow edges of one cell or face that are distinguished, and of an image in all.
 constexpr std::size_t most_planes = 64, most_in_all = 20000;
 
@@ -37,7 +37,7 @@ bool is_abrupt(const ShadowEdge& edge, const Vec3& direction, std::span<const in
   } walls, media;
   bool lit = false, by_mirror = false;
   for (const ShadowEdge::Surface& surface : edge.surfaces) {
-    (surface.wall < 0 ? media : walls).add(across.dot(surface.away), on_plane * across.norm());
+    (surface.wall < 0 ? media : walls).add(across.dot(surface.away), point_on_plane * across.norm());
     if (surface.wall < 0) continue;
     lit = lit || (surface.normal.dot(direction) < 0 && std::ranges::count(lit_walls, surface.wall) > 0);
     by_mirror = by_mirror || (by_mirrors && surface.mirrors);
@@ -53,7 +53,7 @@ std::optional<ShadowPlane> plane_behind(const Vec3& begin, const Vec3& end, cons
   const Vec3 a = begin - place, b = end - place;
   const Vec3 normal = is_point ? a.cross(b) : (b - a).cross(beam);
   const double scale = is_point ? a.norm() * b.norm() : (b - a).norm();
-  if (normal.norm() <= on_plane * scale) return std::nullopt;
+  if (normal.norm() <= point_on_plane * scale) return std::nullopt;
   const auto half = [&](const Vec3& across, const Vec3& at) {
     const Vec3 unit = across.normalized();
     return ShadowPlane::Half{unit, is_point ? 0 : unit.dot(at)};
@@ -110,7 +110,7 @@ std::vector<std::array<Vec3, 3>> cut_by_planes(const std::array<Vec3, 3>& triang
                                                std::span<const ShadowPlane> planes) {
   if (planes.empty()) return {triangle};
   const double tolerance =
-      on_plane * std::max((triangle[1] - triangle[0]).norm(), (triangle[2] - triangle[0]).norm());
+      point_on_plane * std::max((triangle[1] - triangle[0]).norm(), (triangle[2] - triangle[0]).norm());
   std::vector<std::vector<Vec3>> pieces{{triangle.begin(), triangle.end()}};
   for (const ShadowPlane& plane : planes)
     for (std::size_t i = 0, count = pieces.size(); i < count; ++i) {
@@ -200,7 +200,7 @@ bool ShadowPlanes::find(std::size_t number, std::span<const Vec3> corners,
   }
   const std::span<const Vec3> seen(about.data(), corners.size());
   for (const Vec3& corner : seen) radius = std::max(radius, (corner - middle).norm());
-  const double tolerance = on_plane * radius;
+  const double tolerance = point_on_plane * radius;
   for (const ShadowPlane& plane : image.planes) {
     if (std::abs(plane.plane.above(middle)) >= radius || plane.nearest >= farthest - tolerance ||
         plane.begin.above(middle) <= -radius || plane.end.above(middle) <= -radius ||

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/uncollided/sources/beam_source.h"
+
 namespace etendue {
 namespace {
-
-/// A direction that comes back to that of a beam through mirrors does so to rounding.
-constexpr double same_direction = 1e-9;
 
 bool lets_in(const BeamLight& part, int wall) { return std::ranges::count(part.walls, wall) > 0; }
 
@@ -17,7 +16,7 @@ bool is_dark(const BeamLight& part) {
   return std::ranges::all_of(part.irradiance, [](double irradiance) { return irradiance == 0; });
 }
 
-std::vector<double> power_of(std::span<const BeamLight> parts, const TetrahedralMesh& mesh) {
+std::vector<double> sky_power(std::span<const BeamLight> parts, const TetrahedralMesh& mesh) {
   std::vector<double> power(parts.front().irradiance.size(), 0);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     if (!lets_in(parts.front(), mesh.wall(FaceIndex(f)))) continue;
@@ -44,7 +43,7 @@ bool continues_sky(std::span<const Light> lights, std::size_t i) {
 }
 
 SkySource::SkySource(std::string name, std::vector<BeamLight> parts, const LightPaths& paths)
-    : WideSource(std::move(name), power_of(parts, paths.problem().mesh())),
+    : WideSource(std::move(name), sky_power(parts, paths.problem().mesh())),
       parts_(std::move(parts)),
       paths_(paths),
       images_(paths.mirrors().images_of_direction()) {
@@ -53,7 +52,7 @@ SkySource::SkySource(std::string name, std::vector<BeamLight> parts, const Light
       if (is_dark(parts_[i])) continue;
       const Vec3 direction = paths.mirrors().image_direction(mirrors, parts_[i].direction);
       const auto known = std::ranges::find_if(
-          directions_, [&](const Vec3& other) { return (other - direction).norm() < same_direction; });
+          directions_, [&](const Vec3& other) { return (other - direction).norm() < returning_direction; });
       const auto place = static_cast<std::size_t>(known - directions_.begin());
       if (known == directions_.end()) {
         directions_.push_back(direction);
@@ -86,7 +85,7 @@ std::optional<SkySource::Entry> SkySource::transmit(const PointInCell& at, std::
   const std::optional<WayOut> out = paths_.leave(at, -directions_[direction], transmittance);
   if (!out) return std::nullopt;
   for (const std::size_t i : from_[direction])
-    if ((out->direction + parts_[i].direction).norm() < same_direction)
+    if ((out->direction + parts_[i].direction).norm() < returning_direction)
       return lets_in(parts_[i], paths_.problem().mesh().wall(out->face)) ? std::optional(Entry{out->face, i})
                                                                          : std::nullopt;
   return std::nullopt;

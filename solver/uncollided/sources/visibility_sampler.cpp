@@ -14,12 +14,13 @@ namespace {
 constexpr std::array<double, 1> tolerance_of_triangle = {0.01};
 constexpr std::array<double, 2> tolerance_of_volume = {0.005, 0.01};
 /// Its logarithm is a number.
-constexpr double least_transmittance = std::numeric_limits<double>::min();
+constexpr double smallest_transmittance = std::numeric_limits<double>::min();
 
 /// Optical depth of the path up to the light, mirrors left out.
 double depth(const VisibleRaySamples& beams, std::size_t i, std::size_t band, double reflectance) {
   if (!(reflectance > 0)) return 0;
-  return -std::log(std::max(beams.passed[i * beams.clear.bands() + band] / reflectance, least_transmittance));
+  return -std::log(
+      std::max(beams.passed[i * beams.clear.bands() + band] / reflectance, smallest_transmittance));
 }
 
 /// Mean extinction along the open ones of these rays [1/length].

@@ -10,7 +10,7 @@ namespace etendue {
 namespace {
 
 /// Edges, with their images, that are tested for each cell and face.
-constexpr std::size_t most_edges = 2000;
+constexpr std::size_t most_occluding_edges = 2000;
 /// Corners of a light of which all are tested; of more those of its box are.
 constexpr std::size_t most_corners = 8;
 /// Part of the hull's size by which an edge has to reach into it: those of a face itself touch it.
@@ -83,13 +83,13 @@ OccludingEdges::OccludingEdges(const LightPaths& paths, const ExtendedSource& so
   for (const MirrorSet mirrors : planes_.images_of_point()) {
     images_.push_back({mirrors, {}});
     for (const MirrorCopy& copy : copies_behind(planes_, mirrors))
-      for (std::size_t i = 0; i < shadow_edges_.size() && ++count <= most_edges; ++i) {
+      for (std::size_t i = 0; i < shadow_edges_.size() && ++count <= most_occluding_edges; ++i) {
         Copy edge{i, copy.point(shadow_edges_[i].begin), copy.point(shadow_edges_[i].end), {}};
         edge.box.extend(edge.begin).extend(edge.end);
         images_.back().edges.push_back(edge);
       }
   }
-  if (count > most_edges) images_.clear();
+  if (count > most_occluding_edges) images_.clear();
 }
 
 std::vector<ShadowEdge> OccludingEdges::before(std::span<const Vec3> corners) const {

@@ -10,10 +10,10 @@ namespace etendue {
 namespace {
 
 /// Less than that is nothing, but its logarithm is a number.
-constexpr double least_transmittance = 1e-300;
+constexpr double least_path_transmittance = 1e-300;
 /// Newton's steps end where they change the optical depth by less than that.
 constexpr double last_step = 1e-13;
-constexpr int most_steps = 50;
+constexpr int most_newton_steps = 50;
 
 /// Beams in one band as they would arrive through a homogeneous medium.
 struct BeamSum {
@@ -38,7 +38,7 @@ struct BeamSum {
 double effective_extinction(const LightBeams& clear, std::size_t band, double left) {
   BeamSum sum(clear, band);
   double extinction = std::log(sum.fluence / left) * sum.fluence / sum.path;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < most_newton_steps; ++i) {
     sum = BeamSum(clear, band, extinction);
     const double step = std::log(sum.fluence / left) * sum.fluence / sum.path;
     if (!(sum.fluence > 0) || !(step > 0)) break;
@@ -72,7 +72,7 @@ Visibility sample(const ExtendedSource& source, const PointInCell& here, LightDe
     if (!(visible.fluence > 0)) continue;
     attenuation[b].length = visible.path / visible.fluence;
     attenuation[b].extinction =
-        effective_extinction(open, b, std::max(arrived.fluence, least_transmittance * visible.fluence));
+        effective_extinction(open, b, std::max(arrived.fluence, least_path_transmittance * visible.fluence));
     const BeamSum homogeneous(clear, b, attenuation[b].extinction);
     if (!(homogeneous.fluence > 0)) continue;
     if (open.size() < clear.size())

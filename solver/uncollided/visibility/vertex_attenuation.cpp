@@ -11,7 +11,7 @@ namespace etendue {
 namespace {
 
 /// Sampling of the light.
-constexpr LightDetail detail{0.35, 0.03, 0.6, 0.9, TriangleRule::three_points};
+constexpr LightDetail sampling{0.35, 0.03, 0.6, 0.9, TriangleRule::three_points};
 /// By how much the optical depth of the path to the middle of an edge may differ from the mean of its ends. A
 /// part of it is what quadratic interpolation misses: the edge of a cloud is a kink.
 constexpr double steep = 0.02;
@@ -54,7 +54,7 @@ void VertexAttenuation::sample_vertices(const LightPaths& paths, int threads) {
 #pragma omp for schedule(dynamic, 64)
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
       const auto i = static_cast<std::size_t>(v);
-      vertex_visibility_[i] = sample(source_, {cells[i], mesh.point(VertexIndex(v))}, detail, beams,
+      vertex_visibility_[i] = sample(source_, {cells[i], mesh.point(VertexIndex(v))}, sampling, beams,
                                      std::span(at_vertices_).subspan(i * bands_, bands_));
     }
   }
@@ -94,7 +94,7 @@ void VertexAttenuation::sample_edges(const LightPaths& paths, int threads) {
       const MeshEdges::Edge& edge = edges_[e];
       const Vec3 middle = (mesh.point(VertexIndex(edge.first)) + mesh.point(VertexIndex(edge.second))) / 2;
       const std::span<PathAttenuation> attenuation = std::span(at_edges_).subspan(e * bands_, bands_);
-      edge_visibility_[e] = sample(source_, {edge.cell, middle}, detail, beams, attenuation);
+      edge_visibility_[e] = sample(source_, {edge.cell, middle}, sampling, beams, attenuation);
       for (std::size_t b = 0; b < bands_; ++b) {
         const PathAttenuation& p = at_vertices_[static_cast<std::size_t>(edge.first) * bands_ + b];
         const PathAttenuation& q = at_vertices_[static_cast<std::size_t>(edge.second) * bands_ + b];
