@@ -1,4 +1,4 @@
-# Sources of a target compiled several at a time: nearly all the time that a test takes to compile goes into headers,
+# Sources of a target compiled several at a time: nearly all the time that a source takes to compile goes into headers,
 # which one batch parses once. Names of unnamed namespaces must then differ within a target.
 option(ETENDUE_UNITY_BUILD "Compile sources several at a time: faster from scratch, slower after one edit" ON)
 
@@ -9,8 +9,10 @@ function(etendue_unity_build folder batch)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
     get_target_property(own_isa ${target} ETENDUE_OWN_ISA)
-    if(NOT own_isa AND type MATCHES "STATIC_LIBRARY|EXECUTABLE")
+    if(NOT own_isa AND type MATCHES "STATIC_LIBRARY|MODULE_LIBRARY|EXECUTABLE")
       set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
+      # Each source counts as a header then, whose types should not hold types of an unnamed namespace.
+      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
     endif()
   endforeach()
 endfunction()

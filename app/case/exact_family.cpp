@@ -17,7 +17,7 @@ struct Member {
   double degree;  ///< in space
 };
 
-constexpr double any = std::numeric_limits<double>::infinity();
+constexpr double any_value = std::numeric_limits<double>::infinity();
 
 // The border (e x w).(X, Y, Z) of a shadow, whose gradient is normal to w.
 constexpr const char* border = "((0.48*wz - 0.8*wy)*X + (0.8*wx - 0.36*wz)*Y + (0.36*wy - 0.48*wx)*Z)";
@@ -25,13 +25,14 @@ constexpr const char* border = "((0.48*wz - 0.8*wy)*X + (0.8*wx - 0.36*wz)*Y + (
 // Jumps within cells leave order 1/2 of the best approximation in L2, every derivative that is continuous
 // adds one.
 constexpr Member members[] = {
-    {"polynomial", "(1 + 0.3*wx - 0.2*wy + 0.1*wz)*(4 + S)", any, any},
+    {"polynomial", "(1 + 0.3*wx - 0.2*wy + 0.1*wz)*(4 + S)", any_value, any_value},
     {"trigonometric",
-     "3 + sin(2*X + 2)*cos(2*Y - Z + 0.5)*(1 + 0.5*wx + 0.3*wy*wz) + 0.5*cos(3*Z + 1.5)*wx^2", any, any},
-    {"angular-exponential", "(2 + X - Y)*exp(2*wx + wy*wz)", any, 1},
-    {"jump", "2 + (B > 0 ? 1 : 0)", 0.5, any},
-    {"kink", "2 + max(0, B)", 1.5, any},
-    {"bend", "2 + max(0, B)^2", 2.5, any}};
+     "3 + sin(2*X + 2)*cos(2*Y - Z + 0.5)*(1 + 0.5*wx + 0.3*wy*wz) + 0.5*cos(3*Z + 1.5)*wx^2", any_value,
+     any_value},
+    {"angular-exponential", "(2 + X - Y)*exp(2*wx + wy*wz)", any_value, 1},
+    {"jump", "2 + (B > 0 ? 1 : 0)", 0.5, any_value},
+    {"kink", "2 + max(0, B)", 1.5, any_value},
+    {"bend", "2 + max(0, B)^2", 2.5, any_value}};
 
 const Member& member(const std::string& name) {
   return *std::find_if(std::begin(members), std::end(members),

@@ -14,7 +14,7 @@
 namespace etendue {
 namespace {
 
-constexpr std::size_t longest_table = 40;
+constexpr std::size_t longest_comparison = 40;
 // Differences beyond this many errors are not chance.
 constexpr double allowed = 3;
 
@@ -27,11 +27,11 @@ double in_errors(const Comparison& c, std::size_t i) {
 std::vector<std::size_t> rows_to_show(const Comparison& comparison) {
   std::vector<std::size_t> rows(comparison.first.numbers.size());
   std::iota(rows.begin(), rows.end(), 0);
-  if (rows.size() <= longest_table) return rows;
+  if (rows.size() <= longest_comparison) return rows;
   std::ranges::stable_sort(rows, [&](std::size_t i, std::size_t j) {
     return std::abs(in_errors(comparison, i)) > std::abs(in_errors(comparison, j));
   });
-  rows.resize(longest_table);
+  rows.resize(longest_comparison);
   std::ranges::sort(rows);
   return rows;
 }

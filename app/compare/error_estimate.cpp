@@ -15,7 +15,7 @@ namespace {
 /// Of the largest number of its kind; what is less is as good as zero.
 constexpr double negligible = 1e-3;
 
-double relative(const AnswerNumber& number) {
+double relative_error(const AnswerNumber& number) {
   const double size = std::abs(number.value);
   return size > 0 ? number.error / size : number.error > 0 ? HUGE_VAL : 0.0;
 }
@@ -68,7 +68,7 @@ std::vector<std::size_t> numbers_by_error(const ErrorEstimate& estimate) {
     if (std::abs(number.value) > negligible * largest[kind_of(number)]) places.push_back(i);
   }
   std::ranges::stable_sort(places, std::greater(),
-                           [&](std::size_t i) { return relative(estimate.numbers[i]); });
+                           [&](std::size_t i) { return relative_error(estimate.numbers[i]); });
   return places;
 }
 
@@ -84,7 +84,7 @@ std::string estimate_csv(const ErrorEstimate& estimate) {
   for (std::size_t i = 0; i < estimate.numbers.size(); ++i) {
     const AnswerNumber& number = estimate.numbers[i];
     fmt::format_to(std::back_inserter(text), "\"{}\",\"{}\",{},{},{},{}", number.where, number.band,
-                   number.quantity, number.value, number.error, relative(number));
+                   number.quantity, number.value, number.error, relative_error(number));
     for (const ErrorPart& part : estimate.parts)
       if (!part.errors.empty()) fmt::format_to(std::back_inserter(text), ",{}", part.errors[i]);
     text += "\n";
@@ -101,7 +101,7 @@ std::string estimate_json(const ErrorEstimate& estimate) {
                      {"how", part.how},
                      {"seconds", part.seconds}});
   for (const AnswerNumber& number : estimate.numbers) {
-    const double part = relative(number);
+    const double part = relative_error(number);
     numbers.push_back({{"where", number.where},
                        {"band", number.band},
                        {"quantity", number.quantity},

@@ -13,13 +13,13 @@
 namespace etendue {
 namespace {
 
-constexpr std::size_t longest_table = 12;
+constexpr std::size_t longest_verdict = 12;
 /// Errors above which the verdict names a remedy.
 constexpr double tolerable = 0.02;
 /// Errors above which a change says little of how they fall with the size of cells and directions.
 constexpr double beyond_an_order = 0.2;
 
-double relative(double error, const AnswerNumber& number) { return error / std::abs(number.value); }
+double part_of_value(double error, const AnswerNumber& number) { return error / std::abs(number.value); }
 
 std::string percent(double part) { return fmt::format("{:.2g} %", 100 * part); }
 
@@ -73,8 +73,8 @@ std::string unknown_parts(const ErrorEstimate& estimate) {
 
 bool is_lower_bound(const ErrorEstimate& estimate) {
   const std::vector<std::size_t> places = numbers_by_error(estimate);
-  const bool large = !places.empty() && relative(estimate.numbers[places.front()].error,
-                                                 estimate.numbers[places.front()]) > beyond_an_order;
+  const bool large = !places.empty() && part_of_value(estimate.numbers[places.front()].error,
+                                                      estimate.numbers[places.front()]) > beyond_an_order;
   const bool by_chance = std::ranges::all_of(
       estimate.parts, [](const ErrorPart& part) { return part.cause == ErrorCause::histories; });
   return std::ranges::any_of(estimate.parts, [](const ErrorPart& part) { return part.errors.empty(); }) ||
@@ -87,9 +87,9 @@ std::string verdict_of(const ErrorEstimate& estimate) {
     return "Nothing is known of the errors of these numbers." + unknown_parts(estimate);
   const std::size_t worst = places.front();
   const AnswerNumber& number = estimate.numbers[worst];
-  const double error = relative(number.error, number);
-  const double typical = relative(estimate.numbers[places[places.size() / 2]].error,
-                                  estimate.numbers[places[places.size() / 2]]);
+  const double error = part_of_value(number.error, number);
+  const double typical = part_of_value(estimate.numbers[places[places.size() / 2]].error,
+                                       estimate.numbers[places[places.size() / 2]]);
   const bool bound = is_lower_bound(estimate);
   std::string text =
       fmt::format("{} {}; the least sure is the {}: {} {}.",
@@ -120,24 +120,24 @@ std::string estimate_text(const ErrorEstimate& estimate) {
   }
   TextTable table(names, alignment);
   const std::vector<std::size_t> places = numbers_by_error(estimate);
-  for (std::size_t k = 0; k < std::min(places.size(), longest_table); ++k) {
+  for (std::size_t k = 0; k < std::min(places.size(), longest_verdict); ++k) {
     const AnswerNumber& one = estimate.numbers[places[k]];
     std::vector<std::string> row = {one.where,
                                     one.band,
                                     one.quantity,
                                     number(one.value),
                                     fmt::format("{:.1e}", one.error),
-                                    percent(relative(one.error, one))};
+                                    percent(part_of_value(one.error, one))};
     for (const ErrorPart& part : estimate.parts)
-      if (!part.errors.empty()) row.push_back(percent(relative(part.errors[places[k]], one)));
+      if (!part.errors.empty()) row.push_back(percent(part_of_value(part.errors[places[k]], one)));
     table.add_row(std::move(row));
   }
   if (!table.empty()) text += table.text();
-  if (places.size() > longest_table)
+  if (places.size() > longest_verdict)
     fmt::format_to(std::back_inserter(text), "  {} more, each at most {}: estimate.csv has them\n",
-                   places.size() - longest_table,
-                   percent(relative(estimate.numbers[places[longest_table]].error,
-                                    estimate.numbers[places[longest_table]])));
+                   places.size() - longest_verdict,
+                   percent(part_of_value(estimate.numbers[places[longest_verdict]].error,
+                                         estimate.numbers[places[longest_verdict]])));
   return text + verdict_of(estimate) + "\n";
 }
 

@@ -3,14 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "app/progress/display_times.h"
+
 namespace etendue {
-namespace {
-
-// Often enough to see that it lives, seldom enough for a log and for a terminal.
-constexpr double seconds_between_lines = 5;
-constexpr double seconds_between_drawings = 0.2;
-
-}  // namespace
 
 void FactorDisplay::show(const RadiosityStage& stage, double seconds) {
   if (stage.done == 0) {

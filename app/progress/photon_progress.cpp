@@ -5,15 +5,12 @@
 
 #include <algorithm>
 
+#include "app/progress/display_times.h"
+
 namespace etendue {
 namespace {
 
-// Often enough to see that it lives, seldom enough for a log and for a terminal.
-constexpr double seconds_to_first_line = 1;
-constexpr double seconds_between_lines = 5;
-constexpr double seconds_between_drawings = 0.2;
-
-std::string state_of(const PhotonProgress& progress) {
+std::string photon_state(const PhotonProgress& progress) {
   const double error = progress.error.empty() ? 0 : *std::ranges::max_element(progress.error);
   std::string text = fmt::format("photons {:9.3g} of {:.3g}", progress.histories, progress.planned);
   if (progress.batches > 1) text += fmt::format("  error {:.2f} %", 100 * error);
@@ -28,7 +25,7 @@ std::string state_of(const PhotonProgress& progress) {
 void PhotonDisplay::show(const PhotonProgress& progress) {
   if (style_ == ProgressStyle::none) return;
   const bool draws = style_ == ProgressStyle::bar;
-  waiting_ = state_of(progress);
+  waiting_ = photon_state(progress);
   const double interval = draws ? seconds_between_drawings : seconds_between_lines;
   if (progress.seconds < (shown_at_ ? *shown_at_ + interval : draws ? interval : seconds_to_first_line))
     return;

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <iostream>
 
+#include "app/progress/display_times.h"
+
 namespace etendue {
 namespace {
 
-// Often enough to see that it lives, seldom enough for a log.
-constexpr double seconds_between_lines = 5;
 constexpr int bar_width = 24;
 
 std::string duration(double seconds) {
@@ -21,7 +21,7 @@ std::string duration(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
-std::string state_of(const SweepProgress& progress, double residual) {
+std::string sweep_state(const SweepProgress& progress, double residual) {
   std::string text = fmt::format("sweep {:>4}  residual {:8.2e}  tolerance {:.0e}  {}", progress.sweep,
                                  residual, progress.tolerance, duration(progress.seconds));
   if (progress.seconds_left >= 0) text += ", about " + duration(progress.seconds_left) + " left";
@@ -46,7 +46,7 @@ void ProgressDisplay::show(const SweepProgress& progress) {
   if (first_residual_ <= 0) first_residual_ = residual;
   if (style_ == ProgressStyle::bar) draw_bar(progress, residual);
   if (style_ != ProgressStyle::plain) return;
-  waiting_ = state_of(progress, residual);
+  waiting_ = sweep_state(progress, residual);
   if (progress.sweep > 1 && progress.seconds < shown_at_ + seconds_between_lines) return;
   shown_at_ = progress.seconds;
   print_line(waiting_);
@@ -57,7 +57,7 @@ void ProgressDisplay::draw_bar(const SweepProgress& progress, double residual) {
   const int filled = static_cast<int>(std::lround(share * bar_width));
   // Back to the start of the line, and clear the rest of the longer line before.
   out_ << fmt::format("\r  [{:#<{}}{:.<{}}]  {}\x1b[K", "", filled, "", bar_width - filled,
-                      state_of(progress, residual))
+                      sweep_state(progress, residual))
        << std::flush;
   bar_drawn_ = true;
 }

@@ -6,13 +6,11 @@
 
 #include <mutex>
 
+#include "app/progress/display_times.h"
+
 namespace etendue {
 namespace {
 
-// Often enough to see that it lives, seldom enough for a log and for a terminal.
-constexpr double seconds_to_first_line = 1;
-constexpr double seconds_between_lines = 5;
-constexpr double seconds_between_drawings = 0.2;
 // That a stage has after a signal, so that some of them together end within a second.
 constexpr double seconds_of_grace = 0.25;
 

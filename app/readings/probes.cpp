@@ -14,7 +14,7 @@ std::string text_of(const Vec3& point) {
   return fmt::format("[{}, {}, {}]", point.x(), point.y(), point.z());
 }
 
-Fault outside(const Probe& probe, const Vec3& point, const TetrahedralMesh& mesh) {
+Fault probe_outside(const Probe& probe, const Vec3& point, const TetrahedralMesh& mesh) {
   const auto [low, high] = bounding_box(mesh.points());
   return fault_at(
       probe.origin, text_of(point),
@@ -47,7 +47,7 @@ std::vector<IrradianceMeter> place_probes(const std::vector<Probe>& probes, cons
   for (const Probe& probe : probes)
     for (const Vec3& point : probe.points) {
       std::vector<CellPoint> cells = locator.find(point);
-      if (cells.empty()) faults.push_back(outside(probe, point, mesh));
+      if (cells.empty()) faults.push_back(probe_outside(probe, point, mesh));
       if (probe.normal) meters.push_back({std::move(cells), *probe.normal});
     }
   if (!faults.empty()) throw InputError(std::move(faults));

@@ -36,7 +36,7 @@ Fault no_such(const SensorCase& sensor, const std::string& what, const std::stri
                               what, fmt::join(names, ", ")));
 }
 
-Fault outside(const SensorCase& sensor, const Vec3& point, const TetrahedralMesh& mesh) {
+Fault sensor_outside(const SensorCase& sensor, const Vec3& point, const TetrahedralMesh& mesh) {
   const auto [low, high] = bounding_box(mesh.points());
   return fault_at(
       sensor.origin, fmt::format("[{}, {}, {}]", point.x(), point.y(), point.z()),
@@ -174,7 +174,7 @@ std::optional<Fault> fault_of(const SensorCase& sensor, const CellLocator& locat
   const std::vector<Vec3> points = points_of(sensor.sensor);
   if (std::ranges::any_of(points, [&](const Vec3& point) { return !locator.find(point).empty(); }))
     return std::nullopt;
-  return outside(sensor, points.front(), mesh);
+  return sensor_outside(sensor, points.front(), mesh);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "app/setup/memory.h"
 #include "app/write/result/run_result.h"
 #include "base/errors.h"
+#include "base/gibibyte.h"
 
 namespace etendue {
 namespace {

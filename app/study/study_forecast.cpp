@@ -9,6 +9,7 @@
 
 #include "app/setup/memory.h"
 #include "app/study/study_level.h"
+#include "base/gibibyte.h"
 
 namespace etendue {
 namespace {
@@ -28,7 +29,7 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
-std::string costs_text(const LevelForecast& level) {
+std::string forecast_text(const LevelForecast& level) {
   return fmt::format("about {:.0f} cells, {}, {:.2g} GiB", level.cells, duration_text(level.seconds),
                      level.memory / gibibyte);
 }
@@ -57,9 +58,9 @@ std::string forecast_text(const std::vector<LevelForecast>& levels, int level_co
                   level_count, duration_text(seconds));
   if (levels.size() <= most_lines)
     for (const LevelForecast& level : levels)
-      fmt::format_to(std::back_inserter(text), "  level {}: {}\n", level.level, costs_text(level));
+      fmt::format_to(std::back_inserter(text), "  level {}: {}\n", level.level, forecast_text(level));
   else
-    fmt::format_to(std::back_inserter(text), "  the last: {}\n", costs_text(levels.back()));
+    fmt::format_to(std::back_inserter(text), "  the last: {}\n", forecast_text(levels.back()));
   return text;
 }
 

@@ -83,7 +83,7 @@ class Values {
   std::vector<StudyValue> values_;
 };
 
-Json as_json(const StudyValue& value) {
+Json value_json(const StudyValue& value) {
   return {{"band", value.band},
           {"quantity", value.quantity},
           {"value", value.value},
@@ -190,7 +190,7 @@ void save_level(const LevelResult& result, const Case& input, Refinement refinem
                {"seconds", result.seconds},
                {"memory", result.memory},
                {"values", Json::array()}};
-  for (const StudyValue& value : result.values) json["values"].push_back(as_json(value));
+  for (const StudyValue& value : result.values) json["values"].push_back(value_json(value));
   OutputFolder folder(input.output.directory);
   folder.add_text(file_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   folder.publish({});

@@ -20,7 +20,9 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-std::string or_empty(const std::optional<double>& value) { return value ? fmt::to_string(*value) : ""; }
+std::string number_or_empty(const std::optional<double>& value) {
+  return value ? fmt::to_string(*value) : "";
+}
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 /// Where both are refined there is no size that errors could be drawn against.
@@ -29,7 +31,7 @@ std::optional<double> size_of(const StudyRow& row, Refinement refinement) {
   return refined_size(*row.level, refinement);
 }
 
-Json as_json(const StudyRow& row, Refinement refinement) {
+Json row_json(const StudyRow& row, Refinement refinement) {
   return {{"level", row.level->level},
           {"refined", name_of(refinement)},
           {"cells", row.level->cells},
@@ -57,7 +59,8 @@ std::string study_csv(const std::vector<StudyRow>& rows, Refinement refinement) 
     fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{}\n", row.level->level,
                    name_of(refinement), row.level->cells, row.level->size, row.level->directions,
                    quoted(row.value->band), quoted(row.value->quantity), row.value->value,
-                   or_empty(row.error), or_empty(row.order), row.level->sweeps, row.level->seconds);
+                   number_or_empty(row.error), number_or_empty(row.order), row.level->sweeps,
+                   row.level->seconds);
   return csv;
 }
 
@@ -83,7 +86,7 @@ std::string study_json(const std::vector<StudyRow>& rows, Refinement refinement,
                              {"value", entry.value->value},
                              {"error", entry.error},
                              {"from", name_of(entry.basis)}});
-  for (const StudyRow& row : rows) json["rows"].push_back(as_json(row, refinement));
+  for (const StudyRow& row : rows) json["rows"].push_back(row_json(row, refinement));
   json["case"] = input.resolved_toml;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

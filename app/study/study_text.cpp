@@ -12,10 +12,10 @@
 namespace etendue {
 namespace {
 
-constexpr std::size_t longest_table = 120;
+constexpr std::size_t longest_level_table = 120;
 constexpr double mebibyte = 1024.0 * 1024.0;
 
-std::string or_empty(const std::optional<double>& value, const char* format) {
+std::string formatted_or_empty(const std::optional<double>& value, const char* format) {
   return value ? fmt::format(fmt::runtime(format), *value) : "";
 }
 
@@ -41,7 +41,7 @@ std::string surface_text(const std::vector<const StudyRow*>& rows) {
   std::map<int, std::map<int, std::string>> errors;  // [cells][directions]
   std::set<int> sets;
   for (const StudyRow* row : rows) {
-    errors[row->level->cells][row->level->directions] = or_empty(row->error, "{:.3e}");
+    errors[row->level->cells][row->level->directions] = formatted_or_empty(row->error, "{:.3e}");
     sets.insert(row->level->directions);
   }
   std::vector<std::string> header = {"cells \\ directions"};
@@ -58,7 +58,7 @@ std::string surface_text(const std::vector<const StudyRow*>& rows) {
          table.text();
 }
 
-std::string costs_text(const std::vector<LevelResult>& levels) {
+std::string cost_table(const std::vector<LevelResult>& levels) {
   TextTable table({"level", "cells", "h", "directions", "sweeps", "seconds", "MiB"},
                   std::vector<Align>(7, Align::right));
   for (const LevelResult& level : levels)
@@ -71,7 +71,7 @@ std::string costs_text(const std::vector<LevelResult>& levels) {
 std::string surfaces_text(const std::vector<StudyRow>& rows, const std::vector<LevelResult>& levels) {
   std::string text =
       "\nstudy of mesh and directions together: the larger error hides the other, so no order is claimed\n" +
-      costs_text(levels);
+      cost_table(levels);
   std::vector<const StudyRow*> one;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     one.push_back(&rows[i]);
@@ -112,7 +112,7 @@ std::string failures_text(const std::vector<StudyFailure>& failures) {
 }
 
 std::string rows_text(const std::vector<StudyRow>& rows, Refinement refinement) {
-  const bool all = rows.size() <= longest_table;
+  const bool all = rows.size() <= longest_level_table;
   TextTable table(
       {"level", "cells", "h", "directions", "band", "quantity", "value", "error", "iteration", "order",
        "reference", "sweeps", "seconds", "MiB"},
@@ -123,9 +123,9 @@ std::string rows_text(const std::vector<StudyRow>& rows, Refinement refinement) 
     table.add_row({std::to_string(row.level->level), std::to_string(row.level->cells),
                    fmt::format("{:.4g}", row.level->size), std::to_string(row.level->directions),
                    row.value->band, row.value->quantity, number(row.value->value),
-                   or_empty(row.error, "{:.3e}"), or_empty(row.iteration, "{:.0e}"),
-                   or_empty(row.order, "{:.2f}"), name_of(row.reference), std::to_string(row.level->sweeps),
-                   seconds_text(*row.level), memory_text(*row.level)});
+                   formatted_or_empty(row.error, "{:.3e}"), formatted_or_empty(row.iteration, "{:.0e}"),
+                   formatted_or_empty(row.order, "{:.2f}"), name_of(row.reference),
+                   std::to_string(row.level->sweeps), seconds_text(*row.level), memory_text(*row.level)});
   }
   std::string text =
       fmt::format("\nstudy of the {}; the order is that of the error against {}\n", name_of(refinement),

@@ -15,7 +15,7 @@ namespace {
 
 /// Of the distance from a limit of three levels (Roache 1994, grid convergence index).
 constexpr double safety = 1.25;
-constexpr std::size_t longest_table = 30;
+constexpr std::size_t longest_trust_table = 30;
 
 const StudyValue* same_in(const LevelResult& level, const StudyValue& wanted) {
   const auto found = std::ranges::find_if(level.values, [&](const StudyValue& value) {
@@ -112,7 +112,7 @@ std::string trust_text(const std::vector<StudyTrust>& trust, const std::vector<L
   std::ranges::stable_sort(sorted, std::greater(), relative);
   TextTable table({"band", "quantity", "value", "error", "relative", "from"},
                   {Align::left, Align::left, Align::right, Align::right, Align::right, Align::left});
-  for (std::size_t i = 0; i < std::min(sorted.size(), longest_table); ++i)
+  for (std::size_t i = 0; i < std::min(sorted.size(), longest_trust_table); ++i)
     table.add_row({sorted[i].value->band, sorted[i].value->quantity, number(sorted[i].value->value),
                    fmt::format("{:.1e}", sorted[i].error), percent(relative(sorted[i])),
                    name_of(sorted[i].basis)});
@@ -121,9 +121,9 @@ std::string trust_text(const std::vector<StudyTrust>& trust, const std::vector<L
       fmt::format("\nhow far to trust level {} ({} cells, {} directions), largest errors first\n",
                   finest.level, finest.cells, finest.directions) +
       table.text();
-  if (sorted.size() > longest_table)
+  if (sorted.size() > longest_trust_table)
     fmt::format_to(std::back_inserter(text), "  {} more, each at most {}: study.json has them\n",
-                   sorted.size() - longest_table, percent(relative(sorted[longest_table])));
+                   sorted.size() - longest_trust_table, percent(relative(sorted[longest_trust_table])));
   fmt::format_to(
       std::back_inserter(text),
       "{} of {} quantities are within 1 %, half of them within {}; the worst is {}, band {}: {}.\n",

@@ -117,9 +117,6 @@ void require_open(const LightCase& light, const std::vector<int>& numbers, const
                 light.name, walls[static_cast<std::size_t>(w)].name)));
 }
 
-/// Cosine to a face from which on a beam comes in by it.
-constexpr double least_cosine = 1e-9;
-
 /// A beam must come in by one of its walls.
 void require_incoming(const LightCase& light, const std::vector<int>& numbers, const TetrahedralMesh& mesh,
                       std::vector<Fault>& faults) {

@@ -93,19 +93,19 @@ struct Key {
   std::optional<BandValues> MediumCase::*values;
   const char* name;
 };
-constexpr std::array<Key, 9> medium_keys = {{{&MediumCase::absorption, "absorption"},
-                                             {&MediumCase::scattering, "scattering"},
-                                             {&MediumCase::extinction, "extinction"},
-                                             {&MediumCase::albedo, "albedo"},
-                                             {&MediumCase::temperature, "temperature"},
-                                             {&MediumCase::heat_source, "heat_source"},
-                                             {&MediumCase::conductivity, "conductivity"},
-                                             {&MediumCase::emission, "emission"},
-                                             {&MediumCase::power_density, "power_density"}}};
+constexpr std::array<Key, 9> medium_fields = {{{&MediumCase::absorption, "absorption"},
+                                               {&MediumCase::scattering, "scattering"},
+                                               {&MediumCase::extinction, "extinction"},
+                                               {&MediumCase::albedo, "albedo"},
+                                               {&MediumCase::temperature, "temperature"},
+                                               {&MediumCase::heat_source, "heat_source"},
+                                               {&MediumCase::conductivity, "conductivity"},
+                                               {&MediumCase::emission, "emission"},
+                                               {&MediumCase::power_density, "power_density"}}};
 
 void add_medium(const MediumCase& medium, const TetrahedralMesh& mesh, int region, Uses& uses) {
   Functions seen;  // leaves and flakes make two coefficients of one field
-  for (const Key& key : medium_keys) {
+  for (const Key& key : medium_fields) {
     const std::optional<BandValues>& values = medium.*key.values;
     if (!values) continue;
     for (const PlaceFunction* function : functions_in(*values)) {

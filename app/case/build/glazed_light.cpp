@@ -13,9 +13,6 @@ namespace {
 /// Normals of one flat wall differ by rounding only.
 constexpr double same_normal = 1e-9;
 
-/// Cosine to a face from which on a beam comes in by it.
-constexpr double least_cosine = 1e-9;
-
 }  // namespace
 
 const std::vector<Glazing>* glazing_of(const Case& input, const std::string& wall) {

@@ -10,6 +10,9 @@
 
 namespace etendue {
 
+/// Cosine to a face from which on a beam comes in by it.
+inline constexpr double least_cosine = 1e-9;
+
 /// The glazing [band] of a wall, null where it is an opening.
 const std::vector<Glazing>* glazing_of(const Case& input, const std::string& wall);
 

@@ -12,8 +12,8 @@
 namespace etendue {
 namespace {
 
-constexpr const char* rest = "*";
-constexpr std::array<const char*, 6> sides = {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
+constexpr const char* all_others = "*";
+constexpr std::array<const char*, 6> sides_of_a_box = {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
 
 /// What a fault says of a name that is not among those there are.
 struct Wording {
@@ -31,7 +31,7 @@ class NameCheck {
       : kind_(kind), there_(there.begin(), there.end()), wording_(wording), faults_(faults) {}
 
   void used(const std::string& name, const Origin& origin) {
-    if (name == rest || name.empty() || std::ranges::count(there_, name) > 0) return;
+    if (name == all_others || name.empty() || std::ranges::count(there_, name) > 0) return;
     const std::string meant = closest_name(name, there_);
     const std::string question = meant.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", meant);
     faults_.push_back(fault_at(origin, "",
@@ -48,7 +48,7 @@ class NameCheck {
   void entries(const std::map<std::string, Entry>& entries, const std::string& file,
                const std::string& table) {
     all_used(entries);
-    if (entries.contains(rest)) return;
+    if (entries.contains(all_others)) return;
     for (const std::string& name : there_)
       if (!entries.contains(name))
         faults_.push_back(
@@ -91,15 +91,16 @@ void check_geometry(const Geometry& geometry, NameCheck& regions, NameCheck& wal
   }
 }
 
-void check_lights(const std::vector<LightCase>& lights, NameCheck& walls) {
+void check_lit_walls(const std::vector<LightCase>& lights, NameCheck& walls) {
   for (const LightCase& light : lights)
     for (const std::string& wall : light.walls) walls.used(wall, below(light.origin, "walls"));
 }
 
-// A box names its sides, a hole its surface, and what neither they nor a patch name is named by its axis.
+// A box names its sides_of_a_box, a hole its surface, and what neither they nor a patch name is named by its
+// axis.
 MeshNames possible_names(const Geometry& geometry) {
   MeshNames names;
-  names.walls.insert(sides.begin(), sides.end());
+  names.walls.insert(sides_of_a_box.begin(), sides_of_a_box.end());
   for (const Patch& patch : geometry.patches) names.walls.insert(patch.wall);
   for (const Sheet& sheet : geometry.sheets) names.walls.insert({sheet.front, sheet.back});
   for (const Primitive& primitive : geometry.primitives) {
@@ -110,7 +111,7 @@ MeshNames possible_names(const Geometry& geometry) {
       if (box)
         for (const auto& [side, wall] : box->walls) names.walls.insert(wall);
     } else if (box) {
-      for (const char* side : sides) names.walls.insert(base.name + "." + side);
+      for (const char* side : sides_of_a_box) names.walls.insert(base.name + "." + side);
     } else {
       names.walls.insert(base.name);
     }
@@ -147,7 +148,7 @@ void check_names(const Case& input, const MeshNames& names) {
       walls("wall", names.walls, of_a_mesh, faults);
   check_sizes(input.mesh, regions);
   check_geometry(input.mesh.geometry, regions, walls);
-  check_lights(input.lights, walls);
+  check_lit_walls(input.lights, walls);
   regions.entries(input.media, input.file.string(), "media");
   walls.entries(input.walls, input.file.string(), "walls");
   if (!faults.empty()) throw InputError(std::move(faults));
@@ -159,7 +160,7 @@ void check_possible_names(const Case& input, std::vector<Fault>& faults) {
   NameCheck regions("region", names.regions, of_primitives, faults),
       walls("wall", names.walls, of_primitives, faults);
   check_sizes(input.mesh, regions);
-  check_lights(input.lights, walls);
+  check_lit_walls(input.lights, walls);
   regions.all_used(input.media);
   walls.all_used(input.walls);
 }

@@ -41,7 +41,7 @@ std::vector<std::string> places_of(std::string_view name) {
   return places;
 }
 
-std::vector<std::string> all_names() {
+std::vector<std::string> key_names() {
   std::vector<std::string> names;
   for (const KeyDeclaration& key : key_declarations()) names.emplace_back(key.name);
   return names;
@@ -54,7 +54,7 @@ std::string unknown_key_problem(std::string_view table, const std::string& name)
     return fmt::format("misplaced key; \"{}\" belongs in {}{}", name, enumerate(places),
                        meant.empty() ? "" : fmt::format(" (or did you mean \"{}\"?)", meant));
   if (!meant.empty()) return fmt::format("unknown key; did you mean \"{}\"?", meant);
-  const std::string elsewhere = closest_name(name, all_names());
+  const std::string elsewhere = closest_name(name, key_names());
   if (!elsewhere.empty())
     return fmt::format("unknown key; did you mean \"{}\", which belongs in {}?", elsewhere,
                        enumerate(places_of(elsewhere)));

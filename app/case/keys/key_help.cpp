@@ -13,7 +13,7 @@
 namespace etendue {
 namespace {
 
-constexpr std::size_t columns = 100;
+constexpr std::size_t help_columns = 100;
 
 std::vector<std::string> components(std::string_view path) {
   std::vector<std::string> parts(1);
@@ -26,7 +26,7 @@ std::vector<std::string> components(std::string_view path) {
 }
 
 /// NAME in a declared path is any name.
-bool matches(std::string_view declared, const std::vector<std::string>& parts) {
+bool matches_path(std::string_view declared, const std::vector<std::string>& parts) {
   if (declared.empty()) return parts.empty();
   return std::ranges::equal(components(declared), parts,
                             [](const std::string& name, const std::string& given) {
@@ -37,12 +37,12 @@ bool matches(std::string_view declared, const std::vector<std::string>& parts) {
 /// In lines that begin with so many spaces.
 std::string wrapped(std::string_view text, std::size_t indent) {
   std::string lines;
-  std::size_t column = columns;
+  std::size_t column = help_columns;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
     const std::string_view word = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
-    const bool fits = column + 1 + word.size() <= columns;
+    const bool fits = column + 1 + word.size() <= help_columns;
     if (!fits) lines += (lines.empty() ? "" : "\n") + std::string(indent, ' ');
     if (fits) lines += ' ';
     column = (fits ? column + 1 : indent) + word.size();
@@ -76,7 +76,7 @@ std::string description(const TableDeclaration& table) {
   return text;
 }
 
-std::vector<std::string> all_names() {
+std::vector<std::string> key_and_table_names() {
   std::vector<std::string> names;
   for (const TableDeclaration& table : table_declarations()) names.emplace_back(table.path);
   for (const KeyDeclaration& key : key_declarations()) {
@@ -92,15 +92,15 @@ std::string key_help(std::string_view path) {
   const std::vector<std::string> parts = components(path);
   std::vector<std::string> found;
   for (const TableDeclaration& table : table_declarations())
-    if (matches(table.path, parts)) found.push_back(description(table));
+    if (matches_path(table.path, parts)) found.push_back(description(table));
   const std::vector<std::string> parents(parts.begin(), parts.end() - 1);
   for (const KeyDeclaration& key : key_declarations())
     if ((key.name == parts.back() || (!key.former_name.empty() && key.former_name == parts.back())) &&
-        (parents.empty() || matches(key.table, parents)))
+        (parents.empty() || matches_path(key.table, parents)))
       found.push_back(table_header(key.table) + "\n" + description(key));
   if (found.empty())
     throw InputError(fmt::format("keys: {}: no such table or key{}; etendue keys lists all", path,
-                                 suggestion(path, all_names())));
+                                 suggestion(path, key_and_table_names())));
   return fmt::format("{}", fmt::join(found, "\n"));
 }
 

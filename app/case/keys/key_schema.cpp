@@ -32,7 +32,7 @@ Json text_of(const KeyDeclaration& key) {
   return text;
 }
 
-Json number_of(const char* type, const Range& range) {
+Json json_number(const char* type, const Range& range) {
   Json number = {{"type", type}};
   if (std::isfinite(range.lowest))
     number[range.lowest_excluded ? "exclusiveMinimum" : "minimum"] = range.lowest;
@@ -42,7 +42,7 @@ Json number_of(const char* type, const Range& range) {
 }
 
 Json integer_of(const KeyDeclaration& key) {
-  Json integer = number_of("integer", key.range);
+  Json integer = json_number("integer", key.range);
   for (const std::string& choice : key.choices) integer["enum"].push_back(std::stoi(choice));
   return integer;
 }
@@ -53,7 +53,7 @@ Json place_value(const Json& number) {
 
 Json per_band(const Json& value) { return one_of({value, list_of(value)}); }
 
-Json sides() {
+Json names_of_sides() {
   Json names;
   for (const char* side : {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"})
     names[side] = {{"type", "string"}};
@@ -61,7 +61,7 @@ Json sides() {
 }
 
 Json value_of(const KeyDeclaration& key) {
-  const Json number = number_of("number", key.range);
+  const Json number = json_number("number", key.range);
   switch (key.type) {
     case KeyType::any:
       return Json::object();
@@ -103,7 +103,7 @@ Json value_of(const KeyDeclaration& key) {
       return one_of(
           {{{"const", "random"}}, closed_table({{"axis", point()}, {"angle", {{"type", "number"}}}})});
     case KeyType::named_sides:
-      return sides();
+      return names_of_sides();
   }
   return Json::object();
 }

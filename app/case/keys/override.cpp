@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/case/toml/toml_document.h"
+#include "base/text/trimmed.h"
 
 namespace etendue {
 namespace {
@@ -130,17 +131,11 @@ TomlNode* follow(TomlNode& root, const std::vector<std::string>& path, std::stri
   return node;
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
-}
-
 TomlNode value_node(const std::string& text, const std::string& key) {
   const Origin origin{override_file, 0, key};
   if (auto node = parse_toml_value(text, origin)) return std::move(*node);
   TomlNode node;
-  node.value = trimmed(text);
+  node.value = std::string(trimmed(text));
   node.origin = origin;
   return node;
 }

@@ -19,29 +19,30 @@
 namespace etendue {
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& problem) {
+[[noreturn]] void refuse_table(const std::filesystem::path& path, const std::string& problem) {
   throw InputError(fault_at({path.string(), 0, ""}, "", problem));
 }
 
 void check(const LightTable& table, const std::filesystem::path& path) {
-  if (table.angle.size() < 2) refuse(path, "has fewer than two angles; give some from 0 to 180 degrees");
+  if (table.angle.size() < 2)
+    refuse_table(path, "has fewer than two angles; give some from 0 to 180 degrees");
   for (std::size_t i = 0; i < table.angle.size(); ++i) {
     const bool rises = i == 0 || table.angle[i] > table.angle[i - 1];
     if (!rises || table.angle[i] < 0 || table.angle[i] > 180)
-      refuse(path,
-             fmt::format("angle {} is out of order; give them rising from 0 to 180 degrees", table.angle[i]));
+      refuse_table(path, fmt::format("angle {} is out of order; give them rising from 0 to 180 degrees",
+                                     table.angle[i]));
   }
   for (std::size_t i = 0; i < table.intensity.size(); ++i)
     if (!(table.intensity[i] >= 0) || !std::isfinite(table.intensity[i]))
-      refuse(path, fmt::format("the intensity at {} degrees is not a number of at least 0",
-                               table.angle[i % table.angle.size()]));
-  if (*std::max_element(table.intensity.begin(), table.intensity.end()) == 0) refuse(path, "is dark");
+      refuse_table(path, fmt::format("the intensity at {} degrees is not a number of at least 0",
+                                     table.angle[i % table.angle.size()]));
+  if (*std::max_element(table.intensity.begin(), table.intensity.end()) == 0) refuse_table(path, "is dark");
 }
 
 /// How many values stand on the first line that has any.
 std::size_t columns_of(const std::filesystem::path& path) {
   TextLines lines(path, '#');
-  if (!lines.next()) refuse(path, "is empty; give an angle and an intensity on each line");
+  if (!lines.next()) refuse_table(path, "is empty; give an angle and an intensity on each line");
   return 1 + static_cast<std::size_t>(std::ranges::count(lines.rest(), ','));
 }
 
@@ -59,14 +60,15 @@ LightTable read_grid(const std::filesystem::path& path) {
   table.angle = different(columns[0]);
   table.plane = different(columns[1]);
   if (table.plane.empty() || table.plane.front() != 0 || table.plane.back() > 360)
-    refuse(path, "has azimuths that do not go from 0 to 360 degrees at most; give those");
+    refuse_table(path, "has azimuths that do not go from 0 to 360 degrees at most; give those");
   std::map<std::pair<double, double>, double> values;
   for (std::size_t i = 0; i < columns[0].size(); ++i)
     if (!values.emplace(std::pair(columns[1][i], columns[0][i]), columns[2][i]).second)
-      refuse(path, fmt::format("has the angle {} at the azimuth {} twice", columns[0][i], columns[1][i]));
+      refuse_table(path,
+                   fmt::format("has the angle {} at the azimuth {} twice", columns[0][i], columns[1][i]));
   if (values.size() != table.angle.size() * table.plane.size())
-    refuse(path, fmt::format("has {} lines for {} angles and {} azimuths; give one for each pair",
-                             values.size(), table.angle.size(), table.plane.size()));
+    refuse_table(path, fmt::format("has {} lines for {} angles and {} azimuths; give one for each pair",
+                                   values.size(), table.angle.size(), table.plane.size()));
   for (const auto& [place, value] : values) table.intensity.push_back(value);
   if (table.plane.size() == 1) {
     table.plane.clear();

@@ -18,7 +18,7 @@ namespace {
 /// 1,536 directions, 5 degrees apart; more of them bring little (docs/measurements/lights.md).
 constexpr int fine_order = 4;
 
-bool scatters(const MediumCase& medium, int band) {
+bool scatters_in_band(const MediumCase& medium, int band) {
   const Value scattering = matter_values(medium, band).scattering;
   return !is_number(scattering) || std::get<double>(scattering) > 0;
 }
@@ -28,7 +28,7 @@ double smallest_half_width(const Case& input) {
   double smallest = std::numbers::pi;
   for (const auto& [name, medium] : input.media)
     for (int band = 0; band < input.bands.count() && !medium.phase.empty(); ++band)
-      if (scatters(medium, band))
+      if (scatters_in_band(medium, band))
         smallest =
             std::min(smallest,
                      half_width(medium.phase[medium.phase.size() == 1 ? 0 : static_cast<std::size_t>(band)]));

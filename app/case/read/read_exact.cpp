@@ -20,7 +20,7 @@ bool is_zero(const BandValues& values) {
   });
 }
 
-void refuse(const BandValues& values, std::string_view why, Faults& faults) {
+void refuse_emission(const BandValues& values, std::string_view why, Faults& faults) {
   if (!is_zero(values)) faults.push_back(fault_at(values.origin, "", why));
 }
 
@@ -28,11 +28,12 @@ void check_sources(const Case& input, Faults& faults) {
   for (const auto& [name, medium] : input.media)
     for (const auto* values : {&medium.emission, &medium.power_density, &medium.power})
       if (*values)
-        refuse(**values, "emits in a case with [exact] (its source follows from the radiance); remove it",
-               faults);
+        refuse_emission(**values,
+                        "emits in a case with [exact] (its source follows from the radiance); remove it",
+                        faults);
 }
 
-void check_lights(const Case& input, Faults& faults) {
+void refuse_lights(const Case& input, Faults& faults) {
   for (const LightCase& light : input.lights)
     faults.push_back(
         fault_at(light.origin, "",
@@ -41,10 +42,12 @@ void check_lights(const Case& input, Faults& faults) {
 
 void check_walls(const Case& input, Faults& faults) {
   for (const auto& [name, wall] : input.walls) {
-    refuse(wall.radiance, "emits in a case with [exact] (what enters follows from the radiance); remove it",
-           faults);
+    refuse_emission(wall.radiance,
+                    "emits in a case with [exact] (what enters follows from the radiance); remove it",
+                    faults);
     for (const BandValues* reflectance : {&wall.diffuse, &wall.specular, &wall.transmittance})
-      refuse(*reflectance, "reflects in a case with [exact] (not in this version); use black walls", faults);
+      refuse_emission(*reflectance, "reflects in a case with [exact] (not in this version); use black walls",
+                      faults);
     if (!wall.glossy.empty())
       faults.push_back(fault_at(wall.origin, "",
                                 "reflects in a case with [exact] (not in this version); use black walls"));
@@ -80,7 +83,7 @@ void read_family(Section& exact, Case& result) {
 void read_exact(Section exact, Case& result) {
   check_sources(result, exact.faults());
   check_walls(result, exact.faults());
-  check_lights(result, exact.faults());
+  refuse_lights(result, exact.faults());
   check_views(result, exact.faults());
   if (exact.has("family")) return read_family(exact, result);
   for (const char* name : {"degree", "center", "length"}) exact.unused(name, "only a family takes it");

@@ -174,11 +174,11 @@ void read_surface(Section& section, SensorCase& result) {
 }
 
 /// Of a view and `up` that are all but parallel rounding would decide what points up.
-constexpr double smallest_sine = 1e-6;
+constexpr double smallest_glare_sine = 1e-6;
 
 void read_glare(Section& section, Sensor& sensor) {
   sensor.up = to_vec3(section.value("up"));
-  if (sensor.direction.cross(sensor.up).norm() <= smallest_sine * sensor.up.norm())
+  if (sensor.direction.cross(sensor.up).norm() <= smallest_glare_sine * sensor.up.norm())
     section.fault("up", "points along the view, or nowhere; use a vector across the direction");
   sensor.glare_threshold = section.number("threshold");
   if (section.text("sources") == "lights") sensor.glare_sources = GlareSources::lights;

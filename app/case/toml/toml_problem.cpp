@@ -24,7 +24,7 @@ std::string in_small_letters(std::string_view text) {
   return small;
 }
 
-bool matches(std::string_view text, const char* pattern) {
+bool matches_pattern(std::string_view text, const char* pattern) {
   return std::regex_match(text.begin(), text.end(), std::regex(pattern));
 }
 
@@ -74,7 +74,7 @@ std::string value_problem(const TomlPlace& place) {
     return fmt::format("{} is no value; write false, or \"{}\" for text", value, value);
   if (value.starts_with('=')) return "one = too many; write key = value";
   if (value.starts_with('(')) return "a list is written in square brackets: [1, 2, 3]";
-  if (matches(value, "[+-]{2,}.*")) return "a number has one sign at most";
+  if (matches_pattern(value, "[+-]{2,}.*")) return "a number has one sign at most";
   if (value.starts_with(',')) return "a comma too many; remove it";
   if (value.empty()) return "a value is missing here; write key = value";
   return fmt::format("text needs quotes; write \"{}\"", without(value, "\"'"));
@@ -86,25 +86,27 @@ std::string number_problem(const TomlPlace& place, std::string_view description)
   if (const std::string found = typographic_problem(place.character()); !found.empty()) return found;
   if (has(description, "representable"))
     return fmt::format("a whole number beyond 64 bits; write it with a point: {}.0", value);
-  if (matches(value, "[+-]?0[0-9_]+([.][0-9]+)?"))
+  if (matches_pattern(value, "[+-]?0[0-9_]+([.][0-9]+)?"))
     return fmt::format("a number has no zeros in front; write {}",
                        replaced(value, "^([+-]?)0+(?=[0-9])", "$1"));
-  if (matches(value, "[+-]?[.][0-9].*"))
+  if (matches_pattern(value, "[+-]?[.][0-9].*"))
     return fmt::format("a digit is missing before the point; write {}", replaced(value, "[.]", "0."));
-  if (matches(value, "[+-]?[0-9]+[.]([eE].*)?"))
+  if (matches_pattern(value, "[+-]?[0-9]+[.]([eE].*)?"))
     return fmt::format("a digit is missing after the point; write {}", replaced(value, "[.]", ".0"));
-  if (matches(value, "[0-9.+-]+[eE][+-]?")) return "the exponent has no digits; write 1e-3, for example";
-  if (matches(value, "[0-9.eE+-]+ *%"))
+  if (matches_pattern(value, "[0-9.+-]+[eE][+-]?"))
+    return "the exponent has no digits; write 1e-3, for example";
+  if (matches_pattern(value, "[0-9.eE+-]+ *%"))
     return fmt::format("% is no part of a number; write 0.1 for 10 %, for example");
-  if (matches(value, ".*;")) return fmt::format("a line ends without ;; write {}", without(value, ";"));
-  if (matches(value, ".*[0-9] *;.*")) return "each key has a line of its own; ; separates nothing";
-  if (matches(value, "[0-9(][0-9.eE+() -]*[*/^].*"))
+  if (matches_pattern(value, ".*;"))
+    return fmt::format("a line ends without ;; write {}", without(value, ";"));
+  if (matches_pattern(value, ".*[0-9] *;.*")) return "each key has a line of its own; ; separates nothing";
+  if (matches_pattern(value, "[0-9(][0-9.eE+() -]*[*/^].*"))
     return "a value is a number, not a calculation; write its result (keys that take a formula take it in "
            "quotes)";
-  if (matches(value, "[+-]?[0-9.]+([eE][+-]?[0-9]+)? *[A-Za-z].*"))
+  if (matches_pattern(value, "[+-]?[0-9.]+([eE][+-]?[0-9]+)? *[A-Za-z].*"))
     return fmt::format("a number has no unit behind it; write {} in the units of [units], or \"{}\" for text",
                        replaced(value, "^([+-]?[0-9.]+([eE][+-]?[0-9]+)?).*", "$1"), value);
-  if (matches(value, "[0-9]+:.*")) return "a time has hours, minutes and seconds; text needs quotes";
+  if (matches_pattern(value, "[0-9]+:.*")) return "a time has hours, minutes and seconds; text needs quotes";
   return fmt::format("{} is no number; write 12, 0.5 or 1e-3, and text in quotes", value);
 }
 
@@ -118,9 +120,9 @@ std::string surplus_problem(const TomlPlace& place, std::string_view description
     if (here == "]") return "a bracket too many; write [table], or [[table]] for each of several";
     return "the line of a table ends with its name; begin a new line for the first key";
   }
-  if (matches(value, "[+-]?[0-9]+,[0-9]+([eE][+-]?[0-9]+)?"))
+  if (matches_pattern(value, "[+-]?[0-9]+,[0-9]+([eE][+-]?[0-9]+)?"))
     return fmt::format("decimals are separated by a point; write {}", replaced(value, ",", "."));
-  if (matches(value, "[+-]?[0-9]{1,3}(,[0-9]{3})+[.][0-9]*"))
+  if (matches_pattern(value, "[+-]?[0-9]{1,3}(,[0-9]{3})+[.][0-9]*"))
     return fmt::format("thousands are not separated; write {}", without(value, ","));
   if (here == "," && rest == ",") return "a comma too many; a line ends without one";
   if (here == ",") return fmt::format("several values are a list in brackets; write [{}]", value);
@@ -130,7 +132,7 @@ std::string surplus_problem(const TomlPlace& place, std::string_view description
   const std::string_view before = trimmed(place.line.substr(place.value, place.at - place.value));
   if (before.ends_with('"') && has(rest, "\""))
     return "a quote within text ends it; put such text in single quotes: 'say \"so\"'";
-  if (matches(before, "[+-]?[0-9].*") && is_letter(here)) return number_problem(place, description);
+  if (matches_pattern(before, "[+-]?[0-9].*") && is_letter(here)) return number_problem(place, description);
   return "a key has one value; several are a list: [1, 2], text is in quotes";
 }
 
@@ -164,8 +166,8 @@ TomlProblem array_problem(const TomlPlace& place, std::string_view description) 
   if (const std::string found = typographic_problem(place.character()); !found.empty()) return {place, found};
   const std::string_view line = trimmed(place.line);
   const bool is_new_line = trimmed(place.line.substr(0, place.at)).empty();
-  if (place.at_end() ||
-      (is_new_line && (matches(line, "[A-Za-z0-9_.\"'-]+ *=.*") || matches(line, "\\[.*[A-Za-z].*\\].*"))))
+  if (place.at_end() || (is_new_line && (matches_pattern(line, "[A-Za-z0-9_.\"'-]+ *=.*") ||
+                                         matches_pattern(line, "\\[.*[A-Za-z].*\\].*"))))
     return unclosed(place, '[',
                     place.at_end() ? "the list that begins here is not closed; ] is missing"
                                    : fmt::format("the list that begins here is not closed; ] is missing "

@@ -11,14 +11,11 @@
 namespace etendue {
 namespace {
 
-// Values that a person wrote with a few digits agree to this.
-constexpr double agreement = 1e-9;
-
 // Exactly zero where the two agree.
 Value difference(const Value& a, const Value& b) {
   if (!is_number(a) || !is_number(b)) return joined(a, "-", b);
   const double result = std::get<double>(a) - std::get<double>(b);
-  return std::abs(result) <= agreement * std::abs(std::get<double>(a)) ? 0.0 : result;
+  return std::abs(result) <= written_agreement * std::abs(std::get<double>(a)) ? 0.0 : result;
 }
 
 Value band_value(const std::optional<BandValues>& values, int band) {
@@ -33,7 +30,7 @@ std::string comparison(std::string_view name, const Value& given, std::string_vi
         "too many coefficients ({} follows from {}, and formulas cannot be compared); leave one out", name,
         rule);
   const double a = std::get<double>(given), b = std::get<double>(expected);
-  if (std::abs(a - b) <= agreement * std::max(std::abs(a), std::abs(b))) return "";
+  if (std::abs(a - b) <= written_agreement * std::max(std::abs(a), std::abs(b))) return "";
   return fmt::format("coefficients disagree ({} = {}, but {} = {}); leave one out", name, a, rule, b);
 }
 

@@ -7,6 +7,9 @@
 
 namespace etendue {
 
+/// Values that a person wrote with a few digits, and their sums, agree to this.
+inline constexpr double written_agreement = 1e-9;
+
 /// Absorption and scattering of one band, whichever two of the coefficients the case gives [1/length]:
 ///   extinction and albedo:      scattering = albedo extinction, absorption = (1 - albedo) extinction
 ///   extinction and one of them: the other is the difference

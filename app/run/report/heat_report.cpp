@@ -7,15 +7,12 @@
 #include "app/case/build/entry_of.h"
 #include "app/case/temperatures.h"
 #include "app/case/values/blackbody_values.h"
-#include "app/progress/text_table.h"
-#include "app/run/report/run_report.h"
+#include "app/run/report/report_parts.h"
 #include "app/write/result/heat_rows.h"
 
 namespace etendue {
 namespace {
 
-/// Rows beyond which the table is left to heat.csv.
-constexpr std::size_t longest_table = 40;
 /// Width of a cell in absorption lengths up to which linear emission does: the flux at a wall of a slab with
 /// a linear temperature is then off by half a percent.
 constexpr double thin_cell = 1.2;
@@ -129,7 +126,7 @@ std::string caution_of(const RunResult& result) {
 std::string heat_text(const RunResult& result) {
   if (!has_temperatures(result.input)) return "";
   const std::vector<HeatRow> rows = heat_rows(result);
-  if (rows.size() > longest_table) return "\nradiative heat: many walls and regions, see heat.csv\n";
+  if (rows.size() > longest_report_table) return "\nradiative heat: many walls and regions, see heat.csv\n";
   TextTable walls = table_of("wall", "area [m^2]", "net heat [W]", "heat flux [W/m^2]");
   TextTable regions = table_of("region", "volume [m^3]", "net heat [W]", "divergence [W/m^3]");
   double into_walls = 0, out_of_regions = 0;

@@ -3,20 +3,14 @@
 
 #include <fmt/format.h>
 
-#include "app/progress/text_table.h"
+#include "app/run/report/report_parts.h"
 #include "app/write/result/unit_labels.h"
 
 namespace etendue {
 namespace {
 
-constexpr std::size_t longest_table = 40;
-
 std::string percent(double part, double whole) {
   return whole != 0 ? fmt::format("{:.2g}", 100 * part / whole) : "";
-}
-
-std::string titled(const std::string& title, const TextTable& table) {
-  return "\n" + title + "\n" + table.text();
 }
 
 }  // namespace
@@ -84,7 +78,7 @@ std::string errors_text(const RunResult& result) {
                 "  values of probes that no history reached: {}; the error is an upper bound there, three "
                 "histories' worth\n",
                 errors.unreached_probes);
-  if (rows > longest_table) return "\nstandard errors: many, see the tables\n" + unreached;
+  if (rows > longest_report_table) return "\nstandard errors: many, see the tables\n" + unreached;
   return titled("standard errors", table) + unreached;
 }
 

@@ -3,25 +3,15 @@
 
 #include <cmath>
 
-#include "app/progress/text_table.h"
-#include "app/run/report/run_report.h"
+#include "app/run/report/report_parts.h"
 #include "app/write/result/unit_labels.h"
 
 namespace etendue {
 namespace {
 
-constexpr std::size_t longest_table = 40;
 constexpr std::size_t longest_probe_table = 12;
 // Relative; a smaller deviation of the emitted power is rounding.
 constexpr double noticeable_deviation = 1e-9;
-
-std::string section(const std::string& title, const TextTable& table) {
-  return "\n" + title + "\n" + table.text();
-}
-
-const std::string& band_name(const RunResult& result, std::size_t band) {
-  return result.problem.bands().names[band];
-}
 
 /// A column's heading with its unit.
 std::string with_unit(const std::string& name, const std::string& unit) { return name + " [" + unit + "]"; }
@@ -57,7 +47,7 @@ std::string walls_text(const RunResult& result, const UnitLabels& units) {
                      number(power.incoming, error.incoming), number(power.outgoing, error.outgoing),
                      number(power.incoming - power.outgoing, result.errors ? result.errors->net[w][b] : 0)});
     }
-  return section("walls", table);
+  return titled("walls", table);
 }
 
 std::string regions_text(const RunResult& result, const UnitLabels& units) {
@@ -72,7 +62,7 @@ std::string regions_text(const RunResult& result, const UnitLabels& units) {
                      number(power.fluence_mean, error.fluence_mean), number(power.absorbed, error.absorbed),
                      number(power.emitted)});
     }
-  return section("regions", table);
+  return titled("regions", table);
 }
 
 }  // namespace
@@ -81,10 +71,10 @@ std::string powers_text(const RunResult& result) {
   const UnitLabels units(result.input.units);
   const std::size_t bands = result.problem.bands().names.size();
   std::string text = emitted_power_text(result, units.power);
-  text += result.walls.size() * bands <= longest_table ? walls_text(result, units)
-                                                       : "\nwalls: many, see walls.csv\n";
-  text += result.regions.size() * bands <= longest_table ? regions_text(result, units)
-                                                         : "\nregions: many, see regions.csv\n";
+  text += result.walls.size() * bands <= longest_report_table ? walls_text(result, units)
+                                                              : "\nwalls: many, see walls.csv\n";
+  text += result.regions.size() * bands <= longest_report_table ? regions_text(result, units)
+                                                                : "\nregions: many, see regions.csv\n";
   return text + heat_text(result);
 }
 
@@ -110,7 +100,7 @@ std::string probes_text(const RunResult& result) {
                             std::hypot(error.net_flux[0], error.net_flux[1], error.net_flux[2])),
                      row.irradiance ? number((*row.irradiance)[b], irradiance_error) : ""});
     }
-  return section("probes", table);
+  return titled("probes", table);
 }
 
 }  // namespace etendue

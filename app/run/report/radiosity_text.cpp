@@ -10,7 +10,7 @@ namespace etendue {
 namespace {
 
 // Rows of passes that a person reads; the rest is in passes.csv.
-constexpr std::size_t longest_table = 24;
+constexpr std::size_t longest_pass_table = 24;
 
 std::string checks_text(const RadiosityReport& report) {
   const FactorChecks& checks = report.checks;
@@ -38,12 +38,12 @@ std::string passes_text(const RunResult& result) {
   if (bounces.empty()) return "";
   TextTable table({"pass", "band", "exitant", "incident", "redirected", "deposit"},
                   {Align::right, Align::left, Align::right, Align::right, Align::right, Align::right});
-  for (std::size_t i = 0; i < std::min(bounces.size(), longest_table); ++i)
+  for (std::size_t i = 0; i < std::min(bounces.size(), longest_pass_table); ++i)
     table.add_row({fmt::to_string(bounces[i].pass), result.problem.bands().names[bounces[i].band],
                    number(bounces[i].exitant), number(bounces[i].incident), number(bounces[i].redirected),
                    number(bounces[i].deposit)});
   return fmt::format("\npasses from wall to wall [{}]{}\n", UnitLabels(result.input.units).power,
-                     bounces.size() > longest_table ? ", the first (all: passes.csv)" : "") +
+                     bounces.size() > longest_pass_table ? ", the first (all: passes.csv)" : "") +
          table.text();
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/case/temperatures.h"
-#include "app/progress/text_table.h"
+#include "app/run/report/report_parts.h"
 #include "app/run/report/run_log.h"
 #include "app/write/result/balance_check.h"
 #include "app/write/result/negative_fluence.h"
@@ -16,14 +16,6 @@
 
 namespace etendue {
 namespace {
-
-std::string section(const std::string& title, const TextTable& table) {
-  return "\n" + title + "\n" + table.text();
-}
-
-const std::string& band_name(const RunResult& result, std::size_t band) {
-  return result.problem.bands().names[band];
-}
 
 /// What scattering became: effective mean cosine, energy, signs, and why it is discretised so.
 std::string kernel_text(const KernelReport& kernel) {
@@ -144,7 +136,7 @@ std::string convergence_text(const RunResult& result) {
     table.add_row({band_name(result, b), std::to_string(band.sweeps), fmt::format("{:.2e}", band.residual),
                    outcome(result, band)});
   }
-  return text + section("iteration (" + solution.method + ")", table);
+  return text + titled("iteration (" + solution.method + ")", table);
 }
 
 std::string balance_text(const RunResult& result) {
@@ -157,7 +149,7 @@ std::string balance_text(const RunResult& result) {
                    number(balance.inflow, error.inflow), number(balance.absorbed, error.absorbed),
                    number(balance.outflow, error.outflow), fmt::format("{:.1e}", balance.residual)});
   }
-  return section("balance [" + result.input.units.power + "]: emitted + inflow = absorbed + outflow", table) +
+  return titled("balance [" + result.input.units.power + "]: emitted + inflow = absorbed + outflow", table) +
          balance_warning(result) + balance_caution(result);
 }
 
@@ -171,7 +163,7 @@ std::string uncollided_text(const RunResult& result) {
     table.add_row({band_name(result, b), number(balances[b].sent), number(balances[b].absorbed),
                    number(balances[b].collided), number(balances[b].reflected), number(balances[b].kept),
                    fmt::format("{:.1e}", balances[b].residual)});
-  return section(
+  return titled(
       "uncollided light [" + result.input.units.power + "]: sent = absorbed + collided + reflected + kept",
       table);
 }
@@ -182,7 +174,7 @@ std::string exact_text(const RunResult& result) {
   for (std::size_t b = 0; b < result.exact->fluence.size(); ++b)
     table.add_row({band_name(result, b), fmt::format("{:.3e}", result.exact->fluence[b].l2),
                    fmt::format("{:.3e}", result.exact->fluence[b].linf)});
-  return section("relative error of the fluence against the exact solution on these directions", table);
+  return titled("relative error of the fluence against the exact solution on these directions", table);
 }
 
 std::string cautions_text(const RunResult& result) {

@@ -198,7 +198,7 @@ class RowMaker {
   std::optional<SiScale> scale_;
 };
 
-void append(const std::vector<SensorTableRow>& more, std::vector<SensorTableRow>& rows) {
+void append_rows(const std::vector<SensorTableRow>& more, std::vector<SensorTableRow>& rows) {
   rows.insert(rows.end(), more.begin(), more.end());
 }
 
@@ -230,11 +230,11 @@ std::vector<SensorTableRow> sensor_rows(const RunResult& result) {
     std::vector<SensorTableRow> of_sensor;
     for (const Measurement& found : row.reading.measurements)
       maker.add(row.place.name, found, row.reading.grid, of_sensor);
-    if (row.place.sensor.kind == SensorKind::grid) append(uniformity_rows(of_sensor), of_sensor);
-    if (row.place.sensor.kind == SensorKind::glare) append(glare_rows(result, row), of_sensor);
+    if (row.place.sensor.kind == SensorKind::grid) append_rows(uniformity_rows(of_sensor), of_sensor);
+    if (row.place.sensor.kind == SensorKind::glare) append_rows(glare_rows(result, row), of_sensor);
     if (row.place.daylight_factor)
-      append(daylight_factor_rows(of_sensor, sky_rows(result, maker)), of_sensor);
-    append(of_sensor, rows);
+      append_rows(daylight_factor_rows(of_sensor, sky_rows(result, maker)), of_sensor);
+    append_rows(of_sensor, rows);
   }
   return rows;
 }

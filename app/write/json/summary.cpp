@@ -145,12 +145,12 @@ Json summary_in(const std::filesystem::path& directory) {
 }
 
 // Names from foreign mesh files need not be UTF-8.
-std::string text_of(const Json& summary) {
+std::string summary_text(const Json& summary) {
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 /// Names that a summary lists, and more.
-void add_files(const std::vector<std::string>& more, Json& summary) {
+void add_file_names(const std::vector<std::string>& more, Json& summary) {
   Json& names = summary["files"];
   if (!names.is_array()) names = Json::array();
   for (const std::string& name : more)
@@ -239,7 +239,7 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["files"] = files;
   summary["case_file"] = std::filesystem::absolute(result.input.file).string();
   summary["case"] = result.input.resolved_toml;
-  return text_of(summary);
+  return summary_text(summary);
 }
 
 std::vector<std::string> files_of_earlier_run(const std::filesystem::path& directory) {
@@ -254,19 +254,19 @@ std::string summary_with_files(const std::filesystem::path& directory, const std
                                std::optional<double> seconds_of_pictures) {
   Json summary = summary_in(directory);
   if (summary.empty()) return "";
-  add_files(more, summary);
+  add_file_names(more, summary);
   if (seconds_of_pictures) add_stage("pictures", *seconds_of_pictures, summary);
-  return text_of(summary);
+  return summary_text(summary);
 }
 
 std::string summary_with_estimate(const std::filesystem::path& directory, const std::string& estimate,
                                   double seconds) {
   Json summary = summary_in(directory);
   if (summary.empty()) return "";
-  add_files({"estimate.csv"}, summary);
+  add_file_names({"estimate.csv"}, summary);
   add_stage("estimate", seconds, summary);
   summary["estimate"] = Json::parse(estimate);
-  return text_of(summary);
+  return summary_text(summary);
 }
 
 bool holds_other_run(const std::filesystem::path& directory) {

@@ -17,7 +17,7 @@
 namespace etendue {
 namespace {
 
-std::string text_of(const ContentHash& hash) { return fmt::format("{:016x}", hash.value()); }
+std::string hash_text(const ContentHash& hash) { return fmt::format("{:016x}", hash.value()); }
 
 /// Tables that the answer does not depend on; "" is what stands above the first, the title. The mesh has a
 /// hash of its own, however it came about.
@@ -75,7 +75,7 @@ void add_fields(const BandValues& values, ContentHash& hash) {
 }
 
 /// What files hold that tables of this name take numbers from: the text of the case has their names alone.
-void add_files(const Case& input, const std::string& table, ContentHash& hash) {
+void add_files_of_table(const Case& input, const std::string& table, ContentHash& hash) {
   if (table == "media")
     for (const auto& [name, medium] : input.media)
       for (const auto* values :
@@ -102,7 +102,7 @@ std::string mesh_hash(const TetrahedralMesh& mesh) {
   for (const std::int32_t wall : mesh.face_walls()) hash.add(wall);
   for (const std::string& name : mesh.region_names()) hash.add(name);
   for (const std::string& name : mesh.wall_names()) hash.add(name);
-  return text_of(hash);
+  return hash_text(hash);
 }
 
 std::vector<CasePart> case_parts(const Case& input) {
@@ -111,8 +111,8 @@ std::vector<CasePart> case_parts(const Case& input) {
     if (std::count(free_tables.begin(), free_tables.end(), name) > 0) continue;
     ContentHash hash;
     for (const std::string& table : tables) hash.add(table);
-    add_files(input, name, hash);
-    parts.push_back({name, text_of(hash)});
+    add_files_of_table(input, name, hash);
+    parts.push_back({name, hash_text(hash)});
   }
   return parts;
 }

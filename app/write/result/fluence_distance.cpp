@@ -38,11 +38,11 @@ Field read_field(const std::filesystem::path& path) {
 }
 
 /// A cell of a fields.vtu, whose point 4 c + i is its vertex i.
-struct Corners {
+struct CellCorners {
   std::array<Vec3, 4> points;
   double volume;
 
-  Corners(vtkUnstructuredGrid& grid, vtkIdType cell) {
+  CellCorners(vtkUnstructuredGrid& grid, vtkIdType cell) {
     for (vtkIdType i = 0; i < 4; ++i) grid.GetPoint(4 * cell + i, points[static_cast<std::size_t>(i)].data());
     volume = std::abs((points[1] - points[0]).dot((points[2] - points[0]).cross(points[3] - points[0]))) / 6;
   }
@@ -73,7 +73,7 @@ class Finder {
 };
 
 void add_cell(Finder& finder, const Field& other, vtkIdType cell, std::span<ErrorNorms> bands) {
-  const Corners corners(*other.grid, cell);
+  const CellCorners corners(*other.grid, cell);
   for (const CellRulePoint& node : cell_rule()) {
     if (!finder.find(point_at(node.barycentric, corners.points))) continue;
     for (std::size_t band = 0; band < bands.size(); ++band) {
@@ -99,7 +99,7 @@ std::vector<FluenceError> fluence_distance(const std::filesystem::path& fields,
   locator->SetDataSet(field.grid);
   locator->BuildLocator();
   // What VTK sets up at the first use must not be met by two threads.
-  Finder(field, *locator).find(Corners(*field.grid, 0).points[0]);
+  Finder(field, *locator).find(CellCorners(*field.grid, 0).points[0]);
   const auto bands = static_cast<std::size_t>(field.fluence->GetNumberOfComponents());
   const vtkIdType cells = other.grid->GetNumberOfCells();
   std::vector<ErrorNorms> sums(bands * static_cast<std::size_t>(cells));  // [cell][band]

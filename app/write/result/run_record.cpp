@@ -23,7 +23,7 @@ bool is_plain(std::string_view word) {
   return !word.empty();
 }
 
-std::string quoted(const std::string& word) {
+std::string quoted_for_shell(const std::string& word) {
   if (is_plain(word)) return word;
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
@@ -47,8 +47,8 @@ std::string host_name() {
 }
 
 std::string shell_line(const std::string& program, const std::vector<std::string>& arguments) {
-  std::string line = quoted(program);
-  for (const std::string& argument : arguments) line += " " + quoted(argument);
+  std::string line = quoted_for_shell(program);
+  for (const std::string& argument : arguments) line += " " + quoted_for_shell(argument);
   return line;
 }
 

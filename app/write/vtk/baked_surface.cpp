@@ -20,21 +20,21 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "both formats are little-endian");
 
 template <class Value>
-void append(std::string& bytes, Value value) {
+void append_bytes(std::string& bytes, Value value) {
   std::array<char, sizeof(Value)> raw;
   std::memcpy(raw.data(), &value, sizeof(Value));
   bytes.append(raw.data(), raw.size());
 }
 
-void append(std::string& bytes, const Vec3& vector) {
-  for (const double value : vector) append(bytes, static_cast<float>(value));
+void append_bytes(std::string& bytes, const Vec3& vector) {
+  for (const double value : vector) append_bytes(bytes, static_cast<float>(value));
 }
 
 /// A chunk of a .glb file: its length, type and bytes, filled up to whole words.
 std::string chunk(const std::string& type, std::string bytes, char filler) {
   bytes.resize((bytes.size() + 3) / 4 * 4, filler);
   std::string result;
-  append(result, static_cast<std::uint32_t>(bytes.size()));
+  append_bytes(result, static_cast<std::uint32_t>(bytes.size()));
   return result + type + bytes;
 }
 
@@ -55,13 +55,13 @@ class GlbWriter {
     std::string positions, normals, indices;
     Vec3 low = surface.vertices.front().position, high = low;
     for (const WallSurface::Vertex& vertex : surface.vertices) {
-      append(positions, vertex.position);
-      append(normals, vertex.normal);
+      append_bytes(positions, vertex.position);
+      append_bytes(normals, vertex.normal);
       low = low.cwiseMin(vertex.position);
       high = high.cwiseMax(vertex.position);
     }
     for (const std::array<std::int32_t, 3>& triangle : surface.triangles)
-      for (const std::int32_t vertex : triangle) append(indices, static_cast<std::uint32_t>(vertex));
+      for (const std::int32_t vertex : triangle) append_bytes(indices, static_cast<std::uint32_t>(vertex));
     add_attribute("POSITION", positions, "VEC3");
     accessors_[0]["min"] = vector_of(low);
     accessors_[0]["max"] = vector_of(high);
@@ -112,8 +112,8 @@ class GlbWriter {
     const std::string chunks =
         chunk("JSON", document_.dump(), ' ') + chunk(std::string("BIN\0", 4), buffer_, '\0');
     std::string bytes = "glTF";
-    append(bytes, std::uint32_t{2});
-    append(bytes, static_cast<std::uint32_t>(12 + chunks.size()));
+    append_bytes(bytes, std::uint32_t{2});
+    append_bytes(bytes, static_cast<std::uint32_t>(12 + chunks.size()));
     return bytes + chunks;
   }
 
@@ -151,15 +151,15 @@ std::string ply_bytes(const BakedSurface& baked) {
   bytes += fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
                        surface.triangles.size());
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
-    append(bytes, surface.vertices[v].position);
-    append(bytes, surface.vertices[v].normal);
-    for (const double value : baked.colors[v]) append(bytes, display_value(value, Exposure{1}));
+    append_bytes(bytes, surface.vertices[v].position);
+    append_bytes(bytes, surface.vertices[v].normal);
+    for (const double value : baked.colors[v]) append_bytes(bytes, display_value(value, Exposure{1}));
     for (std::size_t i = 0; i < baked.names.size(); ++i)
-      append(bytes, static_cast<float>(baked.values[v * baked.names.size() + i]));
+      append_bytes(bytes, static_cast<float>(baked.values[v * baked.names.size() + i]));
   }
   for (const std::array<std::int32_t, 3>& triangle : surface.triangles) {
-    append(bytes, std::uint8_t{3});
-    for (const std::int32_t vertex : triangle) append(bytes, vertex);
+    append_bytes(bytes, std::uint8_t{3});
+    for (const std::int32_t vertex : triangle) append_bytes(bytes, vertex);
   }
   return bytes;
 }
@@ -168,7 +168,7 @@ std::string glb_bytes(const BakedSurface& baked) {
   GlbWriter glb(baked.surface);
   std::string colors;
   for (const LinearColor& color : baked.colors)
-    for (const double value : color) append(colors, static_cast<float>(std::clamp(value, 0., 1.)));
+    for (const double value : color) append_bytes(colors, static_cast<float>(std::clamp(value, 0., 1.)));
   glb.add_attribute("COLOR_0", colors, "VEC3");
   return std::move(glb).bytes(baked.comment);
 }
@@ -177,7 +177,7 @@ std::string textured_glb_bytes(const BakedTexture& baked) {
   GlbWriter glb(baked.surface);
   std::string coordinates;
   for (const std::array<double, 2>& place : baked.atlas.coordinates)
-    for (const double value : place) append(coordinates, static_cast<float>(value));
+    for (const double value : place) append_bytes(coordinates, static_cast<float>(value));
   glb.add_attribute("TEXCOORD_0", coordinates, "VEC2");
   glb.add_texture(texture_png(baked));
   return std::move(glb).bytes(baked.comment);

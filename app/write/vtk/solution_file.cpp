@@ -146,17 +146,17 @@ std::string bracketed(const std::vector<std::string>& names) {
   return text;
 }
 
-std::string quoted(const InputFile& file) { return "\"" + file.path.string() + "\""; }
+std::string quoted_path(const InputFile& file) { return "\"" + file.path.string() + "\""; }
 
 /// Of the method of the case: photons add histories to histories, sweeps go on from moments.
 void check_method(const InputFile& file, const Case& input, const SavedSolution& saved) {
   if (input.photons && saved.result.state.photons.empty())
     throw InputError(
-        fault_at(file.origin, quoted(file),
+        fault_at(file.origin, quoted_path(file),
                  "is not a solution by photons (histories are added to those of an earlier run); "
                  "start from one, or without"));
   if (!input.photons && !saved.result.state.photons.empty())
-    throw InputError(fault_at(file.origin, quoted(file),
+    throw InputError(fault_at(file.origin, quoted_path(file),
                               "is a solution by photons, and sweeps cannot go on from it; start from one by "
                               "ordinates, or without"));
 }
@@ -166,7 +166,7 @@ SavedSolution read_of_case(const InputFile& file, const Case& input) {
   check_method(file, input, saved);
   const std::vector<std::string> different = different_parts(saved.case_parts, case_parts(input));
   if (different.empty()) return saved;
-  throw InputError(fault_at(file.origin, quoted(file),
+  throw InputError(fault_at(file.origin, quoted_path(file),
                             "is a solution of another case (" + bracketed(different) +
                                 " differ); only the title, [mesh] if it gives the same cells, "
                                 "space.positivity, photometric units, [solve], [[probe]], "
@@ -209,7 +209,7 @@ SavedResult read_result(const InputFile& file, const Case& input, const Tetrahed
   SavedSolution saved = read_of_case(file, input);
   if (saved.mesh != mesh_hash(mesh))
     throw InputError(fault_at(
-        file.origin, quoted(file),
+        file.origin, quoted_path(file),
         fmt::format("is a solution on another mesh (of {} cells; here are {}); start from a result of the "
                     "same mesh, or without",
                     saved.cells, mesh.cell_count())));

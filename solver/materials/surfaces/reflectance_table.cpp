@@ -8,6 +8,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "base/degree.h"
 #include "base/quadrature/panel_rule.h"
 
 namespace etendue {
@@ -15,7 +16,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double degree = pi / 180;
 /// How much f_r may differ, as a part of the larger value, when light goes the other way: what two readings
 /// of one instrument differ by.
 constexpr double both_ways = 0.02;
@@ -103,8 +103,8 @@ std::string ReflectanceTable::problem_of(const std::vector<ReflectancePoint>& po
 ReflectanceTable::ReflectanceTable(const std::vector<ReflectancePoint>& points, double factor)
     : angles_(distinct(points, &ReflectancePoint::angle_in)),
       azimuths_(distinct(points, &ReflectancePoint::azimuth)) {
-  for (double& angle : angles_) angle *= degree;
-  for (double& azimuth : azimuths_) azimuth *= degree;
+  for (double& angle : angles_) angle *= one_degree;
+  for (double& azimuth : azimuths_) azimuth *= one_degree;
   for (const ReflectancePoint& point : in_order(points)) values_.push_back(factor * point.value);
   for (std::size_t i = 0; i < angles_.size(); ++i)
     for (std::size_t o = 0; o < i; ++o)

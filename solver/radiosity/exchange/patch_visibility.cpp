@@ -13,10 +13,10 @@ namespace {
 
 // Where some rays are blocked, so many times the rays are sent.
 constexpr int rays_of_shadows = 8;
-// Distance behind_plane a plane, relative to the size of a patch and its distance, that is rounding.
+// Distance behind a plane, relative to the size of a patch and its distance, that is rounding.
 constexpr double behind_plane = 1e-9;
 
-/// Returns whether nothing of a node, or of the remaining part of it, lies behind_plane a plane.
+/// Returns whether nothing of a node, or of the remaining part of it, lies behind a plane.
 bool all_before(const PatchTree& tree, const PatchNode& node, const FlatPatch& plane) {
   const Vec3 separation = node.center - plane.centroid();
   const double height = plane.normal().dot(separation),

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/case/read/lights/read_sun.h"
+#include "base/degree.h"
 #include "solver/problem/sky/cie_general_sky.h"
 #include "solver/problem/sky/perez_efficacy.h"
 #include "solver/problem/sky/perez_sky.h"
@@ -16,8 +17,6 @@ namespace etendue {
 namespace {
 
 using std::numbers::pi;
-
-constexpr double degree = pi / 180;
 
 // Steps of the table that a sky becomes: its parts are about ten degrees wide.
 constexpr int angle_steps = 45, azimuth_steps = 120;
@@ -33,7 +32,7 @@ bool fill_table(const SkyShape& shape, const SunPlace& sun, LightCase& light) {
   const double zenith = shape.radiance(0, std::acos(std::clamp(sun.to_sun.z(), -1., 1.)));
   for (const double azimuth : light.plane)
     for (const double angle : light.angle) {
-      const double theta = angle * degree, phi = azimuth * degree;
+      const double theta = angle * one_degree, phi = azimuth * one_degree;
       const Vec3 at =
           std::cos(theta) * up + std::sin(theta) * (std::cos(phi) * sun.north + std::sin(phi) * west);
       const double from_sun = std::acos(std::clamp(at.dot(sun.to_sun), -1., 1.));
@@ -67,7 +66,7 @@ std::optional<double> read_perez_sky(Section& section, const std::optional<SunPl
     if (!section.has(key)) section.fault(fmt::format("a sky of Perez needs two irradiances; add {}", key));
   if (!section.has("sun_position")) section.fault("a sky of Perez needs sun_position; add it");
   if (!direct || !diffuse || !sun) return {};
-  const double zenith = (90 - sun->altitude) * degree;
+  const double zenith = (90 - sun->altitude) * one_degree;
   const SkyConditions conditions = sky_conditions(*direct, *diffuse, zenith, sun->eccentricity);
   if (!fill_table(perez_sky(conditions, zenith), *sun, light))
     section.fault(

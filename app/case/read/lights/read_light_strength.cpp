@@ -18,7 +18,7 @@ bool are_sound(const Bands& bands) {
 }
 
 /// [band] What has so many lumens, with the spectrum that the light says; empty where something is wrong.
-std::vector<double> divided(Section& section, const LightContext& context, double lumens) {
+std::vector<double> power_of_lumens(Section& section, const LightContext& context, double lumens) {
   const std::optional<double> kelvin = section.number_if("color_temperature");
   if (!kelvin || !context.bands.edges.empty())
     return power_of_flux(lumens, lamp_spectrum(context.bands, kelvin), context.bands, context.units.power);
@@ -54,7 +54,7 @@ std::string no_lux_reason(const LightContext& context) {
 /// [band] Lumens per square metre in units of the case.
 std::vector<double> divided_per_area(Section& section, const LightContext& context, double lux) {
   const SiScale scale = si_scale(context.units.length, context.units.power).value();
-  return divided(section, context, lux * scale.length * scale.length);
+  return power_of_lumens(section, context, lux * scale.length * scale.length);
 }
 
 /// Per square metre, in units of the case.
@@ -115,8 +115,8 @@ void read_lamp_power(Section& section, const LightContext& context, std::optiona
     return given ? section.fault("luminous_flux", reason)
                  : section.fault("distribution", "is a lamp file with candelas, and " + reason);
   light.keeps_intensity = !given;
-  light.strength = PowerOfLight{
-      divided(section, context, given ? *lumens : *candelas * integral_of_lamp_shape(point_light(light)))};
+  light.strength = PowerOfLight{power_of_lumens(
+      section, context, given ? *lumens : *candelas * integral_of_lamp_shape(point_light(light)))};
 }
 
 void read_strength(Section& section, const LightContext& context, std::optional<double> illuminance,

@@ -9,12 +9,11 @@
 #include <numbers>
 #include <regex>
 
+#include "base/degree.h"
 #include "solver/problem/sky/sun_position.h"
 
 namespace etendue {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Sets year, month and day; whether the text is a date of the years that the formulas hold for.
 bool read_date(Section& section, PlaceAndTime& place) {
@@ -105,7 +104,7 @@ std::optional<SunPlace> read_sun_position(Section& light) {
                             sun.altitude));
     return {};
   }
-  const double altitude = sun.altitude * degree, azimuth = sun.azimuth * degree;
+  const double altitude = sun.altitude * one_degree, azimuth = sun.azimuth * one_degree;
   const Vec3 east = sun.north.cross(Vec3::UnitZ());
   sun.to_sun = std::cos(altitude) * (std::cos(azimuth) * sun.north + std::sin(azimuth) * east) +
                std::sin(altitude) * Vec3::UnitZ();

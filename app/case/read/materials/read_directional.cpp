@@ -15,7 +15,7 @@ namespace etendue {
 namespace {
 
 /// Keys that leaves, flakes and kernels leave no room for.
-void refuse(Section& section, std::initializer_list<const char*> names, const std::string& why) {
+void refuse_keys(Section& section, std::initializer_list<const char*> names, const std::string& why) {
   for (const char* name : names) section.unused(name, why);
 }
 
@@ -187,12 +187,12 @@ void read_directional(Section& section, const MatterContext& context, MediumCase
   const int kinds =
       (section.has("leaves") ? 1 : 0) + (section.has("flakes") ? 1 : 0) + (section.has("kernel") ? 1 : 0);
   if (kinds > 1) section.fault("leaves, flakes and a kernel in one region; use one of them");
-  refuse(section,
-         {"scattering", "reduced_scattering", "albedo", "phase", "scattering_method", "scattering_degree",
-          "forward_peak"},
-         "the leaves, flakes or kernel say it");
+  refuse_keys(section,
+              {"scattering", "reduced_scattering", "albedo", "phase", "scattering_method",
+               "scattering_degree", "forward_peak"},
+              "the leaves, flakes or kernel say it");
   if (!section.has("kernel")) {
-    refuse(section, {"absorption", "extinction"}, "the leaves or flakes say it");
+    refuse_keys(section, {"absorption", "extinction"}, "the leaves or flakes say it");
     section.unused("reciprocal", "leaves and flakes are");
   }
   if (context.space == AngularSpace::plane)

@@ -31,7 +31,7 @@ std::string band_prefix(const Bands& bands, int band) {
   return bands.count() == 1 ? "" : "band " + bands.names[static_cast<std::size_t>(band)] + ": ";
 }
 
-bool scatters(const Section& section) {
+bool gives_scattering(const Section& section) {
   return section.has("scattering") || section.has("reduced_scattering") || section.has("albedo") ||
          (section.has("extinction") && section.has("absorption"));
 }
@@ -51,7 +51,7 @@ std::vector<PhaseFunction> phases_of_bands(Section& section, const MatterContext
 
 std::vector<PhaseFunction> read_phases(Section& section, const MatterContext& context,
                                        std::vector<std::string>& notes) {
-  if (!scatters(section)) {
+  if (!gives_scattering(section)) {
     section.unused("phase", "nothing scatters in this region");
     return {PhaseIsotropic{}};
   }
@@ -97,7 +97,7 @@ ForwardPeak peak_of(const std::string& text) {
 }
 
 std::vector<ScatteringChoice> read_choices(Section& section, const Bands& bands) {
-  if (!scatters(section)) {
+  if (!gives_scattering(section)) {
     for (const char* name : {"scattering_method", "scattering_degree", "forward_peak"})
       section.unused(name, "nothing scatters in this region");
     return {};
@@ -179,8 +179,9 @@ void fill_in(Section& section, const MediumCase& medium) {
   if (!medium.power_density && !medium.power && !section.has("temperature") && !section.has("heat_source") &&
       !section.has("conductivity"))
     section.value("emission");
-  if (scatters(section) && !section.has("phase")) section.section("phase").resolve("model", "isotropic");
-  if (!scatters(section)) return;
+  if (gives_scattering(section) && !section.has("phase"))
+    section.section("phase").resolve("model", "isotropic");
+  if (!gives_scattering(section)) return;
   for (const char* name : {"scattering_method", "forward_peak"}) section.value(name);
 }
 

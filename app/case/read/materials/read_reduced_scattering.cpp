@@ -13,7 +13,7 @@ namespace {
 /// Below this 1 - g is rounding: of tables and series that scatter straight ahead alone.
 constexpr double straight_ahead = 1e-9;
 
-Value divided(const Value& value, double divisor) {
+Value divided_value(const Value& value, double divisor) {
   if (const auto* number = std::get_if<double>(&value)) return *number / divisor;
   Formula formula = std::get<Formula>(value);
   formula.text = fmt::format("({})/{:.17g}", formula.text, divisor);
@@ -54,7 +54,7 @@ std::optional<BandValues> read_reduced_scattering(Section& section, const Bands&
                     "coefficient follows); use scattering");
       return std::nullopt;
     }
-    scattering.values.push_back(divided(value_of(*reduced, static_cast<int>(band)), 1 - g));
+    scattering.values.push_back(divided_value(value_of(*reduced, static_cast<int>(band)), 1 - g));
   }
   return scattering;
 }

@@ -13,15 +13,12 @@
 namespace etendue {
 namespace {
 
-/// Sums of what a person wrote with a few digits agree to this.
-constexpr double agreement = 1e-9;
-
 /// Edges that are not one more than the bands were reported already.
 bool has_faulty_edges(const Bands& bands) {
   return !bands.edges.empty() && bands.edges.size() != bands.names.size() + 1;
 }
 
-double number_of(const BandValues& values, int band) {
+double number_of_band(const BandValues& values, int band) {
   return values.values.empty() ? 0 : std::get<double>(value_of(values, band));
 }
 
@@ -48,8 +45,8 @@ std::string temperature_problem(const Section& section, const ThermalContext& co
 }
 
 double absorptivity(const WallCase& wall, int band) {
-  return 1 - number_of(wall.diffuse, band) - number_of(wall.specular, band) -
-         number_of(wall.transmittance, band);
+  return 1 - number_of_band(wall.diffuse, band) - number_of_band(wall.specular, band) -
+         number_of_band(wall.transmittance, band);
 }
 
 namespace {
@@ -57,13 +54,13 @@ namespace {
 std::string emissivity_problem(const WallCase& wall, const BandValues& emissivity, bool has_diffuse,
                                const Bands& bands) {
   for (int band = 0; band < bands.count(); ++band) {
-    const double given = number_of(emissivity, band), rest = absorptivity(wall, band);
-    if (has_diffuse && std::abs(given - rest) > agreement)
+    const double given = number_of_band(emissivity, band), rest = absorptivity(wall, band);
+    if (has_diffuse && std::abs(given - rest) > written_agreement)
       return fmt::format(
           "differs from 1 - diffuse - specular - transmittance = {:.6g} (Kirchhoff's law); leave "
           "diffuse or emissivity out",
           rest);
-    if (given > rest + agreement)
+    if (given > rest + written_agreement)
       return fmt::format("emissivity + specular + transmittance = {:.6g}; use at most 1", 1 - rest + given);
   }
   return "";
@@ -74,7 +71,7 @@ BandValues diffuse_rest(const WallCase& wall, const BandValues& emissivity, cons
   BandValues diffuse;
   diffuse.origin = emissivity.origin;
   for (int band = 0; band < bands.count(); ++band)
-    diffuse.values.emplace_back(std::max(0.0, absorptivity(wall, band) - number_of(emissivity, band)));
+    diffuse.values.emplace_back(std::max(0.0, absorptivity(wall, band) - number_of_band(emissivity, band)));
   return diffuse;
 }
 
