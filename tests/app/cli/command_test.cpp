@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/gibibyte.h"
 #include "tests/app/run/small_case.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
