@@ -96,7 +96,7 @@ void check_lit_walls(const std::vector<LightCase>& lights, NameCheck& walls) {
     for (const std::string& wall : light.walls) walls.used(wall, below(light.origin, "walls"));
 }
 
-// A box names its sides_of_a_box, a hole its surface, and what neither they nor a patch name is named by its
+// A box names its sides, a hole its surface, and what neither they nor a patch name is named by its
 // axis.
 MeshNames possible_names(const Geometry& geometry) {
   MeshNames names;

@@ -33,7 +33,7 @@ struct TomlPlace {
 /// The place in line `line` (from 1) at character `column` (from 1) of valid UTF-8.
 TomlPlace toml_place(std::string_view text, int line, int column);
 
-/// Whether the byte goes on with a character of UTF-8 that bytes before it began.
+/// Whether the byte continues a character of UTF-8.
 inline bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
 
 /// Number of characters in valid UTF-8.

@@ -20,7 +20,7 @@ double days_since_2000(const PlaceAndTime& place) {
   return static_cast<double>(days) - 0.5 + (place.hour - place.time_zone) / 24;
 }
 
-/// [one_degree] that the air at sea level lifts the sun by (Michalsky 1988).
+/// [degree] that the air at sea level lifts the sun by (Michalsky 1988).
 double refraction_at(double altitude) {
   if (altitude >= 19.225) return 0.00452 * 3.51561 / std::tan(altitude * one_degree);
   if (altitude > -0.766)

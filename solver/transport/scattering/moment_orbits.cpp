@@ -9,7 +9,7 @@
 namespace etendue {
 namespace {
 
-/// Difference of harmonics, which are about 1, that is harmonics_rounding.
+/// Difference of harmonics, which are about 1, that is rounding.
 constexpr double harmonics_rounding = 1e-9;
 
 constexpr int no_class = -1;

@@ -11,7 +11,7 @@
 namespace etendue {
 namespace {
 
-/// Cosine with the direction below which a face lies along_the_beam it.
+/// Cosine with the direction below which a face lies along it.
 constexpr double along_the_beam = 1e-10;
 
 void append_common(const Triangle& entry, const Triangle& exit, const Vec3& exit_normal,
