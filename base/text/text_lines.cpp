@@ -18,19 +18,18 @@ namespace {
 
 constexpr std::size_t kLongestShown = 40;
 
-/// A word of a broken file, made fit to be shown on one line.
-std::string shown(std::string_view word) {
-  std::string text;
-  for (const char letter : word.substr(0, kLongestShown))
-    text += letter >= ' ' && letter <= '~' ? letter : '?';
-  return word.size() > kLongestShown ? text + "..." : text;
-}
-
 std::string_view without_plus(std::string_view word) {
   return word.size() > 1 && word.front() == '+' ? word.substr(1) : word;
 }
 
 }  // namespace
+
+std::string shown_word(std::string_view word) {
+  std::string text;
+  for (const char letter : word.substr(0, kLongestShown))
+    text += letter >= ' ' && letter <= '~' ? letter : '?';
+  return word.size() > kLongestShown ? text + "..." : text;
+}
 
 std::string read_bytes(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -136,7 +135,7 @@ std::size_t TextLines::count(std::string_view what) {
 void TextLines::fail(const std::string& problem) const { throw InputError(Fault{file_, line_, problem}); }
 
 void TextLines::fail(std::string_view what, std::string_view value, const std::string& problem) const {
-  fail(std::string(what) + " = " + shown(value) + ": " + problem);
+  fail(std::string(what) + " = " + shown_word(value) + ": " + problem);
 }
 
 }  // namespace etendue

@@ -10,6 +10,9 @@
 
 namespace etendue {
 
+/// A word of a broken file, made fit to be shown on one line.
+std::string shown_word(std::string_view word);
+
 /// The whole of a file. Throws FileError where it cannot be read.
 std::string read_bytes(const std::filesystem::path& path);
 

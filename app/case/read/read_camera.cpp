@@ -11,15 +11,12 @@
 namespace etendue {
 namespace {
 
-// Of a view and `up` that are all but parallel rounding would decide what points up.
-constexpr double smallest_camera_sine = 1e-6;
-
 void check_view(Section& section, const Camera& camera) {
   if (!section.find("position") || !section.find("look_at")) return;
   const Vec3 ahead = camera.look_at - camera.position;
   if (ahead.norm() == 0) return section.fault("look_at", "is where the camera stands; use another point");
   if (camera.up.norm() == 0) return section.fault("up", "has no direction; use a vector that is not zero");
-  if (ahead.cross(camera.up).norm() < smallest_camera_sine * ahead.norm() * camera.up.norm())
+  if (ahead.cross(camera.up).norm() < smallest_sine_of_up * ahead.norm() * camera.up.norm())
     section.fault("up",
                   "points along the view (nothing says what is up in the picture); use a vector across it");
 }

@@ -6,6 +6,9 @@
 
 namespace etendue {
 
+/// Of a view and `up` that are all but parallel rounding would decide what points up.
+inline constexpr double smallest_sine_of_up = 1e-6;
+
 std::vector<CameraCase> read_cameras(Section& top);
 
 }  // namespace etendue

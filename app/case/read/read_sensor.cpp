@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/case/read/file_name.h"
+#include "app/case/read/read_camera.h"
 #include "solver/uncollided/closed_form/outline.h"
 
 namespace etendue {
@@ -173,12 +174,9 @@ void read_surface(Section& section, SensorCase& result) {
     section.unused("parts", "through the surface of a region the faces of the mesh are summed up");
 }
 
-/// Of a view and `up` that are all but parallel rounding would decide what points up.
-constexpr double smallest_glare_sine = 1e-6;
-
 void read_glare(Section& section, Sensor& sensor) {
   sensor.up = to_vec3(section.value("up"));
-  if (sensor.direction.cross(sensor.up).norm() <= smallest_glare_sine * sensor.up.norm())
+  if (sensor.direction.cross(sensor.up).norm() <= smallest_sine_of_up * sensor.up.norm())
     section.fault("up", "points along the view, or nowhere; use a vector across the direction");
   sensor.glare_threshold = section.number("threshold");
   if (section.text("sources") == "lights") sensor.glare_sources = GlareSources::lights;

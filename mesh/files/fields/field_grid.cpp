@@ -16,6 +16,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include "base/errors.h"
+#include "mesh/files/vtk/refused_file.h"
 #include "mesh/files/vtk/vtk_cell_check.h"
 #include "mesh/files/vtk/vtk_data_set.h"
 
@@ -37,9 +38,7 @@ class FieldReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(Fault{request_.path.string(), 0, problem});
-  }
+  [[noreturn]] void fail(const std::string& problem) const { refuse_file(request_.path, problem); }
 
   vtkDataSetAttributes& attributes(FieldValues on) const {
     if (on == FieldValues::on_points) return *data_->GetPointData();

@@ -9,21 +9,12 @@
 #include <sstream>
 
 #include "base/errors.h"
+#include "base/text/text_lines.h"
 
 namespace etendue {
 namespace {
 
 constexpr std::string_view kSpaces = " \t\r";
-
-constexpr std::size_t kLongestShown = 40;
-
-/// A word of a broken file, made fit to be shown on one line.
-std::string shown(std::string_view word) {
-  std::string text;
-  for (const char letter : word.substr(0, kLongestShown))
-    text += letter >= ' ' && letter <= '~' ? letter : '?';
-  return word.size() > kLongestShown ? text + "..." : text;
-}
 
 template <class Number>
 bool parse(std::string_view word, Number& value) {
@@ -84,14 +75,14 @@ std::string_view SurfaceLines::word(std::size_t index, std::string_view what) co
 int SurfaceLines::integer(std::size_t index, std::string_view what) const {
   int value = 0;
   if (!parse(word(index, what), value))
-    fail(fmt::format("{} = {}: must be a whole number", what, shown(words_[index])));
+    fail(fmt::format("{} = {}: must be a whole number", what, shown_word(words_[index])));
   return value;
 }
 
 double SurfaceLines::number(std::size_t index, std::string_view what) const {
   double value = 0;
   if (!parse(word(index, what), value) || !std::isfinite(value))
-    fail(fmt::format("{} = {}: must be a finite number", what, shown(words_[index])));
+    fail(fmt::format("{} = {}: must be a finite number", what, shown_word(words_[index])));
   return value;
 }
 

@@ -7,15 +7,13 @@
 #include "base/field_view.h"
 #include "base/parallel/parallel_for.h"
 #include "mesh/tetrahedra/corners.h"
+#include "solver/observe/camera/gather.h"
 #include "solver/uncollided/lights/light_irradiance.h"
 
 namespace etendue {
 namespace {
 
 using std::numbers::pi;
-
-/// Part of the distance from a vertex to the middle of its face.
-constexpr double bake_off_the_vertex = 0.02;
 
 /// [place][band]; empty where it was stopped.
 std::vector<double> light_at(const std::vector<BakePlace>& places, const LightSetup& lights, int threads,
@@ -62,7 +60,7 @@ std::vector<BakePlace> vertex_places(const WallSurface& surface, const Tetrahedr
   for (const WallSurface::Vertex& vertex : surface.vertices) {
     BakePlace place{vertex.corner.face, {0, 0, 0}, {}};
     place.weights[vertex.corner.node] = 1;
-    place.position = vertex.position + bake_off_the_vertex * (mesh.centroid(place.face) - vertex.position);
+    place.position = vertex.position + off_the_vertex * (mesh.centroid(place.face) - vertex.position);
     places.push_back(place);
   }
   return places;

@@ -14,10 +14,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// Rays start at this part of the distance from the vertex to the middle of a face: at an edge of the room
-/// they would not know on which of its sides they stand.
-constexpr double gather_off_the_vertex = 0.02;
-
 /// Directions about z of equal parts of the integral of cos over the half range: by Nusselt's
 /// analogy equal parts of a disc, rings times azimuths.
 std::vector<Vec3> half_range_rays(int rays) {
@@ -40,7 +36,7 @@ std::vector<double> irradiance_at(const RayRadiance& scene, const WallCorner& co
   const TetrahedralMesh& mesh = scene.problem().mesh();
   const Vec3 vertex = corner_of(mesh, corner.face, corner.node);
   const PointInCell start{mesh.owner(corner.face),
-                          vertex + gather_off_the_vertex * (mesh.centroid(corner.face) - vertex)};
+                          vertex + off_the_vertex * (mesh.centroid(corner.face) - vertex)};
   const Vec3 inwards = -mesh.area_normal(corner.face).normalized();
   const Vec3 u = inwards.unitOrthogonal(), v = inwards.cross(u);
   const RayView view{.glossy = 0, .lights_shown = false, .shadow_rays = shadow_rays};

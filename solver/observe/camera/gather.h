@@ -6,6 +6,10 @@
 
 namespace etendue {
 
+/// Rays start at this part of the distance from the vertex to the middle of a face: at an edge of the room
+/// they would not know on which of its sides they stand.
+inline constexpr double off_the_vertex = 0.02;
+
 /// Irradiance of walls beside the light that comes straight from lights, sampled by rays from each vertex
 /// of each plane of walls (final gathering), in place of the sum over the directions of the set:
 ///

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "base/text/vector_text.h"
+
 namespace etendue {
 namespace {
 
@@ -18,17 +20,13 @@ std::size_t first_bad_row(std::span<const double> values, std::size_t stride, st
   return row;
 }
 
-std::string point_text(const Vec3& point) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.x(), point.y(), point.z());
-}
-
 std::string cell_text(const TetrahedralMesh& mesh, CellIndex cell) {
-  return fmt::format("cell {} at {} in region {}", cell.value(), point_text(mesh.centroid(cell)),
+  return fmt::format("cell {} at {} in region {}", cell.value(), vector_text(mesh.centroid(cell)),
                      mesh.region_names()[static_cast<std::size_t>(mesh.region(cell))]);
 }
 
 std::string face_text(const TetrahedralMesh& mesh, FaceIndex face) {
-  return fmt::format("a face at {} of wall {}", point_text(mesh.centroid(face)),
+  return fmt::format("a face at {} of wall {}", vector_text(mesh.centroid(face)),
                      mesh.wall_names()[static_cast<std::size_t>(mesh.wall(face))]);
 }
 
