@@ -17,8 +17,9 @@ enum class SpaceOrder { constant = 0, linear = 1 };
 enum class Method { automatic, gmres, source_iteration };
 
 /// The numbers that sweeps compute with. Mixed: float within the cycles of GMRES, double where they begin and
-/// end, so that the residual that is judged, and the solution, are those of double.
-enum class Precision { full, mixed };
+/// end, so that the residual that is judged, and the solution, are those of double. Automatic: mixed where
+/// the tolerance is at least 1e-10.
+enum class Precision { automatic, full, mixed };
 
 /// What speeds the iteration up; automatic: diffusion with GMRES where it pays. With none diffusion still
 /// judges the error where residuals could not.
@@ -50,7 +51,7 @@ struct SolveOptions {
   Lumping lumping = Lumping::automatic;
   Positivity positivity = Positivity::none;
   Method method = Method::automatic;
-  Precision precision = Precision::full;  ///< of GMRES; other methods know only full
+  Precision precision = Precision::automatic;  ///< of GMRES; other methods know only full
   Acceleration acceleration = Acceleration::automatic;
   DiffusionLength diffusion_length = DiffusionLength::automatic;
   double tolerance = 1e-6;  ///< estimated relative error of the iteration, per band

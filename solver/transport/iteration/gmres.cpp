@@ -20,6 +20,8 @@ constexpr double safety = 0.5;
 /// rounding, 1e-7 to 4e-7 of what each is given: in a void a cycle that continues to 5e-7 takes twice as many
 /// sweeps.
 constexpr double single_cycle = 1e-6;
+/// The same that shows that rounding in single precision is too large: of light that returns too often.
+constexpr double vain_single_cycle = 1e-3;
 
 /// Krylov space of one cycle and its least-squares problems.
 struct Cycle {
@@ -54,6 +56,7 @@ class GmresRun : public IterationRun {
            const SolveObserver& observer, std::size_t memory)
       : IterationRun(sweep, state, options, observer),
         work_(state.layout()),
+        single_(options.single),
         judge_(options.acceleration != nullptr ? options.acceleration : options.judge),
         corrected_(judge_ != nullptr ? state.layout() : StateLayout{}),
         length_(std::clamp(memory / (state.layout().total() * sizeof(double)), shortest_krylov_basis,
@@ -83,6 +86,7 @@ class GmresRun : public IterationRun {
       end();
       return;
     }
+    watch_single(errors);
     // With no sweep left for a cycle the image is better than the state.
     if (cycle_ends())
       take_image();
@@ -133,6 +137,17 @@ class GmresRun : public IterationRun {
     return true;
   }
 
+  /// Continues in double precision after a cycle in single that has not found what it seemed to find.
+  void watch_single(const std::vector<double>& errors) {
+    const double error = std::ranges::max(errors);
+    if (single_ != nullptr && measured_ && cycle_.found_done && error > vain_single_cycle * began_with_) {
+      single_ = nullptr;
+      result_.notes.push_back(
+          fmt::format("single precision does not suffice: double from sweep {} on", result_.sweeps + 1));
+    }
+    began_with_ = error;
+  }
+
   /// state = F(state), from the residual of true_errors().
   void take_image() { vectors_.add(state_, BandScalars(bands_, 1), accelerated() ? corrected_ : work_); }
 
@@ -144,8 +159,8 @@ class GmresRun : public IterationRun {
 
   /// work_ = T v
   void apply_linear(const TransportState& v) {
-    if (options_.single != nullptr) {
-      options_.single->apply_linear(v, work_, active());
+    if (single_ != nullptr) {
+      single_->apply_linear(v, work_, active());
     } else {
       sweep_.apply_linear(v, work_, active());
     }
@@ -196,8 +211,8 @@ class GmresRun : public IterationRun {
   void find_goals() {
     cycle_.goal.clear();
     for (const BandConvergence& band : result_.bands)
-      cycle_.goal.push_back(std::max(safety * options_.tolerance,
-                                     options_.single != nullptr ? single_cycle * band.residual : 0));
+      cycle_.goal.push_back(
+          std::max(safety * options_.tolerance, single_ != nullptr ? single_cycle * band.residual : 0));
   }
 
   /// Adds the correction that the cycle has found so far.
@@ -305,6 +320,8 @@ class GmresRun : public IterationRun {
   }
 
   TransportState work_;
+  SingleTransportSweep* single_;  ///< null: cycles in double precision
+  double began_with_ = 0;         ///< the largest error before the last cycle
   DiffusionAcceleration* judge_;  ///< its |P r| is an estimate of the error; null: there is none
   TransportState corrected_;      ///< where P writes; empty without one
   std::size_t length_;            ///< Krylov vectors between restarts

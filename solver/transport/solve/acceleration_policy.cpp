@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "solver/problem/mirror.h"
+#include "solver/transport/solve/returned_light.h"
 
 namespace etendue {
 namespace {
@@ -18,43 +18,6 @@ constexpr double little_return = 0.5;
 /// `bright_wall`: the smoke room, with 0.2 of them, takes 13 sweeps and with acceleration 12.
 constexpr double few_scatterings = 1;
 constexpr double bright_wall = 0.8;
-
-/// The largest reflectance or transmittance of a wall, mirrors left out.
-double brightest_wall(const Problem& problem) {
-  double brightest = 0;
-  for (const Wall& wall : problem.walls())
-    for (std::size_t b = 0; b < wall.diffuse.size(); ++b)
-      brightest = std::max(brightest, wall.mean_reflectance(b) - wall.specular[b] + wall.transmitted(b));
-  return brightest;
-}
-
-/// The largest albedo of a cell.
-double largest_albedo(const Problem& problem) {
-  double largest = 0;
-  for (std::size_t i = 0; i < problem.scattering().size(); ++i)
-    if (problem.scattering()[i] > 0)
-      largest =
-          std::max(largest, problem.scattering()[i] / (problem.scattering()[i] + problem.absorption()[i]));
-  return largest;
-}
-
-/// Scatterings on a mean chord 4 V/S of the domain, in the band where they are most. Mirrors do not end a
-/// chord.
-double scatterings_on_a_chord(const Problem& problem) {
-  const TetrahedralMesh& mesh = problem.mesh();
-  const auto bands = static_cast<std::size_t>(problem.band_count());
-  double most = 0;
-  for (std::size_t band = 0; band < bands; ++band) {
-    double scattered = 0, surface = 0;
-    for (std::size_t c = 0; c < mesh.volumes().size(); ++c)
-      scattered += problem.scattering()[c * bands + band] * mesh.volumes()[c];
-    for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
-      surface += mesh.area(FaceIndex(f)) *
-                 (1 - mirrored_part_of_isotropic(problem.wall(mesh.wall(FaceIndex(f))), band));
-    if (scattered > 0) most = std::max(most, 4 * scattered / surface);
-  }
-  return most;
-}
 
 /// Returns the reason why diffusion would not pay; empty where it does.
 std::string reason_to_do_without(const Problem& problem) {

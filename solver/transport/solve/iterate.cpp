@@ -45,7 +45,7 @@ void take_result(const IterationSetup& setup, IterationResult&& result, int used
   solution.history = std::move(result.history);
   solution.interrupted = result.interrupted;
   for (BandConvergence& band : solution.convergence) band.sweeps += used;
-  if (setup.single != nullptr)
+  if (setup.single != nullptr && setup.single->band_sweep_count() > 0)
     solution.notes.push_back(
         fmt::format("{} sweeps of a band in single precision, within cycles that double precision corrects",
                     setup.single->band_sweep_count()));

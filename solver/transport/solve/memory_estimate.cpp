@@ -10,6 +10,7 @@
 #include "solver/transport/iteration/positive_iteration.h"
 #include "solver/transport/scattering/scattering_plan.h"
 #include "solver/transport/solve/acceleration_policy.h"
+#include "solver/transport/solve/precision_policy.h"
 #include "solver/transport/solve/solve.h"
 #include "solver/transport/source/directional_emission.h"
 #include "solver/transport/sweep/transport_sweep.h"
@@ -129,11 +130,15 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   // Cells at the boundary keep their slots; besides, a front through the mesh is live at a time.
   const double slots = (2 * s.faces + 8 * std::pow(s.cells, 2.0 / 3)) * s.cell_length;
   const double batch = OrdinateSchedule(problem, directions, Batches::of_neighbours).batch();
-  const bool is_tiled =
-      8 * s.cells * (s.record_length + s.cell_length) > static_cast<double>(options.cache_bytes);
-  const double workspaces = std::min<double>(threads, std::ceil(s.ordinates / batch)) *
-                            ((is_tiled ? largest_group : 1) * slots + 4 * fields +
-                             2 * s.faces * s.trace_length + batch * s.angular_cells * s.cell_length);
+  // The numbers that sweeps in a precision work on: fluence, and in those that are recorded net flux.
+  const auto workspaces_of = [&](std::size_t bytes, double summed_fields) {
+    const bool is_tiled = static_cast<double>(bytes) * s.cells * (s.record_length + s.cell_length) >
+                          static_cast<double>(options.cache_bytes);
+    return std::min<double>(threads, std::ceil(s.ordinates / batch)) *
+           ((is_tiled ? largest_group : 1) * slots + summed_fields * fields + 2 * s.faces * s.trace_length +
+            batch * s.angular_cells * s.cell_length);
+  };
+  const double workspaces = workspaces_of(sizeof(double), 4);
   const double records =
       s.cells * static_cast<double>(s.record_length) * (s.dense_cells > 0 ? 1 + threads : 1) +
       2 * s.matrices * s.ordinates * s.ordinates + DirectionalEmission::table_size(problem, directions) +
@@ -149,9 +154,9 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   // together.
   const double of_active_bands =
       problem.band_count() > 1 && !is_typical ? (workspaces + records + moments + radiance) / 2 + state : 0;
-  // The same sweep in single precision, but for what its matrices scatter.
-  const double single =
-      options.precision == Precision::mixed ? (workspaces + records) / 2 + moments + radiance : 0;
+  // The same sweep in single precision.
+  const bool is_mixed = (!is_typical || iterates) && has_cycles_in_single_precision(problem, options);
+  const double single = is_mixed ? (workspaces_of(sizeof(float), 1) + records + moments + radiance) / 2 : 0;
   const double orders =
       std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * sizeof(SweepVisit));
   // Sources of moments and matrices too.

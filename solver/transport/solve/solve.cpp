@@ -10,6 +10,7 @@
 #include "solver/transport/solve/acceleration_policy.h"
 #include "solver/transport/solve/iterate.h"
 #include "solver/transport/solve/iterate_emission.h"
+#include "solver/transport/solve/precision_policy.h"
 #include "solver/transport/solve/read_out.h"
 #include "solver/transport/source/directional_emission.h"
 #include "solver/transport/source/ordinate_lights.h"
@@ -66,11 +67,6 @@ void report_cost(const TransportSweep& sweep, const std::optional<SingleTranspor
       (static_cast<double>(band_sweeps) * sweep.mesh().cell_count() * sweep.directions().count());
 }
 
-bool sweeps_in_single_precision(const SolveOptions& options, const TransportSweep& sweep) {
-  return options.precision == Precision::mixed && options.method != Method::source_iteration &&
-         !sweep.is_direct();
-}
-
 /// solve(); `changing`, where it is not null, is the problem, whose emission follows from the light.
 Solution solve_fixed_or_following(const Problem& problem, Problem* changing, const DirectionSet& directions,
                                   const SolveOptions& options, const SolveObserver& observer) {
@@ -95,7 +91,7 @@ Solution solve_fixed_or_following(const Problem& problem, Problem* changing, con
   solution.seconds.orders = sweep.order_seconds();
   solution.seconds.setup = seconds_between(begun, start) - solution.seconds.orders;
   std::optional<SingleTransportSweep> single;
-  if (sweeps_in_single_precision(options, sweep)) single.emplace(sweep);
+  if (has_cycles_in_single_precision(problem, options) && !sweep.is_direct()) single.emplace(sweep);
   LowOrder low_order;
   SweepRecord record;
   try {

@@ -200,6 +200,7 @@ TEST(MixedPrecision, GivesTheSolutionOfDouble) {
       options.acceleration = acceleration;
       options.method = Method::gmres;
       options.tolerance = 1e-11;
+      options.precision = Precision::full;
       const Solution full = solve(sample.problem, sample.directions, options);
       options.precision = Precision::mixed;
       const Solution mixed = solve(sample.problem, sample.directions, options);
@@ -238,6 +239,42 @@ TEST(MixedPrecision, ResidualInDoubleIsBelowTheTolerance) {
   }
 }
 
+TEST(MixedPrecision, IsTakenWhereTheToleranceAllows) {
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.1, 2, 1), uniform_wall(1, 0.2, 0.5, 0.1));
+  SolveOptions options = tight_options();
+  options.method = Method::gmres;
+  const auto fluence = [&](Precision precision, double tolerance) {
+    options.precision = precision;
+    options.tolerance = tolerance;
+    return solve(problem, directions_ldfe_sq(1), options).fluence;
+  };
+  EXPECT_EQ(fluence(Precision::automatic, 1e-10), fluence(Precision::mixed, 1e-10));
+  EXPECT_NE(fluence(Precision::automatic, 1e-10), fluence(Precision::full, 1e-10));
+  EXPECT_EQ(fluence(Precision::automatic, 9e-11), fluence(Precision::full, 9e-11));
+  options.method = Method::source_iteration;
+  EXPECT_EQ(fluence(Precision::automatic, 1e-6), fluence(Precision::full, 1e-6));
+}
+
+// Cells of 1000 free paths: an error is a million times its residual.
+TEST(MixedPrecision, GoesOnInDoubleWhereLightReturnsTooOften) {
+  const TetrahedralMesh mesh = cube_mesh(2e-2);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0, 4e3, 1), uniform_wall(1, 0, 0, 0));
+  SolveOptions options;
+  options.method = Method::gmres;
+  options.precision = Precision::full;
+  const Solution full = solve(problem, directions_triangular(4), options);
+  options.precision = Precision::automatic;
+  EXPECT_EQ(solve(problem, directions_triangular(4), options).fluence, full.fluence);
+  options.precision = Precision::mixed;
+  const Solution mixed = solve(problem, directions_triangular(4), options);
+  ASSERT_TRUE(mixed.converged());
+  EXPECT_LT(difference(mixed, full, 1, 0), 3 * options.tolerance);
+  EXPECT_TRUE(std::ranges::any_of(mixed.notes, [](const std::string& note) {
+    return note.find("single precision does not suffice: double from sweep ") != std::string::npos;
+  }));
+}
+
 TEST(MixedPrecision, KeepsValuesPositiveInDouble) {
   const TetrahedralMesh mesh = cube_mesh(2e-2);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 12, 3, 0), uniform_wall(1, 1, 0.3, 0));
@@ -245,6 +282,7 @@ TEST(MixedPrecision, KeepsValuesPositiveInDouble) {
   options.method = Method::gmres;
   options.positivity = Positivity::quadratic;
   options.tolerance = 1e-9;
+  options.precision = Precision::full;
   const Solution full = solve(problem, directions_triangular(4), options);
   options.precision = Precision::mixed;
   const Solution mixed = solve(problem, directions_triangular(4), options);
@@ -276,6 +314,7 @@ TEST(MixedPrecision, BreaksCyclesAsDoubleDoes) {
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.3, 2, 1), uniform_wall(1, 0.2, 0.3, 0));
   SolveOptions options = tight_options();
   options.tolerance = 1e-10;
+  options.precision = Precision::full;
   const Solution full = solve(problem, directions, options);
   options.precision = Precision::mixed;
   const Solution mixed = solve(problem, directions, options);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "solver/problem/problem.h"
+
+namespace etendue {
+
+/// The largest reflectance or transmittance of a wall, mirrors left out.
+double brightest_wall(const Problem& problem);
+/// The largest albedo of a cell.
+double largest_albedo(const Problem& problem);
+/// Scatterings on a mean chord 4 V/S of the domain, in the band where they are most; infinite between mirrors
+/// alone. Mirrors do not end a chord.
+double scatterings_on_a_chord(const Problem& problem);
+/// Upper estimate of how often light is scattered or reflected diffusely before it is absorbed or leaves: the
+/// inverse of the smallest eigenvalue of I - T, which is 1 - albedo + 3 / (free paths across the domain)^2
+/// where light is diffuse, and 1 - reflectance in a void.
+double most_returns(const Problem& problem);
+
+}  // namespace etendue
