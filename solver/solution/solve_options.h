@@ -18,8 +18,12 @@ enum class Method { automatic, gmres, source_iteration };
 
 /// The numbers that sweeps compute with. Mixed: float within the cycles of GMRES, double where they begin and
 /// end, so that the residual that is judged, and the solution, are those of double. Automatic: mixed where
-/// the tolerance is at least 1e-10.
+/// the tolerance is at least 1e-10 and light does not return more than some 300 times.
 enum class Precision { automatic, full, mixed };
+
+/// Corrections of the vectors of GMRES on fewer directions (Morel and Manteuffel 1991); automatic: on at most
+/// a sixth of them, where that pays.
+enum class AngularMultigrid { automatic, none };
 
 /// What speeds the iteration up; automatic: diffusion with GMRES where it pays. With none diffusion still
 /// judges the error where residuals could not.
@@ -52,6 +56,7 @@ struct SolveOptions {
   Positivity positivity = Positivity::none;
   Method method = Method::automatic;
   Precision precision = Precision::automatic;  ///< of GMRES; other methods know only full
+  AngularMultigrid angular_multigrid = AngularMultigrid::automatic;  ///< of GMRES
   Acceleration acceleration = Acceleration::automatic;
   DiffusionLength diffusion_length = DiffusionLength::automatic;
   double tolerance = 1e-6;  ///< estimated relative error of the iteration, per band

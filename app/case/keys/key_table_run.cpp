@@ -113,6 +113,10 @@ const BoundTable<Case>& solve_table() {
              "double; it saves a third to a half of the time, and takes half as much memory again for what a "
              "sweep works on. auto: mixed where tolerance is at least 1e-10 and light does not return "
              "more than some 300 times.");
+    t.choice("angular_multigrid", member_of(&Case::solve, &SolveOptions::angular_multigrid),
+             {{"auto", AngularMultigrid::automatic}, {"none", AngularMultigrid::none}}, {},
+             "Whether gmres corrects its vectors on fewer directions, which leaves fewer sweeps on all of "
+             "them. auto: with 768 directions and more, as long as that pays.");
     t.choice("acceleration", member_of(&Case::solve, &SolveOptions::acceleration),
              {{"auto", Acceleration::automatic},
               {"diffusion", Acceleration::diffusion},

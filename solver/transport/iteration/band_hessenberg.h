@@ -12,7 +12,7 @@ namespace etendue {
 class BandHessenberg {
  public:
   /// `start` is the norm of the residual that the basis begins with.
-  explicit BandHessenberg(double start) : start_(start) {}
+  explicit BandHessenberg(double start) : start_(start), residual_(Eigen::VectorXd::Constant(1, start)) {}
 
   /// Adds the products with all basis vectors, the new one last, and solves.
   void add_column(const std::vector<double>& entries);

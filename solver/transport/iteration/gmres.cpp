@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "solver/transport/acceleration/diffusion_acceleration.h"
-#include "solver/transport/iteration/band_hessenberg.h"
+#include "solver/transport/iteration/coarse_correction.h"
 #include "solver/transport/iteration/iteration_run.h"
+#include "solver/transport/iteration/krylov_spaces.h"
 #include "solver/transport/iteration/residual.h"
 #include "solver/transport/state/state_copy.h"
 
@@ -23,14 +25,20 @@ constexpr double single_cycle = 1e-6;
 /// The same that shows that rounding in single precision is too large: of light that returns too often.
 constexpr double vain_single_cycle = 1e-3;
 
-/// Krylov space of one cycle and its least-squares problems.
+/// Part of a vector that a correction on fewer directions leaves of it, unless the cycle needs less. The
+/// sweep that follows leaves more, what the directions do not share.
+constexpr double corrected_part = 0.05;
+/// Vectors that a cycle with corrections holds at least.
+constexpr std::size_t shortest_corrected = 2 * CoarseCorrection::longest_basis + 2;
+
+/// One cycle.
 struct Cycle {
-  std::vector<TransportState> basis;     ///< empty between cycles
-  std::vector<BandHessenberg> problems;  ///< [band]
-  std::vector<double> goal;              ///< [band] error at which the cycle is done
-  BandScalars size;                      ///< of the state when the cycle began
-  FieldNorms field;                      ///< of the fluence and the walls' irradiance then
-  bool found_done = false;               ///< whether the last cycle ended because all bands seemed done
+  /// [basis vector] that took its place in front of the sweep; none: the vector itself.
+  std::vector<std::optional<TransportState>> corrected;
+  std::vector<double> goal;  ///< [band] error at which the cycle is done
+  BandScalars size;          ///< of the state when the cycle began
+  FieldNorms field;          ///< of the fluence and the walls' irradiance then
+  bool found_done = false;   ///< whether the last cycle ended because all bands seemed done
 };
 
 /// Finds out that only rounding remains.
@@ -61,8 +69,14 @@ class GmresRun : public IterationRun {
         corrected_(judge_ != nullptr ? state.layout() : StateLayout{}),
         length_(std::clamp(memory / (state.layout().total() * sizeof(double)), shortest_krylov_basis,
                            longest_krylov_basis)),
+        spaces_(vectors_),
         done_(bands_, 0),
-        smallest_(bands_, 1) {}
+        smallest_(bands_, 1) {
+    // Both hold vectors: those of the correction, and its results.
+    if (options.coarse != nullptr && length_ >= shortest_corrected)
+      correction_.emplace(*options.coarse, options.acceleration, vectors_,
+                          static_cast<double>(options.coarse->count()) / sweep.directions().count());
+  }
 
  private:
   /// Finds the true residual, and improves the state by a cycle.
@@ -167,33 +181,82 @@ class GmresRun : public IterationRun {
   }
 
   void cycle() {
-    const BandScalars start = begin_cycle();
-    push_normalised(start);
-    for (std::size_t j = 0; j < length_ && !cycle_ends(); ++j) {
-      apply_linear(cycle_.basis[j]);
+    begin_cycle();
+    while (stored_vectors() <= length_ && !cycle_ends()) {
+      const std::vector<char> taking_part = active();
+      cycle_.corrected.push_back(corrected_on_fewer(taking_part));
+      const bool is_corrected = cycle_.corrected.back().has_value();
+      const TransportState& v = is_corrected ? *cycle_.corrected.back() : spaces_.last();
+      apply_linear(v);
       ++result_.sweeps;
       check(work_);
       // work = P (I - T) v
       vectors_.scale(work_, BandScalars(bands_, -1));
-      vectors_.add(work_, BandScalars(bands_, 1), cycle_.basis[j]);
-      const std::vector<char> taking_part = active();
+      vectors_.add(work_, BandScalars(bands_, 1), v);
       if (accelerated()) precondition(taking_part);
-      add_columns(orthogonalise());
+      const BandScalars before = residuals();
+      const KrylovSpaces::Columns columns = spaces_.orthogonalise(work_, done_);
+      check_norms(columns);
+      spaces_.add_columns(columns, done_);
+      take_smallest(is_corrected);
+      if (is_corrected) judge_correction(before, taking_part);
       estimate();
       if (!report_sweep(taking_part) || all_done()) break;
     }
     cycle_.found_done = all_done();
     add_correction(state_);
-    cycle_.basis.clear();
+    spaces_.clear();
+    cycle_.corrected.clear();
+  }
+
+  void check_norms(const KrylovSpaces::Columns& columns) const {
+    BandScalars norms;
+    for (const std::vector<double>& column : columns) norms.push_back(column.back());
+    check("Krylov vector", norms);
+  }
+
+  std::size_t stored_vectors() const {
+    const bool corrects = correction_ && !correction_->is_given_up();
+    return spaces_.size() +
+           static_cast<std::size_t>(std::ranges::count_if(
+               cycle_.corrected, [](const auto& vector) { return vector.has_value(); })) +
+           (corrects ? CoarseCorrection::longest_basis : 0);
+  }
+
+  /// The last vector, corrected on fewer directions where there are some and that pays.
+  std::optional<TransportState> corrected_on_fewer(const std::vector<char>& active) {
+    if (!correction_ || correction_->is_given_up()) return std::nullopt;
+    double part = 0.5;
+    for (std::size_t b = 0; b < bands_; ++b)
+      if (active[b]) part = std::min(part, 0.5 * cycle_.goal[b] / result_.bands[b].residual);
+    return correction_->solve(spaces_.last(), std::max(part, corrected_part), active);
+  }
+
+  void judge_correction(const BandScalars& before, const std::vector<char>& active) {
+    correction_->judge(before, residuals(), active);
+    if (correction_->is_given_up())
+      result_.notes.push_back("corrections on fewer directions given up: they cost more than they saved");
+  }
+
+  BandScalars residuals() const {
+    BandScalars result;
+    for (std::size_t b = 0; b < bands_; ++b) result.push_back(spaces_.problem(b).residual());
+    return result;
+  }
+
+  /// Of I - T: that of a corrected column is the product of two.
+  void take_smallest(bool is_corrected) {
+    for (std::size_t b = 0; b < bands_; ++b)
+      if (!done_[b])
+        smallest_[b] =
+            std::min(smallest_[b], spaces_.problem(b).smallest_singular_value() *
+                                       (is_corrected ? correction_->smallest_singular_value(b) : 1));
   }
 
   bool all_done() const { return std::count(done_.begin(), done_.end(), 0) == 0; }
 
-  /// Starts the least-squares problems. Returns the norm of the residual [band].
-  BandScalars begin_cycle() {
-    cycle_.basis.clear();
+  void begin_cycle() {
     find_goals();
-    cycle_.problems.clear();
     const BandScalars start = vectors_.norm(work_);
     cycle_.size = vectors_.norm(state_);
     if (judge_ != nullptr)
@@ -202,9 +265,8 @@ class GmresRun : public IterationRun {
       // From nothing the first residual is the size of the answer.
       cycle_.size[b] = std::max(cycle_.size[b], start[b]);
       done_[b] = result_.bands[b].converged || start[b] == 0;
-      cycle_.problems.emplace_back(done_[b] ? 0 : start[b]);
     }
-    return start;
+    spaces_.begin(work_, start, done_);
   }
 
   /// The errors at which the cycle is done.
@@ -217,11 +279,9 @@ class GmresRun : public IterationRun {
 
   /// Adds the correction that the cycle has found so far.
   void add_correction(TransportState& to) const {
-    for (std::size_t j = 0; j < cycle_.basis.size(); ++j) {
-      BandScalars factor;
-      for (const BandHessenberg& problem : cycle_.problems) factor.push_back(problem.coefficient(j));
-      vectors_.add(to, factor, cycle_.basis[j]);
-    }
+    for (std::size_t j = 0; j < cycle_.corrected.size(); ++j)
+      vectors_.add(to, spaces_.coefficients(j),
+                   cycle_.corrected[j] ? *cycle_.corrected[j] : spaces_.vector(j));
   }
 
   std::vector<char> active() const {
@@ -236,50 +296,16 @@ class GmresRun : public IterationRun {
     return saved(best, static_cast<int>(bands_));
   }
 
-  void push_normalised(const BandScalars& norm) {
-    BandScalars factor;
-    for (std::size_t b = 0; b < bands_; ++b) factor.push_back(norm[b] > 0 && !done_[b] ? 1 / norm[b] : 0);
-    cycle_.basis.push_back(work_);
-    vectors_.scale(cycle_.basis.back(), factor);
-  }
-
-  /// Gram-Schmidt, twice (Giraud et al. 2005): [band][basis vector, then the new norm].
-  std::vector<std::vector<double>> orthogonalise() {
-    std::vector<std::vector<double>> columns(bands_, std::vector<double>(cycle_.basis.size() + 1, 0));
-    for (int pass = 0; pass < 2; ++pass)
-      for (std::size_t i = 0; i < cycle_.basis.size(); ++i) {
-        BandScalars projection = vectors_.dot(cycle_.basis[i], work_);
-        for (std::size_t b = 0; b < bands_; ++b) {
-          columns[b][i] += projection[b];
-          projection[b] = -projection[b];
-        }
-        vectors_.add(work_, projection, cycle_.basis[i]);
-      }
-    const BandScalars norm = vectors_.norm(work_);
-    check("Krylov vector", norm);
-    for (std::size_t b = 0; b < bands_; ++b) columns[b].back() = norm[b];
-    push_normalised(norm);
-    return columns;
-  }
-
-  void add_columns(const std::vector<std::vector<double>>& columns) {
-    for (std::size_t b = 0; b < bands_; ++b) {
-      if (done_[b]) continue;
-      cycle_.problems[b].add_column(columns[b]);
-      smallest_[b] = std::min(smallest_[b], cycle_.problems[b].smallest_singular_value());
-    }
-  }
-
   /// Estimated relative errors of the bands that are not done yet: |P r| / |phi|, or |r| / (s |x|).
   void estimate() {
     std::vector<double> errors(bands_, 0);
     if (judge_ != nullptr) {
       std::fill(corrected_.values().begin(), corrected_.values().end(), 0.0);
-      for (std::size_t j = 0; j < cycle_.basis.size(); ++j) {
+      for (std::size_t j = 0; j < spaces_.size(); ++j) {
         BandScalars factor;
         for (std::size_t b = 0; b < bands_; ++b)
-          factor.push_back(done_[b] ? 0 : cycle_.problems[b].residual_coefficient(j));
-        vectors_.add(corrected_, factor, cycle_.basis[j]);
+          factor.push_back(done_[b] ? 0 : spaces_.problem(b).residual_coefficient(j));
+        vectors_.add(corrected_, factor, spaces_.vector(j));
       }
       if (!accelerated()) {
         // The place to work in is free until the next sweep.
@@ -291,7 +317,7 @@ class GmresRun : public IterationRun {
     for (std::size_t b = 0; b < bands_; ++b) {
       if (done_[b]) continue;
       errors[b] = judged(b) ? errors[b] * judge_->caution(b)
-                            : cycle_.problems[b].residual() / (smallest_[b] * cycle_.size[b]);
+                            : spaces_.problem(b).residual() / (smallest_[b] * cycle_.size[b]);
       result_.bands[b].residual = errors[b];
       done_[b] = errors[b] <= cycle_.goal[b];
     }
@@ -325,7 +351,9 @@ class GmresRun : public IterationRun {
   DiffusionAcceleration* judge_;  ///< its |P r| is an estimate of the error; null: there is none
   TransportState corrected_;      ///< where P writes; empty without one
   std::size_t length_;            ///< Krylov vectors between restarts
+  KrylovSpaces spaces_;           ///< empty between cycles
   Cycle cycle_;
+  std::optional<CoarseCorrection> correction_;
   std::vector<char> done_;        ///< [band]
   std::vector<double> smallest_;  ///< [band] smallest singular value of I - T seen so far
   bool measured_ = false;         ///< whether a cycle has measured it

@@ -21,6 +21,8 @@ inline constexpr std::size_t shortest_krylov_basis = 3;
 ///
 /// With a sweep in single precision (IterationOptions::single) the cycles apply that one, and so correct a
 /// residual that is found in double precision: iterative refinement (Wilkinson 1963; Carson and Higham 2018).
+/// With a sweep of fewer directions (IterationOptions::coarse) each basis vector is corrected on them first,
+/// as in flexible GMRES (Saad 1993), until that does not pay.
 class Gmres : public Iteration {
  public:
   /// `memory` bounds the bytes of the basis and so the length between restarts.

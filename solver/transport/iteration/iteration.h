@@ -11,6 +11,7 @@
 
 namespace etendue {
 
+class CoarseDirections;
 class DiffusionAcceleration;
 
 struct IterationOptions {
@@ -22,6 +23,8 @@ struct IterationOptions {
   DiffusionAcceleration* judge = nullptr;
   /// The same sweep in single precision, for the cycles of GMRES. Null: none.
   SingleTransportSweep* single = nullptr;
+  /// A sweep of fewer directions on which GMRES corrects its vectors, as long as that pays. Null: none.
+  CoarseDirections* coarse = nullptr;
   /// Filled, where it is not null, by a sweep that is expected to be the last (IterationResult::recorded).
   SweepRecord* record = nullptr;
 };

@@ -100,6 +100,19 @@ std::vector<ScatteringTreatment> plan_scattering(const Problem& problem, const D
   return plan;
 }
 
+std::vector<ScatteringTreatment> scattering_on_fewer(const Problem& problem, const DirectionSet& directions,
+                                                     const std::vector<ScatteringTreatment>& fine) {
+  const int resolved = DiscreteHarmonics(directions, highest_degree(fine)).full_degree();
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  std::vector<ScatteringTreatment> plan = fine;
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    if (plan[i].degree <= resolved) continue;
+    plan[i].degree = resolved;
+    plan[i].forward = std::max(0.0, phase_moment(problem.media()[i / bands].phase[i % bands], resolved + 1));
+  }
+  return plan;
+}
+
 int highest_degree(const std::vector<ScatteringTreatment>& plan) {
   int degree = 0;
   for (const ScatteringTreatment& treatment : plan) degree = std::max(degree, treatment.degree);

@@ -32,6 +32,11 @@ double matrix_bytes(const DirectionSet& directions);
 /// [region * bands + band].
 std::vector<ScatteringTreatment> plan_scattering(const Problem& problem, const DirectionSet& directions);
 
+/// The same media on a set of fewer directions, by moments where `fine` is so: with a lower degree where the
+/// set does not resolve that of `fine`, and delta-M in place of what is then left out.
+std::vector<ScatteringTreatment> scattering_on_fewer(const Problem& problem, const DirectionSet& directions,
+                                                     const std::vector<ScatteringTreatment>& fine);
+
 /// Of all media and bands.
 int highest_degree(const std::vector<ScatteringTreatment>& plan);
 

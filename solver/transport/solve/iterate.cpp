@@ -49,6 +49,10 @@ void take_result(const IterationSetup& setup, IterationResult&& result, int used
     solution.notes.push_back(
         fmt::format("{} sweeps of a band in single precision, within cycles that double precision corrects",
                     setup.single->band_sweep_count()));
+  if (setup.coarse != nullptr && setup.coarse->sweeps() > 0)
+    solution.notes.push_back(fmt::format("corrected on {} directions ({}), in {} sweeps",
+                                         setup.coarse->count(), setup.coarse->name(),
+                                         setup.coarse->sweeps()));
   if (setup.low_order.accelerates)
     for (std::string& note : setup.low_order.diffusion->notes()) solution.notes.push_back(std::move(note));
   std::move(result.notes.begin(), result.notes.end(), std::back_inserter(solution.notes));
@@ -70,9 +74,13 @@ SweepsUsed iterate_linearly(const IterationSetup& setup, TransportState& state, 
   // The sweep that is recorded is one of those that are allowed: the last of the iteration or one more.
   const bool records = iteration->records() && options.positivity == Positivity::none;
   if (!records) ++used;
-  const IterationOptions limits{
-      options.tolerance, options.max_sweeps - used,  setup.low_order.acceleration(), setup.low_order.judge(),
-      setup.single,      records ? &record : nullptr};
+  const IterationOptions limits{options.tolerance,
+                                options.max_sweeps - used,
+                                setup.low_order.acceleration(),
+                                setup.low_order.judge(),
+                                setup.single,
+                                setup.coarse,
+                                records ? &record : nullptr};
   IterationResult result = starts_positive(options)
                                ? untouched(bands)
                                : iteration->run(setup.sweep, state, limits, setup.observer);

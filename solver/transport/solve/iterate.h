@@ -5,6 +5,7 @@
 
 #include "solver/solution/solution.h"
 #include "solver/solution/solve_observer.h"
+#include "solver/transport/acceleration/coarse_directions.h"
 #include "solver/transport/iteration/iteration.h"
 #include "solver/transport/solve/acceleration_policy.h"
 #include "solver/transport/sweep/transport_sweep.h"
@@ -15,6 +16,7 @@ namespace etendue {
 struct IterationSetup {
   TransportSweep& sweep;
   SingleTransportSweep* single;  ///< the same in single precision, for cycles of GMRES; null: none
+  CoarseDirections* coarse;      ///< fewer directions, for corrections; null: none
   const LowOrder& low_order;
   const SolveOptions& options;
   const SolveObserver& observer;

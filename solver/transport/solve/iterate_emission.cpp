@@ -79,8 +79,12 @@ class EmissionSteps {
   /// Brings the state to the light of this emission.
   void find_light(double tolerance) {
     if (setup_.sweep.is_direct()) return sweep_once();
-    const IterationOptions limits{tolerance, setup_.options.max_sweeps - sweeps_ - last_sweeps + 1,
-                                  setup_.low_order.acceleration(), setup_.low_order.judge(), setup_.single};
+    const IterationOptions limits{tolerance,
+                                  setup_.options.max_sweeps - sweeps_ - last_sweeps + 1,
+                                  setup_.low_order.acceleration(),
+                                  setup_.low_order.judge(),
+                                  setup_.single,
+                                  setup_.coarse};
     const auto shifted = [&](const SweepProgress& progress) { return observe(progress); };
     const IterationResult result =
         make_iteration(setup_.options.method)->run(setup_.sweep, state_, limits, SolveObserver(shifted));
@@ -154,7 +158,8 @@ void iterate_emission(const IterationSetup& setup, Problem& problem, TransportSt
     return steps.interrupted() ? SolveControl::stop : setup.observer(all);
   };
   const SolveObserver observer = setup.observer ? SolveObserver(shifted) : SolveObserver();
-  iterate({setup.sweep, setup.single, setup.low_order, options, observer}, state, record, solution);
+  iterate({setup.sweep, setup.single, setup.coarse, setup.low_order, options, observer}, state, record,
+          solution);
   for (HistoryEntry& entry : solution.history) entry.sweep += steps.sweeps();
   solution.history.insert(solution.history.begin(), steps.history().begin(), steps.history().end());
   for (BandConvergence& band : solution.convergence) {

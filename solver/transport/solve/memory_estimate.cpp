@@ -10,6 +10,7 @@
 #include "solver/transport/iteration/positive_iteration.h"
 #include "solver/transport/scattering/scattering_plan.h"
 #include "solver/transport/solve/acceleration_policy.h"
+#include "solver/transport/solve/angular_multigrid.h"
 #include "solver/transport/solve/precision_policy.h"
 #include "solver/transport/solve/solve.h"
 #include "solver/transport/source/directional_emission.h"
@@ -157,14 +158,19 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   // The same sweep in single precision.
   const bool is_mixed = (!is_typical || iterates) && has_cycles_in_single_precision(problem, options);
   const double single = is_mixed ? (workspaces_of(sizeof(float), 1) + records + moments + radiance) / 2 : 0;
+  // The sweep of fewer directions, in single precision too, and its states.
+  const bool is_corrected =
+      (!is_typical || iterates) && coarser_directions(problem, directions, options).has_value();
+  const double coarse =
+      is_corrected ? (workspaces_of(sizeof(float), 1) + records + moments) / 2 + 2 * state : 0;
   const double orders =
       std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * sizeof(SweepVisit));
   // Sources of moments and matrices too.
   const double always = 2 * state + workspaces + records + moments + radiance + low_order;
-  const double iteration = std::max(basis, positive) * state + of_active_bands + single;
+  const double iteration = std::max(basis, positive) * state + of_active_bands + single + coarse;
   // The vectors of the iteration are given back before the solution is read out.
   const double besides = is_typical ? std::max(iteration, results + kept) : iteration + results + kept;
-  return static_cast<std::size_t>(8 * (always + besides) + orders);
+  return static_cast<std::size_t>(8 * (always + besides) + orders * (is_corrected ? 7.0 / 6 : 1));
 }
 
 }  // namespace etendue

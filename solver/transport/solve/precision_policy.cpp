@@ -10,10 +10,6 @@ namespace {
 /// as are saved.
 constexpr double finest_tolerance = 1e-10;
 
-/// Rounding, 4e-7 of a sweep, makes an error this many times as large. With a thousand a cycle takes more
-/// sweeps, with a million it finds nothing.
-constexpr double many_returns = 300;
-
 }  // namespace
 
 bool has_cycles_in_single_precision(const Problem& problem, const SolveOptions& options) {

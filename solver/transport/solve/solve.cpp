@@ -8,6 +8,7 @@
 #include "solver/solution/following_emission.h"
 #include "solver/transport/order/sweep_stopped.h"
 #include "solver/transport/solve/acceleration_policy.h"
+#include "solver/transport/solve/angular_multigrid.h"
 #include "solver/transport/solve/iterate.h"
 #include "solver/transport/solve/iterate_emission.h"
 #include "solver/transport/solve/precision_policy.h"
@@ -59,12 +60,16 @@ void report_sources(const DirectionalSources& sources, Solution& solution) {
 
 /// Sets the cost of a sweep for each cell, direction and band [ns].
 void report_cost(const TransportSweep& sweep, const std::optional<SingleTransportSweep>& single,
-                 Solution& solution) {
-  const double swept = sweep.processor_seconds() + (single ? single->processor_seconds() : 0);
-  const std::int64_t band_sweeps = sweep.band_sweep_count() + (single ? single->band_sweep_count() : 0);
-  solution.sweep_cost =
-      1e9 * swept /
-      (static_cast<double>(band_sweeps) * sweep.mesh().cell_count() * sweep.directions().count());
+                 const CoarseDirections* coarse, Solution& solution) {
+  double swept = sweep.processor_seconds() + (single ? single->processor_seconds() : 0);
+  double ordinates =
+      static_cast<double>(sweep.band_sweep_count() + (single ? single->band_sweep_count() : 0)) *
+      sweep.directions().count();
+  if (coarse != nullptr) {
+    swept += coarse->processor_seconds();
+    ordinates += static_cast<double>(coarse->band_sweep_count()) * coarse->count();
+  }
+  solution.sweep_cost = 1e9 * swept / (ordinates * sweep.mesh().cell_count());
 }
 
 /// solve(); `changing`, where it is not null, is the problem, whose emission follows from the light.
@@ -87,8 +92,9 @@ Solution solve_fixed_or_following(const Problem& problem, Problem* changing, con
   solution.method = iteration_name(options.method);
   solution.directions = directions.count();
 
+  const std::unique_ptr<CoarseDirections> coarse = make_coarse_directions(sweep, options);
   const Clock::time_point start = Clock::now();
-  solution.seconds.orders = sweep.order_seconds();
+  solution.seconds.orders = sweep.order_seconds() + (coarse ? coarse->order_seconds() : 0);
   solution.seconds.setup = seconds_between(begun, start) - solution.seconds.orders;
   std::optional<SingleTransportSweep> single;
   if (has_cycles_in_single_precision(problem, options) && !sweep.is_direct()) single.emplace(sweep);
@@ -96,7 +102,8 @@ Solution solve_fixed_or_following(const Problem& problem, Problem* changing, con
   SweepRecord record;
   try {
     low_order = choose_low_order(problem, sweep, extinction, options, solution.notes);
-    const IterationSetup setup{sweep, single ? &*single : nullptr, low_order, options, observer};
+    const IterationSetup setup{sweep,   single ? &*single : nullptr, coarse.get(), low_order, options,
+                               observer};
     if (changing != nullptr)
       iterate_emission(setup, *changing, state, record, solution);
     else
@@ -114,7 +121,7 @@ Solution solve_fixed_or_following(const Problem& problem, Problem* changing, con
   }
   solution.seconds.sweep = seconds_between(start, Clock::now()) - solution.seconds.low_order;
   report_sources(sources, solution);
-  report_cost(sweep, single, solution);
+  report_cost(sweep, single, coarse.get(), solution);
   const std::vector<std::string> notes = notes_of(sweep);
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
   return solution;

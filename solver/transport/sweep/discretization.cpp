@@ -45,6 +45,16 @@ std::vector<CellIndex> observed_cells(const TetrahedralMesh& mesh, const SolveOp
   return cells;
 }
 
+/// Options of sweeps without sources, of which nothing but the next state is wanted.
+SolveOptions without_record(SolveOptions options) {
+  options.angular_input = nullptr;
+  options.keep_ordinates.clear();
+  options.meters.clear();
+  options.orders_share = {};
+  options.sweep_share = {};
+  return options;
+}
+
 std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, const DirectionSet& directions,
                                                 const CellCoefficients& cells, const SolveOptions& options,
                                                 double& seconds) {
@@ -79,6 +89,10 @@ Discretization::Discretization(const Discretization& wide, const Problem& given,
                                    static_cast<std::size_t>(wide.cells.bands()), bands),
                       of_bands(wide.scattering.groups, bands)},
                      wide.orders) {}
+
+Discretization::Discretization(const Discretization& fine, const DirectionSet& set, Scalar scalar)
+    : Discretization(fine.problem, set, fine.extinction, without_record(fine.options), scalar,
+                     {scattering_on_fewer(fine.problem, set, fine.scattering.plan), {}}, nullptr) {}
 
 Discretization::Discretization(const Problem& given, const DirectionSet& set,
                                std::span<const double> extinction_of_cells, const SolveOptions& wanted,

@@ -37,6 +37,10 @@ struct Discretization {
   /// subset.
   Discretization(const Discretization& wide, const Problem& problem, std::span<const double> extinction,
                  std::span<const int> bands, Scalar scalar);
+  /// The same problem on other directions, of which nothing is recorded: with no sources that depend on the
+  /// direction, and with scattering by the moments of `fine`, as far as these directions resolve them
+  /// (scattering_on_fewer()). Nothing in `fine` may scatter by a matrix.
+  Discretization(const Discretization& fine, const DirectionSet& directions, Scalar scalar);
   Discretization(const Discretization&) = delete;
   Discretization& operator=(const Discretization&) = delete;
 

@@ -65,6 +65,10 @@ TransportSweepOf<Real>::TransportSweepOf(const Discretization& wide, const Probl
     : TransportSweepOf(std::in_place, wide, problem, extinction, bands) {}
 
 template <class Real>
+TransportSweepOf<Real>::TransportSweepOf(const Discretization& fine, const DirectionSet& directions)
+    : TransportSweepOf(std::in_place, fine, directions) {}
+
+template <class Real>
 void TransportSweepOf<Real>::apply(const TransportState& last, TransportState& next, SweepRecord* record) {
   sweep_state({last, next, record, Emission::included});
   const AngularInput* input = discretization_.options.angular_input;

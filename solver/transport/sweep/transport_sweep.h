@@ -41,6 +41,8 @@ class TransportSweepOf {
   /// The sweep of a subset of the bands, of which `problem` and `extinction` are, with the same orders.
   TransportSweepOf(const Discretization& wide, const Problem& problem, std::span<const double> extinction,
                    std::span<const int> bands);
+  /// The linear sweep of the same problem on other directions (Discretization).
+  TransportSweepOf(const Discretization& fine, const DirectionSet& directions);
 
   StateLayout layout() const { return discretization_.layout(); }
   /// next = F(last). `record`, where it is not null, is filled too (its sizes are set here). All sweeps throw

@@ -65,6 +65,21 @@ TEST_P(SweepStop, LeavesTheStateOfTheLastWholeSweepToGoOnFrom) {
   EXPECT_LT(difference(solve(problem, directions, options).fluence, whole.fluence), 100 * options.tolerance);
 }
 
+// It stops in the sweeps on fewer directions that come before the fourth on all.
+TEST(SweepStopInACorrection, LeavesTheStateOfTheLastWholeSweepToGoOnFrom) {
+  const TetrahedralMesh mesh = cube_mesh(0.02);
+  const Problem problem = scattering_problem(mesh);
+  SolveOptions options = tight_options();
+  options.threads = 2;
+  const Solution whole = solve(problem, directions_ldfe_sq(3), options);
+  const SavedState state = stopped_after(3, problem, directions_ldfe_sq(3), options);
+  EXPECT_LT(difference(state.fluence, whole.state.fluence), 0.1);
+  EXPECT_GT(difference(state.fluence, whole.state.fluence), options.tolerance);
+  options.initial = &state;
+  EXPECT_LT(difference(solve(problem, directions_ldfe_sq(3), options).fluence, whole.fluence),
+            100 * options.tolerance);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, SweepStop, testing::Values(Method::gmres, Method::source_iteration));
 
 // A black absorbing cube takes one sweep.
