@@ -19,7 +19,8 @@ namespace etendue {
 /// lagged it sends nothing, so that there a correction is the residual.
 class CoarseDirections {
  public:
-  /// `fine`, whose states it takes, must outlive it, and must neither scatter by a matrix nor mirror.
+  /// `fine`, whose states it takes, must outlive it, and must neither scatter by a matrix nor pass mirrored
+  /// light on to the next sweep.
   CoarseDirections(const TransportSweep& fine, DirectionSet directions);
 
   int count() const { return directions_.count(); }

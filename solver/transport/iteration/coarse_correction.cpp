@@ -35,14 +35,16 @@ TransportState CoarseCorrection::solve(const TransportState& v, double part,
   const BandScalars start = vectors_.norm(v);
   spaces_.begin(v, start, left_out);
   parts_.assign(start.size(), 1);
+  smallest_.resize(start.size(), 1);
   for (sweeps_ = 0; sweeps_ < longest_basis && std::ranges::max(parts_) > part;) {
     if (!extend(active)) break;
     ++sweeps_;
     for (std::size_t band = 0; band < start.size(); ++band)
       parts_[band] = active[band] && start[band] > 0 ? spaces_.problem(band).residual() / start[band] : 0;
   }
-  if (sweeps_ == 0) return v;
-  TransportState z(v.layout());
+  TransportState z = sweeps_ > 0 ? TransportState(v.layout()) : v;
+  for (std::size_t band = 0; sweeps_ > 0 && band < start.size(); ++band)
+    smallest_[band] = std::min(smallest_[band], spaces_.problem(band).smallest_singular_value());
   for (std::size_t i = 0; i < sweeps_; ++i) vectors_.add(z, spaces_.coefficients(i), spaces_.vector(i));
   spaces_.clear();
   return z;

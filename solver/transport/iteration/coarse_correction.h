@@ -31,10 +31,8 @@ class CoarseCorrection {
   void judge(const BandScalars& before, const BandScalars& after, const std::vector<char>& active);
 
   bool is_given_up() const { return given_up_; }
-  /// Of I - T in a band, between rounding and 1, in the last solve().
-  double smallest_singular_value(std::size_t band) const {
-    return spaces_.problem(band).smallest_singular_value();
-  }
+  /// Of P (I - T) in a band, between rounding and 1: the smallest that was seen.
+  double smallest_singular_value(std::size_t band) const { return smallest_[band]; }
 
  private:
   /// Returns whether all numbers are finite.
@@ -47,6 +45,7 @@ class CoarseCorrection {
   KrylovSpaces spaces_;
   std::size_t sweeps_ = 0;  ///< of the last solve()
   BandScalars parts_;       ///< [band] of v that it left
+  BandScalars smallest_;    ///< [band] singular value
   int vain_ = 0;            ///< corrections that did not pay, one after the other
   bool given_up_ = false;
 };

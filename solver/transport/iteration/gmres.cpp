@@ -29,7 +29,7 @@ constexpr double vain_single_cycle = 1e-3;
 /// sweep that follows leaves more, what the directions do not share.
 constexpr double corrected_part = 0.05;
 /// Vectors that a cycle with corrections holds at least.
-constexpr std::size_t shortest_corrected = 2 * CoarseCorrection::longest_basis + 2;
+constexpr std::size_t shortest_corrected = 2 * CoarseCorrection::longest_basis + 4;
 
 /// One cycle.
 struct Cycle {
@@ -154,7 +154,8 @@ class GmresRun : public IterationRun {
   /// Continues in double precision after a cycle in single that has not found what it seemed to find.
   void watch_single(const std::vector<double>& errors) {
     const double error = std::ranges::max(errors);
-    if (single_ != nullptr && measured_ && cycle_.found_done && error > vain_single_cycle * began_with_) {
+    if (single_ != nullptr && measured_ && cycle_.found_done &&
+        error > std::max(vain_single_cycle * began_with_, 10 * std::ranges::max(cycle_.goal))) {
       single_ = nullptr;
       result_.notes.push_back(
           fmt::format("single precision does not suffice: double from sweep {} on", result_.sweeps + 1));
@@ -198,7 +199,7 @@ class GmresRun : public IterationRun {
       const KrylovSpaces::Columns columns = spaces_.orthogonalise(work_, done_);
       check_norms(columns);
       spaces_.add_columns(columns, done_);
-      take_smallest(is_corrected);
+      take_smallest();
       if (is_corrected) judge_correction(before, taking_part);
       estimate();
       if (!report_sweep(taking_part) || all_done()) break;
@@ -220,7 +221,7 @@ class GmresRun : public IterationRun {
     return spaces_.size() +
            static_cast<std::size_t>(std::ranges::count_if(
                cycle_.corrected, [](const auto& vector) { return vector.has_value(); })) +
-           (corrects ? CoarseCorrection::longest_basis : 0);
+           (corrects ? CoarseCorrection::longest_basis + 2 : 0);
   }
 
   /// The last vector, corrected on fewer directions where there are some and that pays.
@@ -244,8 +245,10 @@ class GmresRun : public IterationRun {
     return result;
   }
 
-  /// Of I - T: that of a corrected column is the product of two.
-  void take_smallest(bool is_corrected) {
+  /// Of I - T: with corrected columns the product of two.
+  void take_smallest() {
+    const bool is_corrected =
+        std::ranges::any_of(cycle_.corrected, [](const auto& vector) { return vector.has_value(); });
     for (std::size_t b = 0; b < bands_; ++b)
       if (!done_[b])
         smallest_[b] =

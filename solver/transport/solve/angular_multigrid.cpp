@@ -8,10 +8,10 @@
 namespace etendue {
 namespace {
 
-/// 128 directions. With 32 for 384, or 16 for 128 in the plane, the sweeps that are saved cost no more than
-/// the corrections.
+/// Of the product set of 128 directions. With 32 for 384, or 16 for 128 in the plane, the sweeps that are
+/// saved cost no more than the corrections.
 constexpr int coarse_order = 8;
-constexpr int fewest_finer = 6 * 128;
+constexpr int fewest_finer = 6 * coarsest_directions;
 
 }  // namespace
 

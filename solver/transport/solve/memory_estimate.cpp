@@ -163,14 +163,16 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
       (!is_typical || iterates) && coarser_directions(problem, directions, options).has_value();
   const double coarse =
       is_corrected ? (workspaces_of(sizeof(float), 1) + records + moments) / 2 + 2 * state : 0;
-  const double orders =
-      std::min(static_cast<double>(options.order_memory), s.ordinates / 2 * s.cells * sizeof(SweepVisit));
+  const auto orders_of = [&](double ordinates) {
+    return std::min(static_cast<double>(options.order_memory), ordinates / 2 * s.cells * sizeof(SweepVisit));
+  };
+  const double orders = orders_of(s.ordinates) + (is_corrected ? orders_of(coarsest_directions) : 0);
   // Sources of moments and matrices too.
   const double always = 2 * state + workspaces + records + moments + radiance + low_order;
   const double iteration = std::max(basis, positive) * state + of_active_bands + single + coarse;
   // The vectors of the iteration are given back before the solution is read out.
   const double besides = is_typical ? std::max(iteration, results + kept) : iteration + results + kept;
-  return static_cast<std::size_t>(8 * (always + besides) + orders * (is_corrected ? 7.0 / 6 : 1));
+  return static_cast<std::size_t>(8 * (always + besides) + orders);
 }
 
 }  // namespace etendue

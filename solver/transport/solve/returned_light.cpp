@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <functional>
 
 #include "solver/problem/mirror.h"
 
@@ -25,7 +26,11 @@ double largest_albedo(const Problem& problem) {
   return largest;
 }
 
-double scatterings_on_a_chord(const Problem& problem) {
+namespace {
+
+/// The most of 4 V sigma_s / S of a band, with `counted` the part of a wall's area that counts in a band.
+double scatterings_by_surface(const Problem& problem,
+                              const std::function<double(const Wall&, std::size_t)>& counted) {
   const TetrahedralMesh& mesh = problem.mesh();
   const auto bands = static_cast<std::size_t>(problem.band_count());
   double most = 0;
@@ -34,11 +39,17 @@ double scatterings_on_a_chord(const Problem& problem) {
     for (std::size_t c = 0; c < mesh.volumes().size(); ++c)
       scattered += problem.scattering()[c * bands + band] * mesh.volumes()[c];
     for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
-      surface += mesh.area(FaceIndex(f)) *
-                 (1 - mirrored_part_of_isotropic(problem.wall(mesh.wall(FaceIndex(f))), band));
+      surface += mesh.area(FaceIndex(f)) * counted(problem.wall(mesh.wall(FaceIndex(f))), band);
     if (scattered > 0) most = std::max(most, 4 * scattered / surface);
   }
   return most;
+}
+
+}  // namespace
+
+double scatterings_on_a_chord(const Problem& problem) {
+  return scatterings_by_surface(
+      problem, [](const Wall& wall, std::size_t band) { return 1 - mirrored_part_of_isotropic(wall, band); });
 }
 
 double most_returns(const Problem& problem) {
@@ -47,9 +58,15 @@ double most_returns(const Problem& problem) {
   const double across = box.diagonal().norm();
   double densest = 0;
   for (const double scattering : problem.scattering()) densest = std::max(densest, scattering);
-  const double paths = std::max(densest * across, scatterings_on_a_chord(problem));
+  // White walls send light back into a medium as mirrors do.
+  const double before_loss = scatterings_by_surface(problem, [](const Wall& wall, std::size_t band) {
+    return std::max(
+        0.0, 1 - mirrored_part_of_isotropic(wall, band) - wall.mean_reflectance(band) + wall.specular[band]);
+  });
+  const double paths = std::max(densest * across, before_loss);
   const double kept = paths > 0 ? 1 - largest_albedo(problem) + 3 / (paths * paths) : 1;
-  return 1 / std::min({kept, 1 - brightest_wall(problem), 1.0});
+  // Reflectances may exceed 1 by rounding.
+  return 1 / std::clamp(std::min(kept, 1 - brightest_wall(problem)), 0.0, 1.0);
 }
 
 }  // namespace etendue

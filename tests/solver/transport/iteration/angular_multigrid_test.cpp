@@ -76,7 +76,8 @@ TEST(CoarseDirections, GiveNothingWhereTheyResolveNothing) {
   medium.choice.assign(1, {ScatteringBackend::moments, 7});
   const Problem problem = uniform_problem(mesh, medium, uniform_wall(1, 0.2, 0.4, 0));
   const DirectionSet many = directions_ldfe_sq(2);
-  TransportSweep fine(problem, many, extinction_of(problem), tight_options(Lumping::automatic));
+  const std::vector<double> extinction = extinction_of(problem);
+  TransportSweep fine(problem, many, extinction, tight_options(Lumping::automatic));
   CoarseDirections coarse(fine, directions_product(4));
   TransportState last(fine.layout()), next(fine.layout());
   fill(last.values(), 1);
@@ -204,7 +205,8 @@ TEST(CoarseCorrection, IsGivenUpWhereSweepsAloneGetFurtherTwice) {
   const TetrahedralMesh mesh = cube_mesh(2e-2);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.1, 5, 1), uniform_wall(1, 0.1, 0.3, 0));
   const DirectionSet many = directions_ldfe_sq(2);
-  TransportSweep fine(problem, many, extinction_of(problem), tight_options());
+  const std::vector<double> extinction = extinction_of(problem);
+  TransportSweep fine(problem, many, extinction, tight_options());
   CoarseDirections directions(fine, directions_product(4));
   const BandVectors vectors(mesh, fine);
   TransportState v(fine.layout());
