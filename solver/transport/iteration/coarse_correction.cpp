@@ -9,12 +9,6 @@
 namespace etendue {
 namespace {
 
-std::vector<char> inverted(const std::vector<char>& flags) {
-  std::vector<char> result;
-  for (const char flag : flags) result.push_back(!flag);
-  return result;
-}
-
 /// Digits, to the base of e, that the active band with the fewest of them gained.
 double fewest_digits(const BandScalars& before, const BandScalars& after, const std::vector<char>& active) {
   double fewest = std::numeric_limits<double>::infinity();
@@ -31,9 +25,8 @@ CoarseCorrection::CoarseCorrection(CoarseDirections& coarse, DiffusionAccelerati
 
 TransportState CoarseCorrection::solve(const TransportState& v, double part,
                                        const std::vector<char>& active) {
-  const std::vector<char> left_out = inverted(active);
   const BandScalars start = vectors_.norm(v);
-  spaces_.begin(v, start, left_out);
+  spaces_.begin(v, start, active);
   parts_.assign(start.size(), 1);
   smallest_.resize(start.size(), 1);
   for (sweeps_ = 0; sweeps_ < longest_basis && std::ranges::max(parts_) > part;) {
@@ -61,11 +54,10 @@ bool CoarseCorrection::extend(const std::vector<char>& active) {
     acceleration_->apply(image, corrected, active);
     std::swap(image, corrected);
   }
-  const std::vector<char> left_out = inverted(active);
-  const KrylovSpaces::Columns columns = spaces_.orthogonalise(image, left_out);
+  const KrylovSpaces::Columns columns = spaces_.orthogonalise(image, active);
   for (const std::vector<double>& column : columns)
     if (!std::ranges::all_of(column, [](double entry) { return std::isfinite(entry); })) return false;
-  spaces_.add_columns(columns, left_out);
+  spaces_.add_columns(columns, active);
   return true;
 }
 

@@ -23,8 +23,8 @@ class CoarseCorrection {
   CoarseCorrection(CoarseDirections& coarse, DiffusionAcceleration* acceleration, const BandVectors& vectors,
                    double cost);
 
-  /// Returns z, with a residual of `part` of v or, where the basis ends before, more. Of v the bands that are
-  /// not active have to be zero.
+  /// Returns z, with a residual of `part` of v or, where the basis ends before, more. Bands that are not
+  /// active stay out.
   TransportState solve(const TransportState& v, double part, const std::vector<char>& active);
   /// Takes the residuals [band] around the sweep on all directions that followed solve(), and gives up where
   /// sweeps alone would have got further for what both cost.

@@ -196,9 +196,9 @@ class GmresRun : public IterationRun {
       vectors_.add(work_, BandScalars(bands_, 1), v);
       if (accelerated()) precondition(taking_part);
       const BandScalars before = residuals();
-      const KrylovSpaces::Columns columns = spaces_.orthogonalise(work_, done_);
+      const KrylovSpaces::Columns columns = spaces_.orthogonalise(work_, taking_part);
       check_norms(columns);
-      spaces_.add_columns(columns, done_);
+      spaces_.add_columns(columns, taking_part);
       take_smallest();
       if (is_corrected) judge_correction(before, taking_part);
       estimate();
@@ -216,12 +216,14 @@ class GmresRun : public IterationRun {
     check("Krylov vector", norms);
   }
 
+  std::size_t corrected_vectors() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(cycle_.corrected, [](const auto& vector) { return vector.has_value(); }));
+  }
+
   std::size_t stored_vectors() const {
     const bool corrects = correction_ && !correction_->is_given_up();
-    return spaces_.size() +
-           static_cast<std::size_t>(std::ranges::count_if(
-               cycle_.corrected, [](const auto& vector) { return vector.has_value(); })) +
-           (corrects ? CoarseCorrection::longest_basis + 2 : 0);
+    return spaces_.size() + corrected_vectors() + (corrects ? CoarseCorrection::longest_basis + 2 : 0);
   }
 
   /// The last vector, corrected on fewer directions where there are some and that pays.
@@ -247,8 +249,7 @@ class GmresRun : public IterationRun {
 
   /// Of I - T: with corrected columns the product of two.
   void take_smallest() {
-    const bool is_corrected =
-        std::ranges::any_of(cycle_.corrected, [](const auto& vector) { return vector.has_value(); });
+    const bool is_corrected = corrected_vectors() > 0;
     for (std::size_t b = 0; b < bands_; ++b)
       if (!done_[b])
         smallest_[b] =
@@ -269,7 +270,7 @@ class GmresRun : public IterationRun {
       cycle_.size[b] = std::max(cycle_.size[b], start[b]);
       done_[b] = result_.bands[b].converged || start[b] == 0;
     }
-    spaces_.begin(work_, start, done_);
+    spaces_.begin(work_, start, active());
   }
 
   /// The errors at which the cycle is done.

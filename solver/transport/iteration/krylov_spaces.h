@@ -10,8 +10,8 @@
 
 namespace etendue {
 
-/// Krylov spaces of a cycle of GMRES, one for each band, and their least-squares problems. Bands that are
-/// done stay out: their parts of the vectors are zero.
+/// Krylov spaces of a cycle of GMRES, one for each band, and their least-squares problems. Bands that are not
+/// `active` stay out: their parts of the vectors are zero.
 class KrylovSpaces {
  public:
   /// [band][basis vector, then the new norm]
@@ -21,12 +21,12 @@ class KrylovSpaces {
   explicit KrylovSpaces(const BandVectors& vectors) : vectors_(vectors) {}
 
   /// Begins with a residual and its norms [band].
-  void begin(const TransportState& residual, const BandScalars& norms, const std::vector<char>& done);
+  void begin(const TransportState& residual, const BandScalars& norms, const std::vector<char>& active);
   /// Gram-Schmidt, twice (Giraud et al. 2005), of what the operator makes of the last vector. Changes
   /// `image`, which, normalised, becomes the next vector.
-  Columns orthogonalise(TransportState& image, const std::vector<char>& done);
+  Columns orthogonalise(TransportState& image, const std::vector<char>& active);
   /// Solves the least-squares problems with finite columns that orthogonalise() gave.
-  void add_columns(const Columns& columns, const std::vector<char>& done);
+  void add_columns(const Columns& columns, const std::vector<char>& active);
   void clear() { basis_.clear(); }
 
   std::size_t size() const { return basis_.size(); }
@@ -37,7 +37,8 @@ class KrylovSpaces {
   BandScalars coefficients(std::size_t i) const;
 
  private:
-  void push_normalised(const TransportState& vector, const BandScalars& norms, const std::vector<char>& done);
+  void push_normalised(const TransportState& vector, const BandScalars& norms,
+                       const std::vector<char>& active);
 
   const BandVectors& vectors_;
   std::vector<TransportState> basis_;

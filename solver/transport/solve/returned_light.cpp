@@ -8,25 +8,12 @@
 #include "solver/problem/mirror.h"
 
 namespace etendue {
-
-double brightest_wall(const Problem& problem) {
-  double brightest = 0;
-  for (const Wall& wall : problem.walls())
-    for (std::size_t b = 0; b < wall.diffuse.size(); ++b)
-      brightest = std::max(brightest, wall.mean_reflectance(b) - wall.specular[b] + wall.transmitted(b));
-  return brightest;
-}
-
-double largest_albedo(const Problem& problem) {
-  double largest = 0;
-  for (std::size_t i = 0; i < problem.scattering().size(); ++i)
-    if (problem.scattering()[i] > 0)
-      largest =
-          std::max(largest, problem.scattering()[i] / (problem.scattering()[i] + problem.absorption()[i]));
-  return largest;
-}
-
 namespace {
+
+/// Reflectance of a wall, mirrors left out.
+double reflected_beside_mirrors(const Wall& wall, std::size_t band) {
+  return wall.mean_reflectance(band) - wall.specular[band];
+}
 
 /// The most of 4 V sigma_s / S of a band, with `counted` the part of a wall's area that counts in a band.
 double scatterings_by_surface(const Problem& problem,
@@ -47,6 +34,23 @@ double scatterings_by_surface(const Problem& problem,
 
 }  // namespace
 
+double brightest_wall(const Problem& problem) {
+  double brightest = 0;
+  for (const Wall& wall : problem.walls())
+    for (std::size_t b = 0; b < wall.diffuse.size(); ++b)
+      brightest = std::max(brightest, reflected_beside_mirrors(wall, b) + wall.transmitted(b));
+  return brightest;
+}
+
+double largest_albedo(const Problem& problem) {
+  double largest = 0;
+  for (std::size_t i = 0; i < problem.scattering().size(); ++i)
+    if (problem.scattering()[i] > 0)
+      largest =
+          std::max(largest, problem.scattering()[i] / (problem.scattering()[i] + problem.absorption()[i]));
+  return largest;
+}
+
 double scatterings_on_a_chord(const Problem& problem) {
   return scatterings_by_surface(
       problem, [](const Wall& wall, std::size_t band) { return 1 - mirrored_part_of_isotropic(wall, band); });
@@ -60,8 +64,7 @@ double most_returns(const Problem& problem) {
   for (const double scattering : problem.scattering()) densest = std::max(densest, scattering);
   // White walls send light back into a medium as mirrors do.
   const double before_loss = scatterings_by_surface(problem, [](const Wall& wall, std::size_t band) {
-    return std::max(
-        0.0, 1 - mirrored_part_of_isotropic(wall, band) - wall.mean_reflectance(band) + wall.specular[band]);
+    return std::max(0.0, 1 - mirrored_part_of_isotropic(wall, band) - reflected_beside_mirrors(wall, band));
   });
   const double paths = std::max(densest * across, before_loss);
   const double kept = paths > 0 ? 1 - largest_albedo(problem) + 3 / (paths * paths) : 1;

@@ -8,6 +8,7 @@
 
 #include "mesh/geometry/arrangement/arrangement.h"
 #include "mesh/tetrahedra/generation/tetrahedralize.h"
+#include "solver/angular/sets/rotation.h"
 
 namespace etendue {
 namespace {
@@ -203,6 +204,27 @@ std::function<double(const Vec3&)> exact_fluence(const DirectionSet& directions,
       sum += directions.weight(OrdinateIndex(m)) * radiance(point, directions.direction(OrdinateIndex(m)));
     return sum;
   };
+}
+
+std::vector<double> extinction_of(const Problem& problem) {
+  std::vector<double> extinction(problem.absorption().begin(), problem.absorption().end());
+  for (std::size_t i = 0; i < extinction.size(); ++i) extinction[i] += problem.scattering()[i];
+  return extinction;
+}
+
+TetrahedralMesh cyclic_ring_about(const Vec3& direction) {
+  return moved_mesh(cyclic_ring(), [&](const Vec3& p) -> Vec3 {
+    return rotation_about(Vec3::UnitZ() + direction, 180) * p;
+  });
+}
+
+double relative_difference(std::span<const double> a, std::span<const double> b) {
+  double difference = 0, size = 0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    difference += std::pow(a[i] - b[i], 2);
+    size += std::pow(b[i], 2);
+  }
+  return std::sqrt(difference / size);
 }
 
 double largest_deviation(const std::vector<double>& values, double expected) {

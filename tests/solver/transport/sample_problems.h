@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,15 @@ Wall uniform_wall(int bands, double radiance, double diffuse, double specular);
 
 /// The same medium in all regions and the same wall everywhere.
 Problem uniform_problem(const TetrahedralMesh& mesh, const Medium& medium, const Wall& wall);
+
+/// Absorption and scattering [cell][band] [1/length].
+std::vector<double> extinction_of(const Problem& problem);
+
+/// The ring of cells turned so that it goes about this unit direction.
+TetrahedralMesh cyclic_ring_about(const Vec3& direction);
+
+/// |a - b| / |b| over all values.
+double relative_difference(std::span<const double> a, std::span<const double> b);
 
 /// Options that converge far below what a test asks.
 SolveOptions tight_options(Lumping lumping = Lumping::none);

@@ -17,15 +17,6 @@ Problem scattering_problem(const TetrahedralMesh& mesh) {
   return uniform_problem(mesh, uniform_medium(1, 0.1, 2, 0.2), uniform_wall(1, 0.3, 0.5, 0));
 }
 
-double difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double error = 0, norm = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    error += std::pow(a[i] - b[i], 2);
-    norm += std::pow(b[i], 2);
-  }
-  return std::sqrt(error / norm);
-}
-
 /// Solves, and stops within the sweep after `whole` ones.
 SavedState stopped_after(int whole, const Problem& problem, const DirectionSet& directions,
                          SolveOptions options) {
@@ -59,10 +50,11 @@ TEST_P(SweepStop, LeavesTheStateOfTheLastWholeSweepToGoOnFrom) {
   const SavedState state = stopped_after(4, problem, directions, options);
   ASSERT_EQ(state.fluence.size(), whole.state.fluence.size());
   // Four sweeps have come closer than darkness is, and are not all.
-  EXPECT_LT(difference(state.fluence, whole.state.fluence), 0.5);
-  EXPECT_GT(difference(state.fluence, whole.state.fluence), options.tolerance);
+  EXPECT_LT(relative_difference(state.fluence, whole.state.fluence), 0.5);
+  EXPECT_GT(relative_difference(state.fluence, whole.state.fluence), options.tolerance);
   options.initial = &state;
-  EXPECT_LT(difference(solve(problem, directions, options).fluence, whole.fluence), 100 * options.tolerance);
+  EXPECT_LT(relative_difference(solve(problem, directions, options).fluence, whole.fluence),
+            100 * options.tolerance);
 }
 
 // It stops in the sweeps on fewer directions that come before the fourth on all.
@@ -73,10 +65,10 @@ TEST(SweepStopInACorrection, LeavesTheStateOfTheLastWholeSweepToGoOnFrom) {
   options.threads = 2;
   const Solution whole = solve(problem, directions_ldfe_sq(3), options);
   const SavedState state = stopped_after(3, problem, directions_ldfe_sq(3), options);
-  EXPECT_LT(difference(state.fluence, whole.state.fluence), 0.1);
-  EXPECT_GT(difference(state.fluence, whole.state.fluence), options.tolerance);
+  EXPECT_LT(relative_difference(state.fluence, whole.state.fluence), 0.1);
+  EXPECT_GT(relative_difference(state.fluence, whole.state.fluence), options.tolerance);
   options.initial = &state;
-  EXPECT_LT(difference(solve(problem, directions_ldfe_sq(3), options).fluence, whole.fluence),
+  EXPECT_LT(relative_difference(solve(problem, directions_ldfe_sq(3), options).fluence, whole.fluence),
             100 * options.tolerance);
 }
 

@@ -44,12 +44,6 @@ Medium directional(DirectionalScattering law) {
   return medium;
 }
 
-std::vector<double> extinction_of(const Problem& problem) {
-  std::vector<double> extinction(problem.absorption().begin(), problem.absorption().end());
-  for (std::size_t i = 0; i < extinction.size(); ++i) extinction[i] += problem.scattering()[i];
-  return extinction;
-}
-
 int sweeps_of(const Problem& problem, Method method = Method::gmres) {
   const Solution solution =
       solve(problem, directions_ldfe_sq(1), options_of(method, Acceleration::diffusion));

@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "base/errors.h"
-#include "solver/angular/sets/rotation.h"
 #include "solver/materials/surfaces/phong.h"
 #include "solver/solution/balance.h"
 #include "solver/transport/iteration/residual.h"
@@ -23,14 +22,9 @@ namespace {
 /// A problem and its sweeps in both precisions.
 struct BothSweeps {
   BothSweeps(const Problem& problem, const DirectionSet& directions)
-      : extinction(problem.absorption().begin(), problem.absorption().end()),
-        full(problem, directions, with_scattering(problem), tight_options(Lumping::automatic)),
+      : extinction(extinction_of(problem)),
+        full(problem, directions, extinction, tight_options(Lumping::automatic)),
         single(full) {}
-
-  std::span<const double> with_scattering(const Problem& problem) {
-    for (std::size_t i = 0; i < extinction.size(); ++i) extinction[i] += problem.scattering()[i];
-    return extinction;
-  }
 
   std::vector<double> extinction;
   TransportSweep full;
@@ -45,16 +39,6 @@ TransportState some_state(const StateLayout& layout, double size = 1) {
   return state;
 }
 
-/// |a - b| / |b| over all values.
-double relative_difference(const TransportState& a, const TransportState& b) {
-  double difference = 0, size = 0;
-  for (std::size_t i = 0; i < b.values().size(); ++i) {
-    difference += std::pow(a.values()[i] - b.values()[i], 2);
-    size += std::pow(b.values()[i], 2);
-  }
-  return std::sqrt(difference / size);
-}
-
 /// Of one linear sweep in single precision, against double.
 double error_of_single(const Problem& problem, const DirectionSet& directions) {
   BothSweeps sweeps(problem, directions);
@@ -62,7 +46,7 @@ double error_of_single(const Problem& problem, const DirectionSet& directions) {
   TransportState full(sweeps.full.layout()), single(sweeps.full.layout());
   sweeps.full.apply_linear(last, full);
   sweeps.single.apply_linear(last, single);
-  return relative_difference(single, full);
+  return relative_difference(single.values(), full.values());
 }
 
 /// Rounding errors of a sweep with floats, which in part cancel, beside that of one operation.
@@ -308,9 +292,7 @@ TEST(MixedPrecision, SameBitsForAnyNumberOfThreads) {
 TEST(MixedPrecision, BreaksCyclesAsDoubleDoes) {
   // A ring of cells about the direction of an ordinate.
   const DirectionSet directions = directions_product(4);
-  const TetrahedralMesh mesh = moved_mesh(cyclic_ring(), [&](const Vec3& p) -> Vec3 {
-    return rotation_about(Vec3::UnitZ() + directions.direction(OrdinateIndex(0)), 180) * p;
-  });
+  const TetrahedralMesh mesh = cyclic_ring_about(directions.direction(OrdinateIndex(0)));
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.3, 2, 1), uniform_wall(1, 0.2, 0.3, 0));
   SolveOptions options = tight_options();
   options.tolerance = 1e-10;

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "solver/angular/sets/rotation.h"
 #include "solver/transport/sweep/transport_sweep.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 #include "tests/solver/transport/sample_problems.h"
@@ -28,15 +27,8 @@ Problem varied_problem(const TetrahedralMesh& mesh, const std::vector<PhaseFunct
 }
 
 struct Swept {
-  Swept(const TetrahedralMesh& mesh, const Problem& problem, const DirectionSet& directions)
-      : extinction(static_cast<std::size_t>(bands * mesh.cell_count())),
-        sweep(problem, directions, extinction_of(problem), tight_options()) {}
-
-  std::span<const double> extinction_of(const Problem& problem) {
-    for (std::size_t i = 0; i < extinction.size(); ++i)
-      extinction[i] = problem.absorption()[i] + problem.scattering()[i];
-    return extinction;
-  }
+  Swept(const Problem& problem, const DirectionSet& directions)
+      : extinction(extinction_of(problem)), sweep(problem, directions, extinction, tight_options()) {}
 
   std::vector<double> extinction;
   TransportSweep sweep;
@@ -69,7 +61,7 @@ double difference_of(TransportSweep& sweep, const std::vector<char>& active) {
 
 void expect_fewer_lanes_and_the_same_values(const Problem& problem) {
   const DirectionSet directions = directions_product(4);
-  Swept swept(problem.mesh(), problem, directions);
+  Swept swept(problem, directions);
   const std::vector<std::pair<std::vector<char>, int>> sequence = {
       {{1, 1, 1, 1, 1}, 8}, {{1, 0, 1, 1, 1}, 4}, {{1, 0, 0, 1, 1}, 4}, {{0, 0, 0, 1, 1}, 2},
       {{0, 0, 0, 1, 0}, 1}, {{0, 1, 0, 1, 1}, 4}, {{1, 1, 1, 1, 1}, 8}};
@@ -96,11 +88,9 @@ TEST(ActiveBandSweep, GivesTheSameWithMomentsAndMatrices) {
 TEST(ActiveBandSweep, GivesTheSameAcrossLaggedFaces) {
   // Turned so that an ordinate of the set lies along the ring's axis.
   const DirectionSet directions = directions_product(4);
-  const TetrahedralMesh mesh = moved_mesh(cyclic_ring(), [&](const Vec3& p) -> Vec3 {
-    return rotation_about(Vec3::UnitZ() + directions.direction(OrdinateIndex(0)), 180) * p;
-  });
+  const TetrahedralMesh mesh = cyclic_ring_about(directions.direction(OrdinateIndex(0)));
   const Problem problem = varied_problem(mesh, std::vector<PhaseFunction>(bands, PhaseIsotropic{}), {}, 0);
-  ASSERT_GT(Swept(mesh, problem, directions).sweep.discretization().orders->lagged_total(), 0u);
+  ASSERT_GT(Swept(problem, directions).sweep.discretization().orders->lagged_total(), 0u);
   expect_fewer_lanes_and_the_same_values(problem);
 }
 
@@ -110,7 +100,7 @@ TEST(ActiveBandSweep, StaysWideWhereBandsHandOnLess) {
   phase[0] = PhaseHenyeyGreenstein{0.5};
   const Problem problem = varied_problem(mesh, phase);
   const DirectionSet directions = directions_product(4);
-  Swept swept(mesh, problem, directions);
+  Swept swept(problem, directions);
   EXPECT_LT(difference_of(swept.sweep, {0, 1, 0, 0, 0}), 1e-13);
   EXPECT_EQ(swept.sweep.lanes(), 8);
 }
@@ -119,7 +109,7 @@ TEST(ActiveBandSweep, CountsOnlyTheBandsThatItSweeps) {
   const TetrahedralMesh mesh = cube_mesh(4e-2);
   const Problem problem = varied_problem(mesh, std::vector<PhaseFunction>(bands, PhaseIsotropic{}));
   const DirectionSet directions = directions_product(4);
-  Swept swept(mesh, problem, directions);
+  Swept swept(problem, directions);
   const std::vector<char> active = {0, 1, 0, 1, 0};
   const TransportState last = state_of(swept.sweep, active);
   TransportState next(swept.sweep.layout());
