@@ -19,10 +19,10 @@ void scale(std::vector<double>& values, double factor) {
 template <class AnySolution>
 auto fields_of(AnySolution& solution) {
   using Field = std::remove_reference_t<decltype((solution.fluence))>;
-  std::vector<Field*> fields = {&solution.fluence,         &solution.net_flux,      &solution.irradiance,
-                                &solution.exitance,        &solution.absorbed,      &solution.half_range,
-                                &solution.meters,          &solution.state.fluence, &solution.state.moments,
-                                &solution.state.irradiance};
+  std::vector<Field*> fields = {&solution.fluence,       &solution.net_flux,        &solution.irradiance,
+                                &solution.exitance,      &solution.absorbed,        &solution.half_range,
+                                &solution.meters,        &solution.source_products, &solution.state.fluence,
+                                &solution.state.moments, &solution.state.irradiance};
   for (auto* powers : {&solution.by_direction.regions, &solution.by_direction.walls})
     for (auto& bands : *powers) fields.push_back(&bands);
   return fields;

@@ -131,7 +131,10 @@ struct Solution {
   /// [cell][band] standard error of the cell's mean fluence, a mean over rotated sets [power/length^2]; empty
   /// with one set.
   std::vector<double> direction_error;
-  std::vector<double> meters;                ///< [meter][band] irradiance [power/length^2]
+  std::vector<double> meters;  ///< [meter][band] irradiance [power/length^2]
+  /// [paired source][band] the sum over m of w_m <s_m, u_-m>, u_-m the radiance against direction m: of the
+  /// source over the volume, and of |w.n| times the inflow over the walls.
+  std::vector<double> source_products;
   std::vector<BandConvergence> convergence;  ///< [band]
   std::vector<HistoryEntry> history;
   UncollidedPart lights;

@@ -70,6 +70,9 @@ struct SolveOptions {
   std::vector<IrradianceMeter> meters;  ///< read while sweeping: the angular solution is not kept
   /// Source and inflow by direction on top of the problem's; must outlive the solution. Null: none.
   const AngularInput* angular_input = nullptr;
+  /// Sources of another problem, of which this one is the adjoint with all directions reversed: the solution
+  /// has their products with it (Solution::source_products). They must outlive the call.
+  std::vector<const AngularInput*> paired_sources;
   /// Emission that changes with the solution, and in the end is that of the solution; must outlive the
   /// call. Null: the emission of the problem is all.
   FollowingEmission* following_emission = nullptr;

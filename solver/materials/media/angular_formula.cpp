@@ -39,7 +39,14 @@ std::vector<std::pair<Vec3, double>> mean_rule(bool in_plane) {
 AngularFormula::AngularFormula(Formula formula) : formula_(std::move(formula), angular_variables()) {}
 
 double AngularFormula::at(const Vec3& point, const Vec3& direction) const {
-  return formula_(std::array{point.x(), point.y(), point.z(), direction.x(), direction.y(), direction.z()});
+  return formula_(std::array{point.x(), point.y(), point.z(), sign_ * direction.x(), sign_ * direction.y(),
+                             sign_ * direction.z()});
+}
+
+AngularFormula AngularFormula::reversed() const {
+  AngularFormula result = *this;
+  result.sign_ = -sign_;
+  return result;
 }
 
 bool AngularFormula::depends_on_direction() const {

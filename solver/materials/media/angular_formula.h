@@ -17,6 +17,8 @@ class AngularFormula {
   explicit AngularFormula(Formula formula);
 
   double at(const Vec3& point, const Vec3& direction) const;
+  /// The same with the direction reversed: at(point, -direction) of this one.
+  AngularFormula reversed() const;
   /// Returns whether it uses wx, wy or wz.
   bool depends_on_direction() const;
   /// Returns whether it uses x, y or z.
@@ -25,6 +27,7 @@ class AngularFormula {
 
  private:
   Expression formula_;
+  double sign_ = 1;  ///< of the direction
 };
 
 /// x, y, z, wx, wy, wz

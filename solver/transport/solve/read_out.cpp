@@ -7,6 +7,7 @@
 
 #include "solver/transport/scattering/scattering_report.h"
 #include "solver/transport/state/state_copy.h"
+#include "solver/transport/sweep/source_products.h"
 
 namespace etendue {
 namespace {
@@ -87,6 +88,8 @@ void read_out(const TransportSweep& sweep, const TransportState& state, SweepRec
   for (OrdinateRadiance& kept : record.radiance)
     solution.radiance.push_back({kept.ordinate, vertex_values(kept.values, nodes, 4, stride, bands)});
   solution.meters = vertex_values(record.meters, 1, 1, stride, bands);
+  SourceProducts(sweep.discretization()).add_isotropic(state.fluence(), record.source_products);
+  solution.source_products = vertex_values(record.source_products, 1, 1, stride, bands);
   solution.state = saved(state, sweep.cells().bands());
   solution.absorbed = std::move(record.absorbed);
   complete_absorbed(sweep, solution);

@@ -38,6 +38,7 @@ void BatchReduction<Real>::add(std::int32_t first_batch, Workspaces workspaces, 
     if (pass.record == nullptr) continue;
     move_sum(pass.record->exitance.data(), work->exitance.data(), work->exitance.size());
     move_sum(pass.record->meters.data(), work->meters.data(), work->meters.size());
+    move_sum(pass.record->source_products.data(), work->source_products.data(), work->source_products.size());
     move_sum(pass.record->absorbed.data(), work->absorbed.data(), work->absorbed.size());
   }
 }

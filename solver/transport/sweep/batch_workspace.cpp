@@ -25,6 +25,7 @@ void BatchWorkspace<Real>::begin_record(const Discretization& d, const SweepReco
   net_flux = AlignedArrayOf<Real>(record.net_flux.size() + 3 * d.cells.cell_length());
   exitance = AlignedArray(record.exitance.size());
   meters.assign(record.meters.size(), 0);
+  source_products.assign(record.source_products.size(), 0);
   absorbed.assign(record.absorbed.size(), 0);
   if (!d.options.keep_ordinates.empty())
     all_rows = AlignedArrayOf<Real>(d.fluence_size() + d.cells.cell_length());

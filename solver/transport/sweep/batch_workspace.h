@@ -37,13 +37,14 @@ struct BatchWorkspace {
       rows;  ///< right-hand side, then radiance, [ordinate of the batch][1 + row][node][stride]
   AlignedArrayOf<Real>
       records;  ///< those of the sweep with the mass of one ordinate; empty where no mass depends on it
-  AlignedArrayOf<Real> fluence;   ///< [cell + 1][node][stride]
-  AlignedArray irradiance;        ///< [boundary face][face node][stride]
-  AlignedArrayOf<Real> net_flux;  ///< [cell + 1][3][node][stride]
-  AlignedArray exitance;          ///< [boundary face][face node][stride]
-  AlignedArrayOf<Real> all_rows;  ///< [1 + cell][node][stride] of an ordinate whose radiance is kept
-  std::vector<double> meters;     ///< [meter][stride]
-  std::vector<double> absorbed;   ///< [cell][band]
+  AlignedArrayOf<Real> fluence;         ///< [cell + 1][node][stride]
+  AlignedArray irradiance;              ///< [boundary face][face node][stride]
+  AlignedArrayOf<Real> net_flux;        ///< [cell + 1][3][node][stride]
+  AlignedArray exitance;                ///< [boundary face][face node][stride]
+  AlignedArrayOf<Real> all_rows;        ///< [1 + cell][node][stride] of an ordinate whose radiance is kept
+  std::vector<double> meters;           ///< [meter][stride]
+  std::vector<double> source_products;  ///< [paired source][stride]
+  std::vector<double> absorbed;         ///< [cell][band]
 };
 
 extern template struct BatchWorkspace<double>;

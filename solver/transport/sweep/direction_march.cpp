@@ -79,6 +79,7 @@ void DirectionMarch<Real>::end_passage(const Passage& passage, const SweepPass& 
                  pass.next);
   keep_lagged(d_, m, *passage.order, pass.next, slots);
   if (records && !d_.options.meters.empty()) recorder_.add_meters(m, passage.rows, work.meters);
+  if (records) products_.add(m, passage.rows, slots, work.source_products);
 }
 
 template <class Real>

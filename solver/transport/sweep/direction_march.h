@@ -10,6 +10,7 @@
 #include "solver/transport/sweep/directional_input.h"
 #include "solver/transport/sweep/moment_operators.h"
 #include "solver/transport/sweep/ordinate_recorder.h"
+#include "solver/transport/sweep/source_products.h"
 #include "solver/transport/sweep/stop_signal.h"
 #include "solver/transport/sweep/sweep_pass.h"
 #include "solver/transport/sweep/wall_boundary.h"
@@ -35,6 +36,7 @@ class DirectionMarch {
         walls_(walls),
         stop_(stop),
         input_(discretization),
+        products_(discretization),
         recorder_(discretization) {}
 
   /// From now on sweeps with emission keep the values of every cell non-negative.
@@ -85,6 +87,7 @@ class DirectionMarch {
   WallBoundary& walls_;
   StopSignal& stop_;
   DirectionalInput input_;
+  SourceProducts products_;
   OrdinateRecorder recorder_;
   Fixup fixup_ = Fixup::rescale;
   std::vector<FixupCensus> census_;  ///< [ordinate][stride]; empty: values are not kept positive

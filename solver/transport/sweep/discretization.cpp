@@ -35,11 +35,15 @@ ScatteringTreatments treat_scattering(const Problem& problem, const DirectionSet
   return treatments;
 }
 
-/// Cells whose radiance is needed direction by direction: those with a directional source or a meter.
+/// Cells whose radiance is needed direction by direction: those with a directional source, their own or one
+/// that is paired with it, or a meter.
 std::vector<CellIndex> observed_cells(const TetrahedralMesh& mesh, const SolveOptions& options) {
+  std::vector<const AngularInput*> inputs = options.paired_sources;
+  if (options.angular_input != nullptr) inputs.push_back(options.angular_input);
   std::vector<CellIndex> cells;
-  for (std::int32_t c = 0; options.angular_input != nullptr && c < mesh.cell_count(); ++c)
-    if (options.angular_input->depends_on_direction(CellIndex(c))) cells.push_back(CellIndex(c));
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
+    if (std::ranges::any_of(inputs, [&](const auto* s) { return s->depends_on_direction(CellIndex(c)); }))
+      cells.push_back(CellIndex(c));
   for (const IrradianceMeter& meter : options.meters)
     for (const CellPoint& point : meter.cells) cells.push_back(point.cell);
   return cells;
@@ -48,6 +52,7 @@ std::vector<CellIndex> observed_cells(const TetrahedralMesh& mesh, const SolveOp
 /// Options of sweeps without sources, of which nothing but the next state is wanted.
 SolveOptions without_record(SolveOptions options) {
   options.angular_input = nullptr;
+  options.paired_sources.clear();
   options.keep_ordinates.clear();
   options.meters.clear();
   options.orders_share = {};

@@ -11,6 +11,8 @@ void OrdinateRecorder::begin(SweepRecord& record) {
   record.net_flux = AlignedArray(3 * d_.fluence_size());
   record.exitance = AlignedArray(d_.walls.irradiance_size());
   record.meters.assign(d_.options.meters.size() * static_cast<std::size_t>(d_.cells.stride()), 0);
+  record.source_products.assign(
+      d_.options.paired_sources.size() * static_cast<std::size_t>(d_.cells.stride()), 0);
   record.absorbed.assign(
       d_.dense.absorbs_by_direction() ? cells * static_cast<std::size_t>(d_.cells.bands()) : 0, 0);
   record.radiance.clear();

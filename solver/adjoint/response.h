@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "mesh/tetrahedra/search/cell_locator.h"
+#include "solver/problem/problem.h"
+#include "solver/solution/solve_options.h"
+#include "solver/uncollided/lights/light_setup.h"
+
+namespace etendue {
+
+/// The fluence at a point [power/length^2].
+struct PointFluence {
+  std::vector<CellPoint> cells;  ///< where the point lies, from CellLocator::find; values are volume-weighted
+};
+
+/// The power that arrives at a wall [power].
+struct ArrivingPower {
+  int wall = 0;
+};
+
+/// The power that the medium of a region absorbs [power].
+struct AbsorbedPower {
+  int region = 0;
+};
+
+/// A quantity <r, u> that is linear in the radiance, of every band by itself.
+using Response = std::variant<PointFluence, IrradianceMeter, ArrivingPower, AbsorbedPower>;
+
+/// Power per volume that a cell absorbs by the mean fluence in it [1/length], 0 outside of the region.
+double absorbed_share(const Problem& problem, const AbsorbedPower& response, CellIndex cell, int band);
+
+/// Uncollided light's own part of a response, [band]: at points as LightSetup::at() has it, at walls and in
+/// regions that of the field of these lights.
+std::vector<double> uncollided_response(const Response& response, const LightSetup& lights,
+                                        const UncollidedField& field);
+
+}  // namespace etendue

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/adjoint/reversed_problem.h"
+
+#include <utility>
+#include <vector>
+
+namespace etendue {
+namespace {
+
+bool scatters_by_any_kernel(const Medium& medium) {
+  for (const DirectionalScattering& scattering : medium.directional)
+    if (std::holds_alternative<KernelFormula>(scattering) || std::holds_alternative<KernelMatrix>(scattering))
+      return true;
+  return false;
+}
+
+void check(const Problem& problem, const SolveOptions& options) {
+  if (options.following_emission != nullptr)
+    throw InputError("temperatures follow from the light: what it brings is not linear in the sources");
+  if (options.positivity != Positivity::none)
+    throw InputError(
+        "values are kept positive: what light brings is not linear in the sources then; use "
+        "solve.positivity = \"none\"");
+  std::vector<Fault> faults;
+  for (const Medium& medium : problem.media())
+    if (scatters_by_any_kernel(medium))
+      faults.push_back(fault_at(medium.origin, "",
+                                "a kernel of both directions has no adjoint in this version; use a phase "
+                                "function, leaves or flakes"));
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+}  // namespace
+
+Problem reversed_problem(const Problem& problem, const SolveOptions& options) {
+  check(problem, options);
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  std::vector<Medium> media(problem.media().begin(), problem.media().end());
+  for (Medium& medium : media) {
+    medium.emission.assign(bands, Coefficient(0.0));
+    medium.blackbody.clear();
+    medium.emission_by_direction.clear();
+    for (auto& absorption : medium.absorption_by_direction)
+      if (absorption) absorption = absorption->reversed();
+  }
+  std::vector<Wall> walls(problem.walls().begin(), problem.walls().end());
+  for (Wall& wall : walls) {
+    wall.radiance.assign(bands, 0);
+    wall.radiance_by_direction.clear();
+  }
+  return Problem(problem.mesh(), problem.bands(), std::move(media), std::move(walls), problem.space());
+}
+
+}  // namespace etendue
