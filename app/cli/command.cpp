@@ -24,6 +24,7 @@ struct Dispatch {
   ExitCode operator()(const BakeRequest& request) const { return bake_results(request, out, err); }
   ExitCode operator()(const StudyRequest& request) const { return study_case(request, out, err); }
   ExitCode operator()(const CompareRequest& request) const { return compare_case(request, out, err); }
+  ExitCode operator()(const AdjointRequest& request) const { return adjoint_case(request, out, err); }
   ExitCode operator()(const CheckRequest& request) const { return check_case(request, out, err); }
   ExitCode operator()(const MeshRequest& request) const { return mesh_case(request, out, err); }
   ExitCode operator()(const DirectionsRequest& request) const { return show_directions(request, out); }

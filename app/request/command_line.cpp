@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/request/command_text.h"
 #include "app/write/result/program_version.h"
 #include "base/errors.h"
 #include "base/text/edit_distance.h"
@@ -15,41 +16,8 @@
 namespace etendue {
 namespace {
 
-const char* const examples = R"(Examples:
-  etendue new room
-  etendue run cases/smoke-room/case.toml
-  etendue run case.toml --set solve.tolerance=1e-8 --set directions.order=2 --output fine
-  etendue render smoke-room --camera front
-  etendue bake smoke-room --quantity radiosity
-  etendue study case.toml --refine mesh --levels 3
-  etendue compare case.toml --methods ordinates,photons
-  etendue check case.toml --mesh
-  etendue mesh case.toml -o mesh.vtu
-  etendue directions --set ldfe-sq --order 2 -o set.vtp
-  etendue keys walls.floor
-  etendue keys --schema > etendue.schema.json
-
-Exit codes: 0 done, converged and balanced; 1 not converged or not balanced (results written and
-marked so); 2 the case, the mesh or the command line is wrong; 3 a file could not be read or written;
-4 internal error; 130 interrupted.)";
-
 const std::map<std::string, ProgressStyle> progress_styles = {
     {"bar", ProgressStyle::bar}, {"plain", ProgressStyle::plain}, {"none", ProgressStyle::none}};
-
-/// The examples of one command.
-std::string examples_of(const std::string& command) {
-  std::string text = "Examples:";
-  std::istringstream lines(examples);
-  for (std::string line; std::getline(lines, line);)
-    if (line.starts_with("  etendue " + command + " ")) text += "\n" + line;
-  return text;
-}
-
-/// Empty, or what is wrong with a number of threads.
-std::string whole_number(const std::string& text) {
-  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits ? "" : text + " is not a number of threads; use a whole number, 0 for all cores";
-}
 
 /// The parser and the places that it fills.
 class Parser {
@@ -57,13 +25,14 @@ class Parser {
   Parser()
       : app_("Radiative transport by discrete ordinates, photons and radiosity on tetrahedra.", "etendue") {
     app_.set_version_flag("--version", "etendue " + program_version());
-    app_.footer(examples);
+    app_.footer(command_examples);
     app_.require_subcommand(1);
     add_run();
     add_render();
     add_bake();
     add_study();
     add_compare();
+    add_adjoint();
     add_check();
     add_mesh();
     add_directions();
@@ -272,6 +241,21 @@ class Parser {
         ->type_name("METHODS");
   }
 
+  void add_adjoint() {
+    adjoint_command_ = app_.add_subcommand(
+        "adjoint",
+        "What each region, wall and light brings of a quantity, and where light is important for it");
+    add_run_options(*adjoint_command_);
+    adjoint_command_
+        ->add_option(
+            "--of", adjoint_.responses,
+            "probe:NAME, sensor:NAME, wall:NAME (power that arrives) or region:NAME (power absorbed); "
+            "repeat for more")
+        ->required()
+        ->allow_extra_args(false)
+        ->type_name("WHAT");
+  }
+
   static void add_case(CLI::App& command, CaseRequest& request) {
     command.add_option("case", request.file, "The case file")->required()->type_name("CASE.toml");
     add_set(command, request);
@@ -317,6 +301,10 @@ class Parser {
     if (bake_command_->parsed()) return finished_bake();
     if (study_command_->parsed()) return finished_study();
     if (compare_command_->parsed()) return finished_compare();
+    if (adjoint_command_->parsed()) {
+      adjoint_.run = finished_run();
+      return adjoint_;
+    }
     if (check_command_->parsed()) return check_;
     if (mesh_command_->parsed()) return mesh_;
     if (directions_command_->parsed()) return directions_;
@@ -388,6 +376,7 @@ class Parser {
   CLI::App* bake_command_ = nullptr;
   CLI::App* study_command_ = nullptr;
   CLI::App* compare_command_ = nullptr;
+  CLI::App* adjoint_command_ = nullptr;
   CLI::App* check_command_ = nullptr;
   CLI::App* mesh_command_ = nullptr;
   CLI::App* directions_command_ = nullptr;
@@ -397,6 +386,7 @@ class Parser {
   BakeRequest bake_;
   StudyRequest study_;
   CompareRequest compare_;
+  AdjointRequest adjoint_;
   CheckRequest check_;
   MeshRequest mesh_;
   NewRequest new_;

@@ -83,6 +83,12 @@ struct CompareRequest {
   std::vector<std::string> methods;  ///< "ordinates", "photons", "radiosity"
 };
 
+/// The importance of some responses of a case.
+struct AdjointRequest {
+  RunRequest run;
+  std::vector<std::string> responses;  ///< "probe:NAME", …; at least one
+};
+
 struct CheckRequest : CaseRequest {
   bool mesh = false;
   bool phase = false;  ///< the values of the phase functions, and nothing else
@@ -115,8 +121,9 @@ struct ShowText {
   std::string text;
 };
 
-using Request = std::variant<RunRequest, RenderRequest, BakeRequest, StudyRequest, CompareRequest,
-                             CheckRequest, MeshRequest, DirectionsRequest, NewRequest, KeysRequest, ShowText>;
+using Request =
+    std::variant<RunRequest, RenderRequest, BakeRequest, StudyRequest, CompareRequest, AdjointRequest,
+                 CheckRequest, MeshRequest, DirectionsRequest, NewRequest, KeysRequest, ShowText>;
 
 /// What the arguments (without the program's name) ask for. Throws InputError.
 Request parse_command_line(const std::vector<std::string>& arguments);

@@ -25,6 +25,7 @@ ExitCode render_results(const RenderRequest& request, std::ostream& out, std::os
 ExitCode bake_results(const BakeRequest& request, std::ostream& out, std::ostream& err);
 ExitCode study_case(const StudyRequest& request, std::ostream& out, std::ostream& err);
 ExitCode compare_case(const CompareRequest& request, std::ostream& out, std::ostream& err);
+ExitCode adjoint_case(const AdjointRequest& request, std::ostream& out, std::ostream& err);
 ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream& err);
 ExitCode mesh_case(const MeshRequest& request, std::ostream& out, std::ostream& err);
 ExitCode show_directions(const DirectionsRequest& request, std::ostream& out);

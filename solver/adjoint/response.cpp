@@ -2,6 +2,7 @@
 #include "solver/adjoint/response.h"
 
 #include "base/field_view.h"
+#include "base/vector_sums.h"
 #include "mesh/tetrahedra/corners.h"
 
 namespace etendue {
@@ -24,8 +25,12 @@ struct UncollidedPartOf {
     return lights.at(point_of(lights.problem().mesh(), point.cells), std::nullopt).fluence;
   }
 
-  std::vector<double> operator()(const IrradianceMeter& meter) const {
-    return lights.at(point_of(lights.problem().mesh(), meter.cells), meter.normal).irradiance;
+  std::vector<double> operator()(const MeanIrradiance& mean) const {
+    std::vector<double> sum(lights.paths().bands(), 0);
+    for (const auto& cells : mean.points)
+      add_to(sum, lights.at(point_of(lights.problem().mesh(), cells), mean.normal).irradiance,
+             1 / static_cast<double>(mean.points.size()));
+    return sum;
   }
 
   std::vector<double> operator()(const ArrivingPower& at) const {

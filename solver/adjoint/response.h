@@ -4,9 +4,9 @@
 #include <variant>
 #include <vector>
 
+#include "base/vec3.h"
 #include "mesh/tetrahedra/search/cell_locator.h"
 #include "solver/problem/problem.h"
-#include "solver/solution/solve_options.h"
 #include "solver/uncollided/lights/light_setup.h"
 
 namespace etendue {
@@ -14,6 +14,12 @@ namespace etendue {
 /// The fluence at a point [power/length^2].
 struct PointFluence {
   std::vector<CellPoint> cells;  ///< where the point lies, from CellLocator::find; values are volume-weighted
+};
+
+/// The mean irradiance at points, on the side that a normal points to [power/length^2].
+struct MeanIrradiance {
+  std::vector<std::vector<CellPoint>> points;  ///< at least one, each as of a fluence
+  Vec3 normal = Vec3::UnitZ();                 ///< unit
 };
 
 /// The power that arrives at a wall [power].
@@ -27,7 +33,7 @@ struct AbsorbedPower {
 };
 
 /// A quantity <r, u> that is linear in the radiance, of every band by itself.
-using Response = std::variant<PointFluence, IrradianceMeter, ArrivingPower, AbsorbedPower>;
+using Response = std::variant<PointFluence, MeanIrradiance, ArrivingPower, AbsorbedPower>;
 
 /// Power per volume that a cell absorbs by the mean fluence in it [1/length], 0 outside of the region.
 double absorbed_share(const Problem& problem, const AbsorbedPower& response, CellIndex cell, int band);

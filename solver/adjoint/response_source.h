@@ -24,8 +24,8 @@ class ResponseSource : public AngularInput {
   void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const override;
 
  private:
-  /// Of a point: the linear functions whose product with a field is its value there.
-  void add_points(const std::vector<CellPoint>& cells);
+  /// Adds the linear functions whose product with a field is its value at a point, times a weight.
+  void add_point(const std::vector<CellPoint>& cells, double weight);
 
   const Problem& problem_;
   const DirectionSet& directions_;

@@ -20,7 +20,7 @@ void check(const Problem& problem, const SolveOptions& options) {
   if (options.positivity != Positivity::none)
     throw InputError(
         "values are kept positive: what light brings is not linear in the sources then; use "
-        "solve.positivity = \"none\"");
+        "space.positivity = \"none\"");
   std::vector<Fault> faults;
   for (const Medium& medium : problem.media())
     if (scatters_by_any_kernel(medium))

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <array>
 
 #include "app/case/temperatures.h"
 #include "app/write/result/temperature_fields.h"
 #include "app/write/result/unit_labels.h"
+#include "app/write/vtk/separate_parts.h"
 #include "app/write/vtk/vtk_arrays.h"
 #include "app/write/vtk/vtk_files.h"
 #include "app/write/vtk/vtk_output.h"
@@ -20,33 +17,6 @@
 
 namespace etendue {
 namespace {
-
-vtkSmartPointer<vtkPoints> points_of_cells(const TetrahedralMesh& mesh) {
-  std::vector<double> coordinates;
-  coordinates.reserve(12 * static_cast<std::size_t>(mesh.cell_count()));
-  for (const auto& vertices : mesh.cell_vertices())
-    for (const std::int32_t v : vertices) {
-      const Vec3& point = mesh.point(VertexIndex(v));
-      coordinates.insert(coordinates.end(), point.begin(), point.end());
-    }
-  vtkNew<vtkPoints> points;
-  points->SetData(vtk_array({"points", {}, {}}, 3, coordinates));
-  return points.Get();
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> separate_cells(const TetrahedralMesh& mesh) {
-  vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(mesh.cell_count(), 4 * static_cast<vtkIdType>(mesh.cell_count()));
-  for (int c = 0; c < mesh.cell_count(); ++c) {
-    std::array<vtkIdType, 4> corners = positive_order(mesh, CellIndex(c));
-    for (vtkIdType& corner : corners) corner += 4 * static_cast<vtkIdType>(c);
-    cells->InsertNextCell(4, corners.data());
-  }
-  vtkNew<vtkUnstructuredGrid> grid;
-  grid->SetPoints(points_of_cells(mesh));
-  grid->SetCells(VTK_TETRA, cells);
-  return grid.Get();
-}
 
 class FieldsOfCells {
  public:

@@ -1,33 +1,20 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 
 #include <Eigen/Geometry>
-#include <array>
 
 #include "app/case/temperatures.h"
 #include "app/write/result/temperature_fields.h"
 #include "app/write/result/unit_labels.h"
+#include "app/write/vtk/separate_parts.h"
 #include "app/write/vtk/vtk_arrays.h"
 #include "app/write/vtk/vtk_files.h"
 #include "app/write/vtk/vtk_output.h"
 
 namespace etendue {
 namespace {
-
-/// Counterclockwise as seen from outside the domain.
-std::array<vtkIdType, 3> outward_order(const TetrahedralMesh& mesh, FaceIndex face) {
-  const auto& v = mesh.vertices(face);
-  const Vec3& origin = mesh.point(VertexIndex(v[0]));
-  const Vec3 a = mesh.point(VertexIndex(v[1])) - origin;
-  const Vec3 b = mesh.point(VertexIndex(v[2])) - origin;
-  if (a.cross(b).dot(mesh.area_normal(face)) > 0) return {0, 1, 2};
-  return {0, 2, 1};
-}
 
 std::vector<double> differences(std::span<const double> a, std::span<const double> b) {
   std::vector<double> result(a.size());
@@ -66,25 +53,6 @@ std::vector<double> temperatures_at_corners(const RunResult& result, const std::
   return kelvin;
 }
 
-/// Triangles that share no points. `corners` are the numbers of the three within each [triangle].
-vtkSmartPointer<vtkPolyData> separate_triangles(const std::vector<double>& coordinates,
-                                                const std::vector<std::array<vtkIdType, 3>>& corners) {
-  const auto count = static_cast<vtkIdType>(corners.size());
-  vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(count, 3 * count);
-  for (vtkIdType t = 0; t < count; ++t) {
-    std::array<vtkIdType, 3> points = corners[static_cast<std::size_t>(t)];
-    for (vtkIdType& point : points) point += 3 * t;
-    triangles->InsertNextCell(3, points.data());
-  }
-  vtkNew<vtkPoints> points;
-  points->SetData(vtk_array({"points", {}, {}}, 3, coordinates));
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(points);
-  surface->SetPolys(triangles);
-  return surface.Get();
-}
-
 /// Light on triangles with three values of their own each.
 struct TriangleLight {
   vtkSmartPointer<vtkPolyData> surface;
@@ -97,20 +65,13 @@ struct TriangleLight {
 TriangleLight light_on_faces(const RunResult& result) {
   const TetrahedralMesh& mesh = result.problem.mesh();
   TriangleLight light;
-  std::vector<double> coordinates;
-  std::vector<std::array<vtkIdType, 3>> corners;
   for (int f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
-    for (const std::int32_t v : mesh.vertices(face)) {
-      const Vec3& point = mesh.point(VertexIndex(v));
-      coordinates.insert(coordinates.end(), point.begin(), point.end());
-    }
-    corners.push_back(outward_order(mesh, face));
     light.walls.push_back(mesh.wall(face));
     light.areas.push_back(mesh.area(face));
     light.normals.push_back(mesh.area_normal(face).normalized());
   }
-  light.surface = separate_triangles(coordinates, corners);
+  light.surface = separate_faces(mesh);
   light.irradiance = result.solution.irradiance;
   light.exitance = result.solution.exitance;
   return light;

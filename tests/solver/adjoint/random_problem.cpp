@@ -111,7 +111,12 @@ struct ReadRun {
     for (std::size_t b = 0; b < values.size(); ++b) values[b] += exact.fluence[b] - projected[b].fluence;
     return values;
   }
-  std::vector<double> operator()(const IrradianceMeter&) const { return solution.meters; }
+  std::vector<double> operator()(const MeanIrradiance& mean) const {
+    std::vector<double> values(bands, 0);
+    for (std::size_t i = 0; i < solution.meters.size(); ++i)
+      values[i % bands] += solution.meters[i] / static_cast<double>(mean.points.size());
+    return values;
+  }
   std::vector<double> operator()(const ArrivingPower& at) const {
     std::vector<double> values;
     const auto walls = wall_powers(problem, solution);
@@ -151,16 +156,18 @@ std::vector<Response> random_responses(const TetrahedralMesh& mesh, unsigned see
   Dice dice(seed + 1000);
   const CellLocator locator(mesh);
   const Vec3 normal = dice.inside(-1, 1).normalized();
-  return {PointFluence{locator.find(dice.inside(0.05, 0.95))},
-          IrradianceMeter{locator.find(dice.inside(0.05, 0.95)), normal},
-          ArrivingPower{static_cast<int>(dice.between(0, 6))},
-          AbsorbedPower{static_cast<int>(dice.between(0, 2))}};
+  return {
+      PointFluence{locator.find(dice.inside(0.05, 0.95))},
+      MeanIrradiance{{locator.find(dice.inside(0.05, 0.95)), locator.find(dice.inside(0.05, 0.95))}, normal},
+      ArrivingPower{static_cast<int>(dice.between(0, 6))},
+      AbsorbedPower{static_cast<int>(dice.between(0, 2))}};
 }
 
 std::vector<double> duality_errors(const Problem& problem, const DirectionSet& directions,
                                    const std::vector<Response>& responses, SolveOptions options) {
   for (const Response& response : responses)
-    if (const auto* meter = std::get_if<IrradianceMeter>(&response)) options.meters.push_back(*meter);
+    if (const auto* mean = std::get_if<MeanIrradiance>(&response))
+      for (const auto& cells : mean->points) options.meters.push_back({cells, mean->normal});
   const LightSetup lights(problem);
   const Solution solution = solve_split(lights, directions, options);
   const auto emitters = emitter_sources(problem, options.threads);

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <utility>
+
+#include "app/adjoint/chosen_response.h"
+#include "app/adjoint/share_tables.h"
+#include "app/case/build/build.h"
+#include "app/progress/interruption.h"
+#include "app/progress/progress.h"
+#include "app/progress/stage_progress.h"
+#include "app/request/commands.h"
+#include "app/request/verbose_log.h"
+#include "app/run/memory_forecast.h"
+#include "app/run/ordinates_setup.h"
+#include "app/setup/deprecation_notes.h"
+#include "app/setup/run_context.h"
+#include "app/write/result/output_folder.h"
+#include "app/write/vtk/vtk_importance.h"
+#include "base/errors.h"
+#include "solver/adjoint/reversed_problem.h"
+#include "solver/adjoint/uncollided_importance.h"
+
+namespace etendue {
+namespace {
+
+void refuse_other_methods(const Case& input) {
+  if (input.photons || input.radiosity)
+    throw InputError(
+        "command line: adjoint: importance is solved for on directions; use solve.method = \"auto\"");
+  if (input.exact) throw InputError("command line: adjoint: not of an exact radiance");
+}
+
+/// "importance-probe-desk": letters, digits, dots and dashes of the name, and lines for all others.
+std::string file_stem(const std::string& name) {
+  std::string stem = "importance-" + name;
+  for (char& c : stem)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-') c = c == ':' ? '-' : '_';
+  return stem;
+}
+
+void refuse_equal_files(const std::vector<ChosenResponse>& responses) {
+  for (auto it = responses.begin(); it != responses.end(); ++it)
+    for (auto other = responses.begin(); other != it; ++other)
+      if (file_stem(it->name) == file_stem(other->name))
+        throw InputError(
+            fmt::format("command line: adjoint: --of = {}: has the files of {}; ask for one of them",
+                        it->name, other->name));
+}
+
+std::vector<std::string> write_importances(const std::vector<SolvedResponse>& solved, const Case& input,
+                                           const Problem& problem) {
+  const std::filesystem::path& directory = input.output.directory;
+  OutputFolder folder(directory);
+  for (const SolvedResponse& one : solved) {
+    const std::string stem = file_stem(one.response.name);
+    const std::string cells = stem + ".vtu", walls = stem + "-walls.vtp";
+    const ImportanceFields fields{input, problem, one.solution.importance, one.response.unit_by_power};
+    write_importance(fields, folder.add(cells), directory / cells);
+    write_importance_of_walls(fields, folder.add(walls), directory / walls);
+  }
+  folder.add_text("importance.csv", importance_csv(solved, problem.bands()));
+  std::vector<std::string> names = folder.names();
+  folder.publish({});
+  return names;
+}
+
+std::string convergence_line(const Solution& solution) {
+  int sweeps = 0;
+  double residual = 0;
+  for (const BandConvergence& band : solution.convergence) {
+    sweeps = std::max(sweeps, band.sweeps);
+    residual = std::max(residual, band.residual);
+  }
+  return fmt::format("{} after {} sweeps: estimated relative error {:.2g}",
+                     solution.converged() ? "converged" : "NOT CONVERGED", sweeps, residual);
+}
+
+/// Takes the rays of directions out of the field of importance, where it comes from something small.
+void follow_uncollided(const Problem& problem, const OrdinatesSetup& setup, const Response& response,
+                       const StageDisplay& stages, Solution& importance) {
+  std::string left_out;
+  {
+    ShownStage stage(stages, "importance before its first collision");
+    left_out = follow_uncollided_importance(problem, setup.directions.sets, response, setup.options,
+                                            importance, stage.observer());
+  }
+  if (!left_out.empty())
+    stages.out << "the field of importance is that of the directions alone (" << left_out << ")\n";
+}
+
+}  // namespace
+
+ExitCode adjoint_case(const AdjointRequest& request, std::ostream& out, std::ostream& err) {
+  Interruption interruption;  // until the files are written a signal ends the program at once
+  const Case input = case_of(request.run);
+  refuse_other_methods(input);
+  write_deprecations(input, err);
+  check_output_directory(input.output.directory);
+  const StageDisplay stages{resolved_style(request.run.progress, out), out, {}};
+  const TetrahedralMesh mesh = mesh_visibly(input, verbose_log(request.run, err), stages);
+  const Problem problem = build_problem(input, mesh);
+  const OrdinatesSetup setup(input, problem);
+  const std::vector<ChosenResponse> responses =
+      choose_responses(request.responses, input, problem, setup.locator);
+  refuse_equal_files(responses);
+  reversed_problem(problem, setup.options);  // refuses what has no adjoint before the rays
+  out << fmt::format("mesh: {} cells; {}; bands: {}; threads: {}\n", mesh.cell_count(),
+                     directions_line(setup.directions, input), problem.band_count(), setup.options.threads)
+      << memory_text(setup.memory(), problem) << std::flush;
+  const auto emitters = [&] {
+    ShownStage stage(stages, "light of each emitter before its first collision");
+    return emitter_sources(problem, setup.options.threads, stage.observer());
+  }();
+  std::vector<SolvedResponse> solved;
+  for (const ChosenResponse& response : responses) {
+    ProgressDisplay display(stages.style, out);
+    AdjointSolution solution = solve_adjoint(emitters, problem, setup.directions.sets, response.response,
+                                             setup.options, [&](const SweepProgress& progress) {
+                                               display.show(progress);
+                                               return SolveControl::proceed;
+                                             });
+    display.finish();
+    out << convergence_line(solution.importance) << '\n';
+    follow_uncollided(problem, setup, response.response, stages, solution.importance);
+    solved.push_back({response, std::move(solution)});
+    out << share_text(solved.back(), problem.bands()) << std::endl;
+  }
+  interruption.note_all();
+  out << fmt::format("written to {}: {}\n", input.output.directory.string(),
+                     fmt::join(write_importances(solved, input, problem), " "));
+  const auto converged = [](const SolvedResponse& one) { return one.solution.importance.converged(); };
+  if (std::ranges::all_of(solved, converged)) return ExitCode::done;
+  err << "not converged: raise solve.max_sweeps or solve.tolerance\n";
+  return ExitCode::not_converged;
+}
+
+}  // namespace etendue
