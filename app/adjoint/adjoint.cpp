@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/adjoint/chosen_response.h"
+#include "app/adjoint/gradient_tables.h"
 #include "app/adjoint/share_tables.h"
 #include "app/case/build/build.h"
 #include "app/progress/interruption.h"
@@ -24,6 +25,7 @@
 #include "base/errors.h"
 #include "solver/adjoint/reversed_problem.h"
 #include "solver/adjoint/uncollided_importance.h"
+#include "solver/transport/solve/solve.h"
 
 namespace etendue {
 namespace {
@@ -59,11 +61,22 @@ std::vector<std::string> write_importances(const std::vector<SolvedResponse>& so
   for (const SolvedResponse& one : solved) {
     const std::string stem = file_stem(one.response.name);
     const std::string cells = stem + ".vtu", walls = stem + "-walls.vtp";
-    const ImportanceFields fields{input, problem, one.solution.importance, one.response.unit_by_power};
+    const ImportanceFields fields{input,
+                                  problem,
+                                  one.solution.importance,
+                                  one.response.unit_by_power,
+                                  one.gradient ? &*one.gradient : nullptr,
+                                  one.response.unit_by_area};
     write_importance(fields, folder.add(cells), directory / cells);
     write_importance_of_walls(fields, folder.add(walls), directory / walls);
   }
   folder.add_text("importance.csv", importance_csv(solved, problem.bands()));
+  std::vector<std::pair<std::string, std::vector<Derivative>>> derivatives;
+  for (const SolvedResponse& one : solved)
+    if (one.gradient)
+      derivatives.emplace_back(one.response.name,
+                               derivatives_of(*one.gradient, problem, one.solution.response()));
+  if (!derivatives.empty()) folder.add_text("gradient.csv", gradient_csv(derivatives, problem.bands()));
   std::vector<std::string> names = folder.names();
   folder.publish({});
   return names;
@@ -93,6 +106,36 @@ void follow_uncollided(const Problem& problem, const OrdinatesSetup& setup, cons
     stages.out << "the field of importance is that of the directions alone (" << left_out << ")\n";
 }
 
+/// The solution of the case itself, by which derivatives are found.
+class PrimalSolution {
+ public:
+  PrimalSolution(const Problem& problem, const OrdinatesSetup& setup, const StageDisplay& stages)
+      : problem_(on_directions(problem)), directions_(setup.set()), options_(setup.options) {
+    if (setup.directions.sets.size() > 1)
+      throw InputError("command line: adjoint: --gradient: needs one set; use directions.rotations = 1");
+    if (!setup.lights.empty())
+      stages.out << "for the gradient all light is left to the directions, as with uncollided = false\n";
+    ProgressDisplay display(stages.style, stages.out);
+    solution_ = solve(problem_, directions_, options_, [&](const SweepProgress& progress) {
+      display.show(progress);
+      return SolveControl::proceed;
+    });
+    display.finish();
+    stages.out << "the case itself: " << convergence_line(solution_) << std::endl;
+  }
+
+  Gradient gradient(const Response& response, const Solution& importance) const {
+    return gradient_of(problem_, directions_, response, options_, solution_, importance);
+  }
+  bool converged() const { return solution_.converged(); }
+
+ private:
+  Problem problem_;
+  const DirectionSet& directions_;
+  SolveOptions options_;
+  Solution solution_;
+};
+
 }  // namespace
 
 ExitCode adjoint_case(const AdjointRequest& request, std::ostream& out, std::ostream& err) {
@@ -116,6 +159,8 @@ ExitCode adjoint_case(const AdjointRequest& request, std::ostream& out, std::ost
     ShownStage stage(stages, "light of each emitter before its first collision");
     return emitter_sources(problem, setup.options.threads, stage.observer());
   }();
+  std::optional<PrimalSolution> primal;
+  if (request.gradient) primal.emplace(problem, setup, stages);
   std::vector<SolvedResponse> solved;
   for (const ChosenResponse& response : responses) {
     ProgressDisplay display(stages.style, out);
@@ -126,15 +171,22 @@ ExitCode adjoint_case(const AdjointRequest& request, std::ostream& out, std::ost
                                              });
     display.finish();
     out << convergence_line(solution.importance) << '\n';
-    follow_uncollided(problem, setup, response.response, stages, solution.importance);
     solved.push_back({response, std::move(solution)});
-    out << share_text(solved.back(), problem.bands()) << std::endl;
+    out << share_text(solved.back(), problem.bands()) << std::flush;
+    if (primal) {
+      solved.back().gradient = primal->gradient(response.response, solved.back().solution.importance);
+      out << gradient_text(
+                 derivatives_of(*solved.back().gradient, problem, solved.back().solution.response()),
+                 problem.bands())
+          << std::flush;
+    }
+    follow_uncollided(problem, setup, response.response, stages, solved.back().solution.importance);
   }
   interruption.note_all();
   out << fmt::format("written to {}: {}\n", input.output.directory.string(),
                      fmt::join(write_importances(solved, input, problem), " "));
   const auto converged = [](const SolvedResponse& one) { return one.solution.importance.converged(); };
-  if (std::ranges::all_of(solved, converged)) return ExitCode::done;
+  if (std::ranges::all_of(solved, converged) && (!primal || primal->converged())) return ExitCode::done;
   err << "not converged: raise solve.max_sweeps or solve.tolerance\n";
   return ExitCode::not_converged;
 }

@@ -27,7 +27,8 @@ class Chooser {
         problem_(problem),
         locator_(locator),
         units_(input.units, input.angular_space),
-        by_area_("1/" + units_.area) {}
+        by_area_("1/" + units_.area),
+        by_area_squared_(units_.power + "/" + units_.length + "^4") {}
 
   /// Throws Fault.
   ChosenResponse choose(const std::string& name) const {
@@ -37,11 +38,13 @@ class Chooser {
     if (kind == "probe") return of_probe(name, rest);
     if (kind == "sensor") return of_sensor(name, rest);
     if (kind == "wall")
-      return {name, "power that arrives", units_.power, "",
-              ArrivingPower{number_of(name, rest, "wall", problem_.mesh().wall_names())}};
+      return {name,         "power that arrives",
+              units_.power, "",
+              units_.flux,  ArrivingPower{number_of(name, rest, "wall", problem_.mesh().wall_names())}};
     if (kind == "region")
-      return {name, "power absorbed", units_.power, "",
-              AbsorbedPower{number_of(name, rest, "region", problem_.mesh().region_names())}};
+      return {name,         "power absorbed",
+              units_.power, "",
+              units_.flux,  AbsorbedPower{number_of(name, rest, "region", problem_.mesh().region_names())}};
     throw fault_of(name, "not known; use probe:NAME, sensor:NAME, wall:NAME or region:NAME");
   }
 
@@ -71,13 +74,17 @@ class Chooser {
   }
 
   ChosenResponse fluence(const std::string& name, const Vec3& point) const {
-    return {name, "fluence", units_.flux, by_area_, PointFluence{cells_at(name, point)}};
+    return {name, "fluence", units_.flux, by_area_, by_area_squared_, PointFluence{cells_at(name, point)}};
   }
   ChosenResponse irradiance(const std::string& name, const std::vector<Vec3>& points,
                             const Vec3& normal) const {
     MeanIrradiance mean{{}, normal};
     for (const Vec3& point : points) mean.points.push_back(cells_at(name, point));
-    return {name, points.size() > 1 ? "mean irradiance" : "irradiance", units_.flux, by_area_,
+    return {name,
+            points.size() > 1 ? "mean irradiance" : "irradiance",
+            units_.flux,
+            by_area_,
+            by_area_squared_,
             std::move(mean)};
   }
 
@@ -125,7 +132,8 @@ class Chooser {
   const Problem& problem_;
   const CellLocator& locator_;
   UnitLabels units_;
-  std::string by_area_;
+  std::string by_area_;          ///< of a flux by power
+  std::string by_area_squared_;  ///< of a flux by area
 };
 
 }  // namespace

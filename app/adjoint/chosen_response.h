@@ -17,6 +17,7 @@ struct ChosenResponse {
   std::string quantity;  ///< "irradiance"
   std::string unit;
   std::string unit_by_power;  ///< of the response over power; empty where it is a number
+  std::string unit_by_area;   ///< of the response over area
   Response response;
 };
 

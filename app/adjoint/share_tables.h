@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/adjoint/chosen_response.h"
+#include "solver/adjoint/gradient.h"
 #include "solver/adjoint/solve_adjoint.h"
 #include "solver/problem/bands.h"
 
@@ -14,6 +16,7 @@ namespace etendue {
 struct SolvedResponse {
   ChosenResponse response;
   AdjointSolution solution;
+  std::optional<Gradient> gradient = {};
 };
 
 /// response,quantity,unit,kind,emitter,band,uncollided,collided,total,share: what each emitter brings. The

@@ -254,6 +254,10 @@ class Parser {
         ->required()
         ->allow_extra_args(false)
         ->type_name("WHAT");
+    adjoint_command_->add_flag(
+        "--gradient", adjoint_.gradient,
+        "Also solve the case itself, with all light on the directions, for the derivatives by absorption, "
+        "scattering, emission and walls");
   }
 
   static void add_case(CLI::App& command, CaseRequest& request) {

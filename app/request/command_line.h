@@ -87,6 +87,7 @@ struct CompareRequest {
 struct AdjointRequest {
   RunRequest run;
   std::vector<std::string> responses;  ///< "probe:NAME", …; at least one
+  bool gradient = false;               ///< whether derivatives by media and walls are wanted too
 };
 
 struct CheckRequest : CaseRequest {

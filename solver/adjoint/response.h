@@ -32,7 +32,7 @@ struct AbsorbedPower {
   int region = 0;
 };
 
-/// A quantity <r, u> that is linear in the radiance, of every band by itself.
+/// A quantity <r, u> that is linear in the radiance, in each band alone.
 using Response = std::variant<PointFluence, MeanIrradiance, ArrivingPower, AbsorbedPower>;
 
 /// Power per volume that a cell absorbs by the mean fluence in it [1/length], 0 outside of the region.

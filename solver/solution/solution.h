@@ -127,7 +127,8 @@ struct Solution {
   std::vector<double>
       half_range;  ///< [boundary face] discrete half range [sr], of what enters where a wall refracts
   std::vector<OrdinateRadiance> radiance;
-  SavedState state;  ///< from which another run may go on
+  SavedState state;                         ///< from which another run may go on
+  std::vector<std::int32_t> angular_cells;  ///< whose moments the state has, in their order
   /// [cell][band] standard error of the cell's mean fluence, a mean over rotated sets [power/length^2]; empty
   /// with one set.
   std::vector<double> direction_error;

@@ -38,6 +38,12 @@ void write_importance(const ImportanceFields& fields, const std::filesystem::pat
   grid->GetPointData()->AddArray(vtk_array({"importance", bands, fields.unit}, count, values));
   grid->GetCellData()->AddArray(
       vtk_array({"importance_mean", bands, fields.unit}, count, node_means(values, 4, bands.size())));
+  const auto add_gradient = [&](const std::string& name, std::vector<double> density) {
+    for (std::size_t i = 0; i < density.size(); ++i) density[i] /= mesh.volumes()[i / bands.size()];
+    grid->GetCellData()->AddArray(vtk_array({name, bands, fields.gradient_unit}, count, density));
+  };
+  if (fields.gradient != nullptr) add_gradient("gradient_absorption", fields.gradient->absorption);
+  if (fields.gradient != nullptr) add_gradient("gradient_scattering", fields.gradient->scattering);
   write(*grid, fields, path, shown);
 }
 

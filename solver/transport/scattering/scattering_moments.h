@@ -42,6 +42,12 @@ class ScatteringMoments {
   std::int32_t row(CellIndex cell) const { return index_[cell.at()]; }
   std::span<const std::int32_t> angular_cells() const { return angular_cells_; }
   const MomentOrbits& orbits() const { return orbits_; }
+  int degree_of(int moment) const { return harmonics_.degree_of(moment); }
+  /// chi of a moment in a region and band: what scatters into it is sigma_s chi phi_k over the full range.
+  double phase_moment(int region, int moment, int band) const {
+    const auto at = static_cast<std::size_t>(region) * count() + static_cast<std::size_t>(moment);
+    return phase_moments_[at * static_cast<std::size_t>(cells_.stride()) + static_cast<std::size_t>(band)];
+  }
 
   /// Right-hand sides of emission and scattering of a state, for cells first … last - 1: the isotropic part
   /// into the source of the cells' records, and moments [row][moment][node][stride] for angular cells.

@@ -91,6 +91,8 @@ void read_out(const TransportSweep& sweep, const TransportState& state, SweepRec
   SourceProducts(sweep.discretization()).add_isotropic(state.fluence(), record.source_products);
   solution.source_products = vertex_values(record.source_products, 1, 1, stride, bands);
   solution.state = saved(state, sweep.cells().bands());
+  const std::span<const std::int32_t> angular_cells = sweep.discretization().moments.angular_cells();
+  solution.angular_cells.assign(angular_cells.begin(), angular_cells.end());
   solution.absorbed = std::move(record.absorbed);
   complete_absorbed(sweep, solution);
   solution.negative = negative_census(solution.fluence, bands);

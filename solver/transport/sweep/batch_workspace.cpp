@@ -27,8 +27,7 @@ void BatchWorkspace<Real>::begin_record(const Discretization& d, const SweepReco
   meters.assign(record.meters.size(), 0);
   source_products.assign(record.source_products.size(), 0);
   absorbed.assign(record.absorbed.size(), 0);
-  if (!d.options.keep_ordinates.empty())
-    all_rows = AlignedArrayOf<Real>(d.fluence_size() + d.cells.cell_length());
+  if (!record.radiance.empty()) all_rows = AlignedArrayOf<Real>(d.fluence_size() + d.cells.cell_length());
 }
 
 template <class Real>

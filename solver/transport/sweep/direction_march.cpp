@@ -32,12 +32,13 @@ void DirectionMarch<Real>::march(std::int32_t batch, const SweepPass& pass, Work
     std::vector<Passage> group;
     for (; first < group_end; ++first) {
       const OrdinateIndex m = d_.schedule.ordinate(first);
+      if (pass.skips(m)) continue;
       typename Workspace::Member& member = work.members[group.size()];
       group.push_back({m, &d_.orders->of_pair(m.value() / 2, work.order_maker, member.remade_order),
                        moments_.rows_at(first, work.rows), &member});
     }
     if (stop_.ask()) return;
-    march_group(group, pass, work);
+    if (!group.empty()) march_group(group, pass, work);
   }
 }
 

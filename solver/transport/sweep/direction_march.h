@@ -45,8 +45,10 @@ class DirectionMarch {
   const std::vector<FixupCensus>& census() const { return census_; }
   void clear_census() { census_.assign(census_.size(), FixupCensus()); }
 
-  /// Sets the sizes of a record before the batches of a sweep.
-  void begin_record(SweepRecord& record) { recorder_.begin(record); }
+  /// Sets the sizes of a record before the batches of a sweep, which keeps the radiance of these ordinates.
+  void begin_record(SweepRecord& record, std::span<const int> ordinates) {
+    recorder_.begin(record, ordinates);
+  }
   /// Marches along the ordinates of one batch and leaves their sums in the workspace. Returns early where the
   /// sweep has to stop. Several threads may do this with a workspace each.
   void march(std::int32_t batch, const SweepPass& pass, Workspace& work);
@@ -64,7 +66,7 @@ class DirectionMarch {
   bool is_tiled() const { return d_.orders->step_count() > 1; }
   /// Whether ordinates pass one after the other, because they share arrays that visits do not merely add to.
   bool pass_alone(const SweepRecord* record) const {
-    return !d_.dense.empty() || (record != nullptr && recorder_.keeps_radiance());
+    return !d_.dense.empty() || (record != nullptr && !record->radiance.empty());
   }
   void form_rows(std::int32_t batch, const SweepPass& pass, Workspace& work);
   void march_group(std::span<const Passage> group, const SweepPass& pass, Workspace& work);

@@ -6,7 +6,7 @@
 
 namespace etendue {
 
-void OrdinateRecorder::begin(SweepRecord& record) {
+void OrdinateRecorder::begin(SweepRecord& record, std::span<const int> ordinates) {
   const auto cells = static_cast<std::size_t>(d_.problem.mesh().cell_count());
   record.net_flux = AlignedArray(3 * d_.fluence_size());
   record.exitance = AlignedArray(d_.walls.irradiance_size());
@@ -16,19 +16,18 @@ void OrdinateRecorder::begin(SweepRecord& record) {
   record.absorbed.assign(
       d_.dense.absorbs_by_direction() ? cells * static_cast<std::size_t>(d_.cells.bands()) : 0, 0);
   record.radiance.clear();
-  for (const int ordinate : d_.options.keep_ordinates)
+  for (const int ordinate : ordinates)
     record.radiance.push_back({ordinate, std::vector<double>(d_.fluence_size())});
-  if (!keeps_radiance()) return;
+  if (ordinates.empty()) return;
   all_cells_index_.resize(cells + 1);
   std::iota(all_cells_index_.begin(), all_cells_index_.end() - 1, 1);
   all_cells_index_.back() = 0;
 }
 
 OrdinateRadiance* OrdinateRecorder::kept(OrdinateIndex m, SweepRecord* record) const {
-  const std::vector<int>& wanted = d_.options.keep_ordinates;
-  const auto found = std::find(wanted.begin(), wanted.end(), m.value());
-  if (record == nullptr || found == wanted.end()) return nullptr;
-  return &record->radiance[static_cast<std::size_t>(found - wanted.begin())];
+  if (record == nullptr) return nullptr;
+  const auto found = std::ranges::find(record->radiance, m.value(), &OrdinateRadiance::ordinate);
+  return found == record->radiance.end() ? nullptr : &*found;
 }
 
 template <class Real>

@@ -17,12 +17,10 @@ class OrdinateRecorder {
   /// `discretization` must outlive it.
   explicit OrdinateRecorder(const Discretization& discretization) : d_(discretization) {}
 
-  /// Sets the sizes of a record, and all its values to zero.
-  void begin(SweepRecord& record);
+  /// Sets the sizes of a record, and all its values to zero; it keeps the radiance of these ordinates.
+  void begin(SweepRecord& record, std::span<const int> ordinates);
   /// Returns the place of the radiance along ordinate m; null where it is not kept.
   OrdinateRadiance* kept(OrdinateIndex m, SweepRecord* record) const;
-  /// Whether some ordinate's radiance is kept.
-  bool keeps_radiance() const { return !d_.options.keep_ordinates.empty(); }
   /// Adds the irradiance of all meters along ordinate m to `meters` [meter][stride]. `rows` are those of the
   /// angular cells, the scratch row first.
   template <class Real>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <span>
+
+#include "base/index.h"
 #include "solver/transport/state/transport_state.h"
 #include "solver/transport/sweep/sweep_record.h"
 
@@ -12,6 +15,9 @@ struct SweepPass {
   TransportState& next;
   SweepRecord* record = nullptr;  ///< null: none is wanted
   Emission emission = Emission::included;
+  std::span<const char> only = {};  ///< [ordinate] whether to march along it; empty: along all
+
+  bool skips(OrdinateIndex m) const { return !only.empty() && only[m.at()] == 0; }
 };
 
 }  // namespace etendue

@@ -99,7 +99,20 @@ template <class Real>
 void TransportSweepOf<Real>::sweep_state(const SweepPass& pass) {
   form_source(pass);
   march_.clear_census();
-  sweep(pass);
+  sweep(pass, discretization_.options.keep_ordinates);
+}
+
+template <class Real>
+std::vector<OrdinateRadiance> TransportSweepOf<Real>::radiance_along(const TransportState& last,
+                                                                     std::span<const int> ordinates) {
+  std::vector<char> only(static_cast<std::size_t>(directions().count()), 0);
+  for (const int ordinate : ordinates) only[static_cast<std::size_t>(ordinate)] = 1;
+  TransportState unused(layout());
+  SweepRecord record;
+  const SweepPass pass{last, unused, &record, Emission::included, only};
+  form_source(pass);
+  sweep(pass, ordinates);
+  return std::move(record.radiance);
 }
 
 // Equations (11) and (13), multiplied by the mass of each cell as in (5).
@@ -134,12 +147,12 @@ void TransportSweepOf<Real>::share_records() {
 }
 
 template <class Real>
-void TransportSweepOf<Real>::sweep(const SweepPass& pass) {
+void TransportSweepOf<Real>::sweep(const SweepPass& pass, std::span<const int> ordinates) {
   std::ranges::fill(pass.next.fluence(), 0.0);
   std::ranges::fill(pass.next.moments(), 0.0);
   std::ranges::fill(pass.next.irradiance(), 0.0);
   if (pass.record != nullptr) {
-    march_.begin_record(*pass.record);
+    march_.begin_record(*pass.record, ordinates);
     for (auto& work : workspaces_) work->begin_record(discretization_, *pass.record);
   }
   for (auto& work : workspaces_)

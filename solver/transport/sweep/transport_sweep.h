@@ -48,6 +48,10 @@ class TransportSweepOf {
   /// next = F(last). `record`, where it is not null, is filled too (its sizes are set here). All sweeps throw
   /// SweepStopped where the options' `stops` asks for it.
   void apply(const TransportState& last, TransportState& next, SweepRecord* record = nullptr);
+  /// The radiance along some ordinates that apply(last) finds, [as listed] with values [cell][node][stride].
+  /// The sweep before must have been apply() to a state that is the same to the iteration's tolerance:
+  /// mirrors that reflect within a sweep keep what arrived then.
+  std::vector<OrdinateRadiance> radiance_along(const TransportState& last, std::span<const int> ordinates);
   /// next = T last, the linear part of F.
   void apply_linear(const TransportState& last, TransportState& next);
   /// The same in the bands that are `active`, [band]; the others have to be zero in `last`. Once the active
@@ -90,8 +94,8 @@ class TransportSweepOf {
   void form_unit_source();
   /// Copies the records to the threads, which set the mass of dense cells in them for each ordinate.
   void share_records();
-  /// Sweeps with the source that is formed.
-  void sweep(const SweepPass& pass);
+  /// Sweeps with the source that is formed; the record keeps the radiance of these ordinates.
+  void sweep(const SweepPass& pass, std::span<const int> ordinates = {});
   void march_batches(const SweepPass& pass);
 
   Discretization discretization_;

@@ -22,12 +22,7 @@ using test::text_of;
 std::string lit_case() {
   std::string text = test::small_case();
   text.replace(text.find("scattering = 1.0"), 0, "emission = [0.1, 0.2, 0.3]\n");
-  return text + R"([[light]]
-name = "lamp"
-kind = "point"
-position = [0.3, 0.4, 0.7]
-power = [1, 2, 3]
-[[sensor]]
+  return text + R"([[sensor]]
 name = "desk"
 kind = "grid"
 position = [0.2, 0.2, 0.4]
@@ -40,6 +35,11 @@ name = "peak"
 kind = "radiance"
 position = [0.2, 0.2, 0.4]
 direction = [0, 0, 1]
+[[light]]
+name = "lamp"
+kind = "point"
+position = [0.3, 0.4, 0.7]
+power = [1, 2, 3]
 )";
 }
 
@@ -72,6 +72,37 @@ TEST(AdjointCommand, GivesWhatARunReads) {
   EXPECT_TRUE(has(outcome.out, "region smoke")) << outcome.out;
   for (const char* name : {"importance-probe-middle.vtu", "importance-probe-middle-walls.vtp"})
     EXPECT_EQ(std::ranges::count(ScratchFolder::names_in(folder.results()), name), 1) << name;
+}
+
+// What a run reads of a probe with 1 % more and 1 % less of a coefficient.
+TEST(AdjointCommand, GradientIsThatOfRuns) {
+  const CaseFolder folder(lit_case() + "uncollided = false\n");
+  const std::vector<std::string> tight = {"--set", "solve.tolerance=1e-11"};
+  const auto says = [&](std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), tight.begin(), tight.end());
+    words.insert(words.end(), more.begin(), more.end());
+    return etendue_says(words);
+  };
+  const Outcome outcome = says({"adjoint", folder.file(), "--of", "wall:floor", "--gradient"}, {});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "region smoke  absorption")) << outcome.out;
+  const CsvTable found(text_of(folder.path() / "results/gradient.csv"));
+  const auto incoming = [&](const std::string& change) {
+    EXPECT_EQ(says({"run", folder.file()}, {"--set", change}).code, ExitCode::done);
+    return CsvTable(text_of(folder.path() / "results/walls.csv")).number({"floor", "red"}, "incoming");
+  };
+  const auto expect = [&](const std::string& kind, const std::string& name, const std::string& by,
+                          const std::string& more, const std::string& less) {
+    const double up = incoming(more), down = incoming(less);
+    EXPECT_NEAR(found.number({"wall:floor", kind, name, by, "red"}, "relative"),
+                (up - down) / (0.01 * (up + down)), 1e-4)
+        << by;
+  };
+  expect("region", "smoke", "absorption", "media.smoke.absorption=[0.101, 0.2, 0.3]",
+         "media.smoke.absorption=[0.099, 0.2, 0.3]");
+  expect("region", "smoke", "scattering", "media.smoke.scattering=1.01", "media.smoke.scattering=0.99");
+  expect("region", "smoke", "emission", "media.smoke.emission=[0.101, 0.2, 0.3]",
+         "media.smoke.emission=[0.099, 0.2, 0.3]");
 }
 
 TEST(AdjointCommand, TakesTheMeanOfAGrid) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What a run reads of a quantity, and what its importance says that all emitters bring of it.
+// What a run reads of a quantity, and the sum of what all emitters bring of it by its importance.
 #include <gtest/gtest.h>
 
 #include <memory>

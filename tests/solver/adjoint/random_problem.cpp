@@ -163,22 +163,31 @@ std::vector<Response> random_responses(const TetrahedralMesh& mesh, unsigned see
       AbsorbedPower{static_cast<int>(dice.between(0, 2))}};
 }
 
-std::vector<double> duality_errors(const Problem& problem, const DirectionSet& directions,
-                                   const std::vector<Response>& responses, SolveOptions options) {
+std::vector<std::vector<double>> responses_of_run(const Problem& problem, const DirectionSet& directions,
+                                                  const std::vector<Response>& responses,
+                                                  SolveOptions options) {
   for (const Response& response : responses)
     if (const auto* mean = std::get_if<MeanIrradiance>(&response))
       for (const auto& cells : mean->points) options.meters.push_back({cells, mean->normal});
   const LightSetup lights(problem);
   const Solution solution = solve_split(lights, directions, options);
+  std::vector<std::vector<double>> values;
+  for (const Response& response : responses)
+    values.push_back(std::visit(ReadRun{problem, lights, solution}, response));
+  return values;
+}
+
+std::vector<double> duality_errors(const Problem& problem, const DirectionSet& directions,
+                                   const std::vector<Response>& responses, const SolveOptions& options) {
+  const auto forward = responses_of_run(problem, directions, responses, options);
   const auto emitters = emitter_sources(problem, options.threads);
   std::vector<double> errors;
-  for (const Response& response : responses) {
-    const std::vector<double> forward = std::visit(ReadRun{problem, lights, solution}, response);
+  for (std::size_t i = 0; i < responses.size(); ++i) {
     const std::vector<double> backward =
-        solve_adjoint(emitters, problem, {directions}, response, options).response();
-    double largest = forward.size() == bands && backward.size() == bands ? 0 : 1;
-    for (std::size_t b = 0; b < std::min(forward.size(), backward.size()); ++b)
-      largest = std::max(largest, std::abs(backward[b] - forward[b]) / std::abs(forward[b]));
+        solve_adjoint(emitters, problem, {directions}, responses[i], options).response();
+    double largest = forward[i].size() == bands && backward.size() == bands ? 0 : 1;
+    for (std::size_t b = 0; b < std::min(forward[i].size(), backward.size()); ++b)
+      largest = std::max(largest, std::abs(backward[b] - forward[i][b]) / std::abs(forward[i][b]));
     errors.push_back(largest);
   }
   return errors;

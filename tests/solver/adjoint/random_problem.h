@@ -31,9 +31,14 @@ Problem random_problem(const TetrahedralMesh& mesh, unsigned seed, Rays rays,
 /// A response of each kind at random places of that mesh.
 std::vector<Response> random_responses(const TetrahedralMesh& mesh, unsigned seed);
 
+/// [response][band] what a run reads.
+std::vector<std::vector<double>> responses_of_run(const Problem& problem, const DirectionSet& directions,
+                                                  const std::vector<Response>& responses,
+                                                  SolveOptions options);
+
 /// [response] The largest difference between what a run reads and the sum of what its importance says,
 /// relative to it, over the bands.
 std::vector<double> duality_errors(const Problem& problem, const DirectionSet& directions,
-                                   const std::vector<Response>& responses, SolveOptions options);
+                                   const std::vector<Response>& responses, const SolveOptions& options);
 
 }  // namespace etendue
