@@ -154,7 +154,11 @@ ExitCode adjoint_case(const AdjointRequest& request, std::ostream& out, std::ost
   reversed_problem(problem, setup.options);  // refuses what has no adjoint before the rays
   out << fmt::format("mesh: {} cells; {}; bands: {}; threads: {}\n", mesh.cell_count(),
                      directions_line(setup.directions, input), problem.band_count(), setup.options.threads)
-      << memory_text(setup.memory(), problem) << std::flush;
+      << memory_text(setup.memory(), problem);
+  if (!setup.directions.first_collided.empty())
+    out << "light that has collided once is swept on these directions too: a run, which gives it "
+        << setup.directions.first_collided.front().count() << ", reads another sum\n";
+  out << std::flush;
   const auto emitters = [&] {
     ShownStage stage(stages, "light of each emitter before its first collision");
     return emitter_sources(problem, setup.options.threads, stage.observer());
