@@ -48,7 +48,9 @@ std::string file_stem(const std::string& name) {
 void refuse_equal_files(const std::vector<ChosenResponse>& responses) {
   for (auto it = responses.begin(); it != responses.end(); ++it)
     for (auto other = responses.begin(); other != it; ++other)
-      if (file_stem(it->name) == file_stem(other->name))
+      if (it->name == other->name)
+        throw InputError(fmt::format("command line: adjoint: --of = {}: is asked for twice", it->name));
+      else if (file_stem(it->name) == file_stem(other->name))
         throw InputError(
             fmt::format("command line: adjoint: --of = {}: has the files of {}; ask for one of them",
                         it->name, other->name));
@@ -73,9 +75,7 @@ std::vector<std::string> write_importances(const std::vector<SolvedResponse>& so
   folder.add_text("importance.csv", importance_csv(solved, problem.bands()));
   std::vector<std::pair<std::string, std::vector<Derivative>>> derivatives;
   for (const SolvedResponse& one : solved)
-    if (one.gradient)
-      derivatives.emplace_back(one.response.name,
-                               derivatives_of(*one.gradient, problem, one.solution.response()));
+    if (one.gradient) derivatives.emplace_back(one.response.name, one.derivatives);
   if (!derivatives.empty()) folder.add_text("gradient.csv", gradient_csv(derivatives, problem.bands()));
   std::vector<std::string> names = folder.names();
   folder.publish({});
@@ -111,8 +111,8 @@ class PrimalSolution {
  public:
   PrimalSolution(const Problem& problem, const OrdinatesSetup& setup, const StageDisplay& stages)
       : problem_(on_directions(problem)), directions_(setup.set()), options_(setup.options) {
-    if (setup.directions.sets.size() > 1)
-      throw InputError("command line: adjoint: --gradient: needs one set; use directions.rotations = 1");
+    options_.meters.clear();
+    options_.keep_ordinates.clear();
     if (!setup.lights.empty())
       stages.out << "for the gradient all light is left to the directions, as with uncollided = false\n";
     ProgressDisplay display(stages.style, stages.out);
@@ -124,6 +124,11 @@ class PrimalSolution {
     stages.out << "the case itself: " << convergence_line(solution_) << std::endl;
   }
 
+  /// All that emits, as one.
+  std::unique_ptr<const EmitterSource> source() const {
+    return std::make_unique<const EmitterSource>(Emitter{EmitterKind::light, "", problem_}, options_.threads,
+                                                 StageObserver());
+  }
   Gradient gradient(const Response& response, const Solution& importance) const {
     return gradient_of(problem_, directions_, response, options_, solution_, importance);
   }
@@ -151,20 +156,29 @@ ExitCode adjoint_case(const AdjointRequest& request, std::ostream& out, std::ost
   const std::vector<ChosenResponse> responses =
       choose_responses(request.responses, input, problem, setup.locator);
   refuse_equal_files(responses);
-  reversed_problem(problem, setup.options);  // refuses what has no adjoint before the rays
+  // What has no adjoint is refused before anything takes time.
+  for (const ChosenResponse& response : responses) check_adjoint(problem, response.response, setup.options);
+  if (request.gradient) check_gradient(problem, setup.set());
+  if (request.gradient && setup.directions.sets.size() > 1)
+    throw InputError("command line: adjoint: --gradient: needs one set; use directions.rotations = 1");
   out << fmt::format("mesh: {} cells; {}; bands: {}; threads: {}\n", mesh.cell_count(),
-                     directions_line(setup.directions, input), problem.band_count(), setup.options.threads)
+                     directions_line({setup.directions.sets, {}}, input), problem.band_count(),
+                     setup.options.threads)
       << memory_text(setup.memory(), problem);
   if (!setup.directions.first_collided.empty())
     out << "light that has collided once is swept on these directions too: a run, which gives it "
         << setup.directions.first_collided.front().count() << ", reads another sum\n";
   out << std::flush;
-  const auto emitters = [&] {
+  auto emitters = [&] {
     ShownStage stage(stages, "light of each emitter before its first collision");
     return emitter_sources(problem, setup.options.threads, stage.observer());
   }();
+  if (emitters.empty()) out << "nothing emits: all quantities are 0\n";
   std::optional<PrimalSolution> primal;
-  if (request.gradient) primal.emplace(problem, setup, stages);
+  if (request.gradient) {
+    primal.emplace(problem, setup, stages);
+    emitters.push_back(primal->source());
+  }
   std::vector<SolvedResponse> solved;
   for (const ChosenResponse& response : responses) {
     ProgressDisplay display(stages.style, out);
@@ -175,14 +189,18 @@ ExitCode adjoint_case(const AdjointRequest& request, std::ostream& out, std::ost
                                              });
     display.finish();
     out << convergence_line(solution.importance) << '\n';
+    std::vector<double> on_set;  // the response on the directions, of which the gradient is
+    if (primal) {
+      on_set = solution.shares.back().swept;
+      solution.shares.pop_back();
+    }
     solved.push_back({response, std::move(solution)});
     out << share_text(solved.back(), problem.bands()) << std::flush;
     if (primal) {
       solved.back().gradient = primal->gradient(response.response, solved.back().solution.importance);
-      out << gradient_text(
-                 derivatives_of(*solved.back().gradient, problem, solved.back().solution.response()),
-                 problem.bands())
-          << std::flush;
+      solved.back().derivatives = derivatives_of(*solved.back().gradient, problem, on_set);
+      out << difference_text(on_set, solved.back().solution.response(), problem.bands())
+          << gradient_text(solved.back().derivatives, problem.bands()) << std::flush;
     }
     follow_uncollided(problem, setup, response.response, stages, solved.back().solution.importance);
   }

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <optional>
 #include <span>
+#include <system_error>
 
 #include "app/write/result/unit_labels.h"
 #include "base/errors.h"
@@ -95,7 +96,8 @@ class Chooser {
     const std::size_t colon = wanted.rfind(':');
     if (colon != std::string::npos && std::ranges::count(input_.probes, wanted, &Probe::name) == 0) {
       const char* const end = wanted.data() + wanted.size();
-      if (std::from_chars(wanted.data() + colon + 1, end, index).ptr != end)
+      const auto read = std::from_chars(wanted.data() + colon + 1, end, index);
+      if (read.ec != std::errc{} || read.ptr != end)
         throw fault_of(name, "the index of a point is a whole number; use probe:NAME:INDEX");
       probe_name = wanted.substr(0, colon);
     }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/adjoint/chosen_response.h"
@@ -16,17 +18,26 @@ struct Derivative {
   std::string name;
   std::string by;  ///< "absorption", "scattering", "emission", "radiance" or "diffuse"
   int band = 0;
-  double value = 0;     ///< by the same change in all cells or faces
-  double relative = 0;  ///< relative change of the response by that of the number: 0 where either is 0
+  double value = 0;  ///< by the same change in all cells or faces
+  /// Relative change of the response by that of the number; empty by emission and radiance, whose shares say
+  /// it.
+  std::optional<double> relative = {};
 };
 
-/// Of all regions and walls, in their order. `whole` [band] is the response.
+/// Of all regions and walls, in their order, but for those whose temperature follows from the light by
+/// scattering or reflection alone, and for walls that refract. `whole` [band] is the response on the
+/// directions.
 std::vector<Derivative> derivatives_of(const Gradient& gradient, const Problem& problem,
                                        const std::vector<double>& whole);
 
 /// response,kind,name,by,band,derivative,relative
 std::string gradient_csv(const std::vector<std::pair<std::string, std::vector<Derivative>>>& responses,
                          const Bands& bands);
+
+/// A caution where the response on the directions alone, which the gradient is of, is another than that with
+/// light along rays by more than 1 %; else empty.
+std::string difference_text(const std::vector<double>& on_directions, const std::vector<double>& whole,
+                            const Bands& bands);
 
 /// For people: the largest relative changes.
 std::string gradient_text(const std::vector<Derivative>& derivatives, const Bands& bands);

@@ -57,7 +57,7 @@ EmitterShare all_of(const AdjointSolution& solution) {
 
 std::string importance_csv(const std::vector<SolvedResponse>& solved, const Bands& bands) {
   std::string table = "response,quantity,unit,kind,emitter,band,uncollided,collided,total,share\n";
-  for (const auto& [response, solution, gradient] : solved) {
+  for (const auto& [response, solution, gradient, derivatives] : solved) {
     const EmitterShare all = all_of(solution);
     const auto add = [&](const std::string& kind, const EmitterShare& share) {
       for (std::size_t b = 0; b < bands.names.size(); ++b)

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/adjoint/chosen_response.h"
-#include "solver/adjoint/gradient.h"
+#include "app/adjoint/gradient_tables.h"
 #include "solver/adjoint/solve_adjoint.h"
 #include "solver/problem/bands.h"
 
@@ -17,6 +17,7 @@ struct SolvedResponse {
   ChosenResponse response;
   AdjointSolution solution;
   std::optional<Gradient> gradient = {};
+  std::vector<Derivative> derivatives = {};
 };
 
 /// response,quantity,unit,kind,emitter,band,uncollided,collided,total,share: what each emitter brings. The

@@ -13,7 +13,7 @@
 #include "base/vector_sums.h"
 #include "solver/adjoint/response_source.h"
 #include "solver/adjoint/reversed_problem.h"
-#include "solver/transport/solve/solve.h"
+#include "solver/transport/scattering/scattering_plan.h"
 #include "solver/transport/source/directional_emission.h"
 #include "solver/transport/source/ordinate_lights.h"
 #include "solver/transport/state/state_copy.h"
@@ -57,10 +57,6 @@ class ConvergedSweep {
       : extinction_(problem.absorption().begin(), problem.absorption().end()),
         sweep_(problem, directions, with_scattering(problem), options),
         state_(sweep_.layout()) {
-    if (!sweep_.discretization().dense.empty())
-      throw InputError(
-          "a gradient in media that scatter by a matrix is not in this version; use "
-          "scattering_method = \"moments\"");
     SavedState saved = solution.state;
     saved.moments = moments_of(solution);
     restore(saved, problem.band_count(), state_);
@@ -189,6 +185,7 @@ void add_walls(const Problem& problem, const Solution& solution, const Solution&
 Gradient gradient_of(const Problem& problem, const DirectionSet& directions, const Response& response,
                      const SolveOptions& wanted, const Solution& solution, const Solution& importance) {
   refuse_rays(problem);
+  check_gradient(problem, directions);
   SolveOptions options = wanted;
   options.meters.clear();
   options.keep_ordinates.clear();
@@ -221,6 +218,20 @@ Gradient gradient_of(const Problem& problem, const DirectionSet& directions, con
   }
   add_walls(problem, solution, importance, gradient);
   return gradient;
+}
+
+void check_gradient(const Problem& problem, const DirectionSet& directions) {
+  const std::vector<ScatteringTreatment> plan = plan_scattering(problem, directions);
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  std::vector<Fault> faults;
+  for (std::size_t r = 0; r < problem.media().size(); ++r) {
+    const auto of_region = std::span(plan).subspan(r * bands, bands);
+    if (std::ranges::any_of(of_region, &ScatteringTreatment::is_dense))
+      faults.push_back(fault_at(problem.media()[r].origin, "",
+                                "a gradient in media that scatter by a matrix is not in this version; use "
+                                "scattering_method = \"moments\""));
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
 }
 
 Problem on_directions(const Problem& problem) {

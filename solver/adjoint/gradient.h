@@ -38,6 +38,9 @@ struct Gradient {
 Gradient gradient_of(const Problem& problem, const DirectionSet& directions, const Response& response,
                      const SolveOptions& options, const Solution& solution, const Solution& importance);
 
+/// Throws InputError with the media that scatter by a matrix on this set.
+void check_gradient(const Problem& problem, const DirectionSet& directions);
+
 /// The same problem with all light left to the directions.
 Problem on_directions(const Problem& problem);
 

@@ -16,11 +16,15 @@ bool scatters_by_any_kernel(const Medium& medium) {
 
 void check(const Problem& problem, const SolveOptions& options) {
   if (options.following_emission != nullptr)
-    throw InputError("temperatures follow from the light: what it brings is not linear in the sources");
+    throw InputError(
+        "temperatures follow from the light, so that a quantity is not the sum of what its sources bring; "
+        "give "
+        "media and walls their temperature in place of heat_source, heat_flux, conductivity and convection");
   if (options.positivity != Positivity::none)
     throw InputError(
-        "values are kept positive: what light brings is not linear in the sources then; use "
-        "space.positivity = \"none\"");
+        "space.positivity keeps values positive, so that a quantity is not the sum of what its sources "
+        "bring; "
+        "use space.positivity = \"none\"");
   std::vector<Fault> faults;
   for (const Medium& medium : problem.media())
     if (scatters_by_any_kernel(medium))

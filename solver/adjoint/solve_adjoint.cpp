@@ -15,7 +15,7 @@ namespace {
 
 using Emitters = std::vector<std::unique_ptr<const EmitterSource>>;
 
-void check_response(const Problem& problem, const Response& response) {
+void refuse_directional_absorption(const Problem& problem, const Response& response) {
   const auto* absorbed = std::get_if<AbsorbedPower>(&response);
   if (absorbed == nullptr) return;
   const Medium& medium = problem.medium(absorbed->region);
@@ -54,10 +54,15 @@ std::vector<double> AdjointSolution::response() const {
   return sum;
 }
 
+void check_adjoint(const Problem& problem, const Response& response, const SolveOptions& options) {
+  refuse_directional_absorption(problem, response);
+  reversed_problem(problem, options);
+}
+
 AdjointSolution solve_adjoint(const Emitters& emitters, const Problem& problem,
                               const std::vector<DirectionSet>& sets, const Response& response,
                               const SolveOptions& options, const SolveObserver& observer) {
-  check_response(problem, response);
+  refuse_directional_absorption(problem, response);
   const Problem reversed = reversed_problem(problem, options);
   MeanSolution mean;
   for (const DirectionSet& directions : sets) {

@@ -33,6 +33,10 @@ struct AdjointSolution {
   std::vector<double> response() const;
 };
 
+/// Throws InputError as reversed_problem() does, and where what is absorbed in a region depends on the
+/// direction.
+void check_adjoint(const Problem& problem, const Response& response, const SolveOptions& options);
+
 /// Solves for the importance of a response, once, and finds by it what every emitter brings,
 ///
 ///     <r, u> = <r, u_0> + <q + S u_0, u+>,
@@ -40,8 +44,8 @@ struct AdjointSolution {
 /// with u_0 the uncollided light of those that are followed along rays (Bell and Glasstone 1970, chapter 6).
 /// The discrete operators are adjoint to each other, so the sum is the response of a run on the same sets to
 /// the iteration's tolerance. Of several sets the mean is taken. Options as of a run; meters, ordinates
-/// to keep and a state to start from are not used. Throws InputError as reversed_problem() does, and where
-/// what is absorbed in a region depends on the direction. Throws SolveStopped.
+/// to keep and a state to start from are not used. Throws InputError as check_adjoint() does.
+/// Throws SolveStopped.
 AdjointSolution solve_adjoint(const std::vector<std::unique_ptr<const EmitterSource>>& emitters,
                               const Problem& problem, const std::vector<DirectionSet>& sets,
                               const Response& response, const SolveOptions& options,

@@ -66,10 +66,12 @@ struct LitParts {
   void operator()(const ArrivingPower& at) const {
     Wall& wall = walls[static_cast<std::size_t>(at.wall)];
     wall.radiance.assign(wall.radiance.size(), 1);
+    wall.uncollided = Uncollided::automatic;
   }
   void operator()(const AbsorbedPower& in) const {
     Medium& medium = media[static_cast<std::size_t>(in.region)];
     medium.emission = medium.absorption;
+    medium.uncollided = Uncollided::automatic;
   }
 };
 
@@ -138,7 +140,7 @@ std::string follow_uncollided_importance(const Problem& problem, const std::vect
   const Problem reversed = reversed_problem(problem, options);
   const Problem lit = lit_by_response(reversed, response);
   const LightSetup lights(lit);
-  if (lights.empty()) return "the response is that of a large wall or region";
+  if (lights.empty()) return "the response is no small wall or region, or rays do not follow walls here";
   const UncollidedField field =
       uncollided_field(lights.paths(), lights.sources(), thread_count(options.threads), observer);
   for (const DirectionSet& directions : sets) {
@@ -148,8 +150,8 @@ std::string follow_uncollided_importance(const Problem& problem, const std::vect
   }
   add_light(importance, field.fluence, field.net_flux, field.irradiance, 1);
   return {};
-} catch (const InputError& error) {
-  return error.what();  // mirrors or a refracting wall that rays do not follow
+} catch (const InputError&) {
+  return "rays do not follow the mirrors, refracting walls or media here";
 }
 
 }  // namespace etendue

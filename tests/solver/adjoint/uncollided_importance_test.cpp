@@ -97,7 +97,7 @@ TEST(UncollidedImportance, IsLeftOutWhereTheResponseIsLarge) {
   Solution importance;
   EXPECT_EQ(follow_uncollided_importance(room.problem, {directions_product(4)}, ArrivingPower{0},
                                          tight_options(), importance),
-            "the response is that of a large wall or region");
+            "the response is no small wall or region, or rays do not follow walls here");
 }
 
 }  // namespace
