@@ -24,8 +24,8 @@ struct Derivative {
   std::optional<double> relative = {};
 };
 
-/// Of all regions and walls, in their order, but for those whose temperature follows from the light by
-/// scattering or reflection alone, and for walls that refract. `whole` [band] is the response on the
+/// Derivatives by all regions and walls, in their order, but for those whose temperature follows from the
+/// light by scattering or reflection alone, and for walls that refract. `whole` [band] is the response on the
 /// directions.
 std::vector<Derivative> derivatives_of(const Gradient& gradient, const Problem& problem,
                                        const std::vector<double>& whole);
