@@ -26,6 +26,7 @@
 #include "solver/adjoint/reversed_problem.h"
 #include "solver/adjoint/uncollided_importance.h"
 #include "solver/transport/solve/solve.h"
+#include "solver/uncollided/first_collision/first_collision.h"
 
 namespace etendue {
 namespace {
@@ -106,6 +107,18 @@ void follow_uncollided(const Problem& problem, const OrdinatesSetup& setup, cons
     stages.out << "the field of importance is that of the directions alone (" << left_out << ")\n";
 }
 
+/// What the solutions take beside that of a run: the light of every source along rays, and for
+/// gradients the solution of the case with its sweep.
+RunMemory adjoint_memory(const OrdinatesSetup& setup, bool gradient) {
+  RunMemory memory = setup.memory();
+  std::size_t more = gradient ? memory.expected + gradient_bytes : 0;
+  if (const std::size_t sources = setup.lights.sources().size(); sources > 1)
+    more += (sources - 1) * FirstCollision::memory(setup.lights, setup.set());
+  memory.solving += more;
+  memory.expected += more;
+  return memory;
+}
+
 /// The solution of the case itself, by which derivatives are found.
 class PrimalSolution {
  public:
@@ -164,7 +177,7 @@ ExitCode adjoint_case(const AdjointRequest& request, std::ostream& out, std::ost
   out << fmt::format("mesh: {} cells; {}; bands: {}; threads: {}\n", mesh.cell_count(),
                      directions_line({setup.directions.sets, {}}, input), problem.band_count(),
                      setup.options.threads)
-      << memory_text(setup.memory(), problem);
+      << memory_text(adjoint_memory(setup, request.gradient), problem);
   if (!setup.directions.first_collided.empty())
     out << "light that has collided once is swept on these directions too: a run, which gives it "
         << setup.directions.first_collided.front().count() << ", reads another sum\n";

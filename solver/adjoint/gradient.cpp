@@ -23,9 +23,6 @@
 namespace etendue {
 namespace {
 
-/// Bytes of radiance that are kept at a time, of both solutions.
-constexpr std::size_t kept_bytes = std::size_t{256} << 20;
-
 void refuse_rays(const Problem& problem) {
   const LightSetup lights(problem);
   if (!lights.empty())
@@ -122,7 +119,7 @@ std::vector<double> angular_products(ConvergedSweep& forward, ConvergedSweep& re
   const auto bands = static_cast<std::size_t>(cells.bands());
   std::vector<double> products(mesh.volumes().size() * bands, 0);
   const std::size_t one = 2 * mesh.volumes().size() * cells.cell_length() * sizeof(double);
-  const int at_once = static_cast<int>(std::max<std::size_t>(1, kept_bytes / one));
+  const int at_once = static_cast<int>(std::max<std::size_t>(1, gradient_bytes / one));
   for (int first = 0; first < directions.count(); first += at_once) {
     std::vector<int> along(static_cast<std::size_t>(std::min(at_once, directions.count() - first)));
     std::iota(along.begin(), along.end(), first);

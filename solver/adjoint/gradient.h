@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "solver/adjoint/response.h"
@@ -10,6 +11,9 @@
 #include "solver/solution/solve_options.h"
 
 namespace etendue {
+
+/// Bytes of radiance that a gradient keeps at a time, of both solutions.
+inline constexpr std::size_t gradient_bytes = std::size_t{256} << 20;
 
 /// Derivatives of a response <r, u> by what a problem says, at the solution.
 struct Gradient {
