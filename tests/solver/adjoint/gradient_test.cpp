@@ -117,38 +117,32 @@ double mean_tilt(CellIndex cell) {
 
 class GradientBy : public testing::TestWithParam<unsigned> {};
 
-TEST_P(GradientBy, Absorption) {
+/// By a coefficient of each region, which is tilted in space.
+void expect_by_coefficient(unsigned seed, std::vector<Coefficient> Medium::*list,
+                           double (Problem::*value)(CellIndex, int) const,
+                           std::vector<double> Gradient::*derivative) {
   const Problem problem = changed(
-      GetParam(), [](auto&, auto&, double) {}, 0);
+      seed, [](auto&, auto&, double) {}, 0);
   for (int region = 0; region < 2; ++region)
     expect_derivatives(
-        GetParam(),
+        seed,
         [&](auto& media, auto&, double size) {
-          for (Coefficient& value : media[static_cast<std::size_t>(region)].absorption)
-            value = tilted(value, size);
+          for (Coefficient& of_band : media[static_cast<std::size_t>(region)].*list)
+            of_band = tilted(of_band, size);
         },
         [&](const Gradient& gradient, std::size_t b) {
-          return sum_over_cells(gradient.absorption, b, region, [&](CellIndex cell) {
-            return mean_tilt(cell) * problem.absorption(cell, static_cast<int>(b));
+          return sum_over_cells(gradient.*derivative, b, region, [&](CellIndex cell) {
+            return mean_tilt(cell) * (problem.*value)(cell, static_cast<int>(b));
           });
         });
 }
 
+TEST_P(GradientBy, Absorption) {
+  expect_by_coefficient(GetParam(), &Medium::absorption, &Problem::absorption, &Gradient::absorption);
+}
+
 TEST_P(GradientBy, Scattering) {
-  const Problem problem = changed(
-      GetParam(), [](auto&, auto&, double) {}, 0);
-  for (int region = 0; region < 2; ++region)
-    expect_derivatives(
-        GetParam(),
-        [&](auto& media, auto&, double size) {
-          for (Coefficient& value : media[static_cast<std::size_t>(region)].scattering)
-            value = tilted(value, size);
-        },
-        [&](const Gradient& gradient, std::size_t b) {
-          return sum_over_cells(gradient.scattering, b, region, [&](CellIndex cell) {
-            return mean_tilt(cell) * problem.scattering(cell, static_cast<int>(b));
-          });
-        });
+  expect_by_coefficient(GetParam(), &Medium::scattering, &Problem::scattering, &Gradient::scattering);
 }
 
 TEST_P(GradientBy, EmissionAndWalls) {
