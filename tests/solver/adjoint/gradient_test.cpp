@@ -175,14 +175,15 @@ TEST_P(GradientBy, EmissionAndWalls) {
 INSTANTIATE_TEST_SUITE_P(Random, GradientBy, testing::Range(20U, 22U));
 
 TEST(Gradient, RefusesLightAlongRaysAndMatrices) {
+  const TetrahedralMesh mesh(kuhn_cube_raw());
   const Response response = ArrivingPower{0};
-  const Problem by_rays = random_problem(coarse_mesh(), 1, Rays::from_lamp, [](auto& media, auto&) {
+  const Problem by_rays = random_problem(mesh, 1, Rays::from_lamp, [](auto& media, auto&) {
     for (Medium& medium : media)
       medium.choice.assign(bands, {ScatteringBackend::moments, 3, ForwardPeak::automatic});
   });
   EXPECT_THROW(found_gradient(by_rays, response), InputError);
   EXPECT_FALSE(found_gradient(on_directions(by_rays), response).gradient.absorption.empty());
-  const Problem by_matrix = random_problem(coarse_mesh(), 1, Rays::none, [](auto& media, auto&) {
+  const Problem by_matrix = random_problem(mesh, 1, Rays::none, [](auto& media, auto&) {
     media[0].choice.assign(bands, {ScatteringBackend::dense, -1, ForwardPeak::automatic});
     media[0].phase.assign(bands, PhaseHenyeyGreenstein{0.5});
   });

@@ -160,7 +160,7 @@ std::vector<Response> random_responses(const TetrahedralMesh& mesh, unsigned see
       PointFluence{locator.find(dice.inside(0.05, 0.95))},
       MeanIrradiance{{locator.find(dice.inside(0.05, 0.95)), locator.find(dice.inside(0.05, 0.95))}, normal},
       ArrivingPower{static_cast<int>(dice.between(0, 6))},
-      AbsorbedPower{static_cast<int>(dice.between(0, 2))}};
+      AbsorbedPower{static_cast<int>(dice.between(0, static_cast<double>(mesh.region_names().size())))}};
 }
 
 std::vector<std::vector<double>> responses_of_run(const Problem& problem, const DirectionSet& directions,

@@ -21,7 +21,7 @@ enum class Rays {
   from_all    ///< a point light and a beam along rays
 };
 
-/// The mesh of a cube with a box in it (two_region_mesh) filled at random: media of three unlike bands that
+/// A mesh of the unit cube, such as two_region_mesh, filled at random: media of three unlike bands that
 /// absorb, scatter and emit, thin and thick, in one band by a formula; walls that emit, reflect diffusely, as
 /// mirrors and with a lobe; two lamps and a beam.
 /// `change` may change them.
