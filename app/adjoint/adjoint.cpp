@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <functional>
 #include <utility>
 
 #include "app/adjoint/chosen_response.h"
@@ -23,7 +22,6 @@
 #include "app/write/result/output_folder.h"
 #include "app/write/vtk/vtk_importance.h"
 #include "base/errors.h"
-#include "solver/adjoint/reversed_problem.h"
 #include "solver/adjoint/uncollided_importance.h"
 #include "solver/transport/solve/solve.h"
 #include "solver/uncollided/first_collision/first_collision.h"
@@ -107,7 +105,15 @@ void follow_uncollided(const Problem& problem, const OrdinatesSetup& setup, cons
     stages.out << "the field of importance is that of the directions alone (" << left_out << ")\n";
 }
 
-/// What the solutions take beside that of a run: the light of every source along rays, and for
+/// Shows how a solution continues.
+SolveObserver shown_on(ProgressDisplay& display) {
+  return [&display](const SweepProgress& progress) {
+    display.show(progress);
+    return SolveControl::proceed;
+  };
+}
+
+/// Memory of the solutions, with what a run does not take: the light of every source along rays, and for
 /// gradients the solution of the case with its sweep.
 RunMemory adjoint_memory(const OrdinatesSetup& setup, bool gradient) {
   RunMemory memory = setup.memory();
@@ -129,10 +135,7 @@ class PrimalSolution {
     if (!setup.lights.empty())
       stages.out << "for the gradient all light is left to the directions, as with uncollided = false\n";
     ProgressDisplay display(stages.style, stages.out);
-    solution_ = solve(problem_, directions_, options_, [&](const SweepProgress& progress) {
-      display.show(progress);
-      return SolveControl::proceed;
-    });
+    solution_ = solve(problem_, directions_, options_, shown_on(display));
     display.finish();
     stages.out << "the case itself: " << convergence_line(solution_) << std::endl;
   }
@@ -196,10 +199,7 @@ ExitCode adjoint_case(const AdjointRequest& request, std::ostream& out, std::ost
   for (const ChosenResponse& response : responses) {
     ProgressDisplay display(stages.style, out);
     AdjointSolution solution = solve_adjoint(emitters, problem, setup.directions.sets, response.response,
-                                             setup.options, [&](const SweepProgress& progress) {
-                                               display.show(progress);
-                                               return SolveControl::proceed;
-                                             });
+                                             setup.options, shown_on(display));
     display.finish();
     out << convergence_line(solution.importance) << '\n';
     std::vector<double> on_set;  // the response on the directions, of which the gradient is

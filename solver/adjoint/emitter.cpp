@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "solver/adjoint/darkened.h"
 #include "solver/transport/source/directional_emission.h"
 
 namespace etendue {
@@ -26,37 +27,18 @@ bool emits(const Wall& wall) {
                              [](const auto& of_band) { return of_band.has_value(); });
 }
 
-/// The parts of a problem, from which emissions are taken.
-struct Parts {
-  std::vector<Medium> media;
-  std::vector<Wall> walls;
-
-  explicit Parts(const Problem& problem)
-      : media(problem.media().begin(), problem.media().end()),
-        walls(problem.walls().begin(), problem.walls().end()) {}
-
-  void darken_region(std::size_t region) {
-    media[region].emission.assign(media[region].emission.size(), Coefficient(0.0));
-    media[region].blackbody.clear();
-    media[region].emission_by_direction.clear();
-  }
-  void darken_wall(std::size_t wall) {
-    walls[wall].radiance.assign(walls[wall].radiance.size(), 0);
-    walls[wall].radiance_by_direction.clear();
-  }
-};
-
 enum class Kept { none, region, wall };
 
 /// The problem with one region's or wall's emission and these lights, and nothing else that emits.
 Problem alone(const Problem& problem, Kept kept, std::size_t which, std::span<const Light> lights) {
-  Parts parts(problem);
-  for (std::size_t i = 0; i < parts.media.size(); ++i)
-    if (kept != Kept::region || i != which) parts.darken_region(i);
-  for (std::size_t i = 0; i < parts.walls.size(); ++i)
-    if (kept != Kept::wall || i != which) parts.darken_wall(i);
-  return Problem(problem.mesh(), problem.bands(), std::move(parts.media), std::move(parts.walls),
-                 problem.space(), {lights.begin(), lights.end()});
+  std::vector<Medium> media(problem.media().begin(), problem.media().end());
+  for (std::size_t i = 0; i < media.size(); ++i)
+    if (kept != Kept::region || i != which) darken(media[i]);
+  std::vector<Wall> walls(problem.walls().begin(), problem.walls().end());
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    if (kept != Kept::wall || i != which) darken(walls[i]);
+  return Problem(problem.mesh(), problem.bands(), std::move(media), std::move(walls), problem.space(),
+                 {lights.begin(), lights.end()});
 }
 
 }  // namespace

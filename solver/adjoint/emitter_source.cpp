@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "solver/angular/refraction/ordinate_reflectance.h"
+#include "solver/transport/walls/same_plane.h"
 
 namespace etendue {
 namespace {
-
-/// Normals of one flat wall differ by rounding only.
-constexpr double same_normal = 1e-10;
 
 UncollidedField field_of(const LightSetup& lights, int threads, const StageObserver& observer) {
   if (lights.empty()) return {};
@@ -40,7 +38,7 @@ void SweptSource::list_entering(const DirectionSet& directions) {
     if (remaining_.wall(wall).refractive_index == 1) continue;
     const Vec3 normal = mesh.area_normal(FaceIndex(f)).normalized();
     auto found = std::ranges::find_if(entering_, [&](const Entering& plane) {
-      return plane.wall == wall && (plane.normal - normal).norm() <= same_normal;
+      return plane.wall == wall && (plane.normal - normal).norm() <= same_plane;
     });
     if (found == entering_.end()) {
       std::vector<double> factor = ordinate_reflectances(directions, remaining_.wall(wall), normal);

@@ -23,8 +23,8 @@ struct Gradient {
   std::vector<double> absorption, scattering;
   /// [cell][band] by the isotropic emission [response length^3 sr/power]
   std::vector<double> emission;
-  /// [boundary face][band] by the radiance that the wall emits [response length^2 sr/power], and by its
-  /// diffuse reflectance [response]
+  /// [boundary face][band] by the radiance that the wall emits [response length^2 sr/power], not a
+  /// number where it refracts, and by its diffuse reflectance [response]
   std::vector<double> radiance, diffuse;
 };
 

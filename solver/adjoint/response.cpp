@@ -8,14 +8,6 @@
 namespace etendue {
 namespace {
 
-/// The point that cells share.
-PointInCell point_of(const TetrahedralMesh& mesh, const std::vector<CellPoint>& cells) {
-  const CellPoint& place = cells.front();
-  Vec3 position = Vec3::Zero();
-  for (std::size_t k = 0; k < 4; ++k) position += place.barycentric[k] * corner_of(mesh, place.cell, k);
-  return {place.cell, position};
-}
-
 /// The uncollided part of each kind of response.
 struct UncollidedPartOf {
   const LightSetup& lights;
@@ -59,6 +51,13 @@ struct UncollidedPartOf {
 };
 
 }  // namespace
+
+PointInCell point_of(const TetrahedralMesh& mesh, const std::vector<CellPoint>& cells) {
+  const CellPoint& place = cells.front();
+  Vec3 position = Vec3::Zero();
+  for (std::size_t k = 0; k < 4; ++k) position += place.barycentric[k] * corner_of(mesh, place.cell, k);
+  return {place.cell, position};
+}
 
 double absorbed_share(const Problem& problem, const AbsorbedPower& response, CellIndex cell, int band) {
   return problem.mesh().region(cell) == response.region ? problem.absorption(cell, band) : 0;

@@ -35,6 +35,9 @@ struct AbsorbedPower {
 /// A quantity <r, u> that is linear in the radiance, in each band alone.
 using Response = std::variant<PointFluence, MeanIrradiance, ArrivingPower, AbsorbedPower>;
 
+/// The point where cells of CellLocator::find have it, in the first of them.
+PointInCell point_of(const TetrahedralMesh& mesh, const std::vector<CellPoint>& cells);
+
 /// Power per volume that a cell absorbs by the mean fluence in it [1/length], 0 outside of the region.
 double absorbed_share(const Problem& problem, const AbsorbedPower& response, CellIndex cell, int band);
 

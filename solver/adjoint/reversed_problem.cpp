@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "solver/adjoint/darkened.h"
+
 namespace etendue {
 namespace {
 
@@ -38,20 +40,14 @@ void check(const Problem& problem, const SolveOptions& options) {
 
 Problem reversed_problem(const Problem& problem, const SolveOptions& options) {
   check(problem, options);
-  const auto bands = static_cast<std::size_t>(problem.band_count());
   std::vector<Medium> media(problem.media().begin(), problem.media().end());
   for (Medium& medium : media) {
-    medium.emission.assign(bands, Coefficient(0.0));
-    medium.blackbody.clear();
-    medium.emission_by_direction.clear();
+    darken(medium);
     for (auto& absorption : medium.absorption_by_direction)
       if (absorption) absorption = absorption->reversed();
   }
   std::vector<Wall> walls(problem.walls().begin(), problem.walls().end());
-  for (Wall& wall : walls) {
-    wall.radiance.assign(bands, 0);
-    wall.radiance_by_direction.clear();
-  }
+  for (Wall& wall : walls) darken(wall);
   return Problem(problem.mesh(), problem.bands(), std::move(media), std::move(walls), problem.space());
 }
 

@@ -26,13 +26,11 @@ constexpr int most_bounces = 8;
 /// Steps of the table of a cosine: linear between them it is right to 4e-5.
 constexpr int cosine_steps = 90;
 
-Vec3 point_inside(const TetrahedralMesh& mesh, const CellPoint& place) {
-  Vec3 position = Vec3::Zero(), centroid = Vec3::Zero();
-  for (std::size_t k = 0; k < 4; ++k) {
-    position += place.barycentric[k] * corner_of(mesh, place.cell, k);
-    centroid += corner_of(mesh, place.cell, k) / 4;
-  }
-  return position + step_inside * (centroid - position);
+Vec3 point_inside(const TetrahedralMesh& mesh, const std::vector<CellPoint>& cells) {
+  const PointInCell point = point_of(mesh, cells);
+  Vec3 centroid = Vec3::Zero();
+  for (const Vec3& corner : corners_of(mesh, point.cell)) centroid += corner / 4;
+  return point.position + step_inside * (centroid - point.position);
 }
 
 /// Adds to the parts of a reversed problem what shines as its response does.
@@ -42,19 +40,19 @@ struct LitParts {
   std::vector<Wall>& walls;
   std::vector<Light>& lights;
 
-  PointLight lamp(const CellPoint& place, double power) const {
+  PointLight lamp(const std::vector<CellPoint>& cells, double power) const {
     PointLight light;
-    light.position = point_inside(reversed.mesh(), place);
+    light.position = point_inside(reversed.mesh(), cells);
     light.power.assign(static_cast<std::size_t>(reversed.band_count()), power);
     return light;
   }
 
   void operator()(const PointFluence& point) const {
-    lights.push_back({"response", lamp(point.cells.front(), 4 * pi), {}});
+    lights.push_back({"response", lamp(point.cells, 4 * pi), {}});
   }
   void operator()(const MeanIrradiance& mean) const {
     for (const auto& cells : mean.points) {
-      PointLight light = lamp(cells.front(), pi / static_cast<double>(mean.points.size()));
+      PointLight light = lamp(cells, pi / static_cast<double>(mean.points.size()));
       light.axis = mean.normal;
       for (int i = 0; i <= cosine_steps; ++i) {
         light.angle.push_back(pi / 2 * i / cosine_steps);
