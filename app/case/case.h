@@ -243,6 +243,23 @@ struct ExactCase {
   Origin origin;
 };
 
+/// A quantity that is to be accurate: "probe:NAME", "probe:NAME:INDEX", "sensor:NAME", "wall:NAME",
+/// "region:NAME".
+struct AskedQuantity {
+  std::string name;
+  Origin origin;
+};
+
+/// How accurate numbers are to be: the run refines cells and directions until they are.
+struct AccuracyCase {
+  std::optional<double> relative, absolute;  ///< one of the two; an absolute one in the unit of each quantity
+  std::vector<AskedQuantity> of;             ///< empty: every number that an estimate of errors covers
+  double minutes = 10;                       ///< for all runs together
+  std::optional<double> memory_gb;           ///< [1e9 bytes]; empty: what the machine has
+  bool sets_tolerance = false;               ///< whether the case leaves solve.tolerance to it
+  Origin origin;
+};
+
 struct OutputCase {
   std::filesystem::path directory;                            ///< resolved
   std::vector<std::string> fields = {"fluence", "net_flux"};  ///< as written, "radiance:K" too
@@ -288,6 +305,7 @@ struct Case {
   std::optional<RadiosityCase> radiosity;  ///< solve by radiosity
   std::optional<InputFile> initial;        ///< a solution to start from
   std::optional<ExactCase> exact;
+  std::optional<AccuracyCase> accuracy;
   std::vector<Probe> probes;
   std::vector<CameraCase> cameras;
   std::vector<SensorCase> sensors;

@@ -19,7 +19,10 @@ struct Dispatch {
   std::ostream& out;
   std::ostream& err;
 
-  ExitCode operator()(const RunRequest& request) const { return run_and_estimate(request, out, err); }
+  ExitCode operator()(const RunRequest& request) const {
+    const bool is_asked_accuracy = read_case(request.file, request.overrides).accuracy.has_value();
+    return is_asked_accuracy ? run_to_accuracy(request, out, err) : run_and_estimate(request, out, err);
+  }
   ExitCode operator()(const RenderRequest& request) const { return render_results(request, out, err); }
   ExitCode operator()(const BakeRequest& request) const { return bake_results(request, out, err); }
   ExitCode operator()(const StudyRequest& request) const { return study_case(request, out, err); }

@@ -35,6 +35,8 @@ const char* name_of(ErrorCause cause) {
       return "directions";
     case ErrorCause::patches:
       return "patches";
+    case ErrorCause::iteration:
+      return "iteration";
     case ErrorCause::histories:
       break;
   }

@@ -9,7 +9,7 @@
 namespace etendue {
 
 /// Where a part of the error comes from.
-enum class ErrorCause { cells, directions, patches, histories };
+enum class ErrorCause { cells, directions, patches, iteration, histories };
 /// "cells", …
 const char* name_of(ErrorCause cause);
 

@@ -54,6 +54,8 @@ std::string remedy_for(ErrorCause cause, const AnswerNumber& number) {
              "directions.first_collided), or solve.method = \"photons\".";
     case ErrorCause::patches:
       return "Use smaller patches (radiosity.patch_size).";
+    case ErrorCause::iteration:
+      return "Most of it is due to the iteration: use a smaller solve.tolerance.";
     case ErrorCause::histories:
       break;
   }

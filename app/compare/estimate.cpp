@@ -9,14 +9,12 @@
 
 #include "app/case/build/build.h"
 #include "app/compare/error_estimate.h"
+#include "app/compare/estimate_files.h"
+#include "app/compare/kept_run.h"
 #include "app/progress/interruption.h"
 #include "app/request/commands.h"
 #include "app/run/report/run_log.h"
 #include "app/study/study_level.h"
-#include "app/write/csv/sensor_rows.h"
-#include "app/write/json/summary.h"
-#include "app/write/result/output_folder.h"
-#include "app/write/result/stage_seconds.h"
 #include "base/errors.h"
 #include "solver/transport/sweep/finite_check.h"
 
@@ -35,75 +33,10 @@ constexpr double smooth_order = 2, order_of_constants = 1;
 /// Cells that are coarser by less than this do not tell the error.
 constexpr double least_ratio = 1.1;
 
-/// What is kept of a run.
-struct Kept {
-  std::vector<AnswerNumber> numbers;
-  std::filesystem::path directory;
-  std::string method;  ///< "ordinates", "photons", "radiosity"
-  std::string larger_patches;
-  double cells = 0, directions = 0, histories = 0;
-  double seconds = 0;        ///< all of the run
-  double of_directions = 0;  ///< what grows with the number of directions
-  double of_points = 0;      ///< probes and sensors, as many on coarser cells
-  double order_of_cells = smooth_order;
-  bool is_flat = false;  ///< directions in the plane
-  bool is_coarse = false;
-  bool whole = false;
-};
-
-/// What is made of the radiometry of a sensor: what the eye sees, and ratios.
-bool is_derived(const SensorTableRow& row) {
-  return row.quantity.starts_with("uniformity_") || row.quantity.starts_with("daylight_factor") ||
-         (row.band == "photopic" && row.quantity != "glare_sources");
-}
-
-/// What users ask for: powers of regions and walls, probes and sensors with all that is made of them.
-std::vector<AnswerNumber> asked_numbers(const RunResult& run) {
-  std::vector<AnswerNumber> numbers;
-  for (AnswerNumber& number : answer_of(run).numbers) {
-    const bool of_region = number.where.starts_with("region ") && number.quantity == "absorbed";
-    const bool of_wall = number.where.starts_with("wall ") && number.quantity == "incoming";
-    if (of_region || of_wall || number.where.starts_with("probe ")) numbers.push_back(std::move(number));
-  }
-  const auto add = [&](const SensorTableRow& row) {
-    numbers.push_back({"sensor " + row.sensor, row.band, row.quantity, row.value(), row.error});
-  };
-  for (const SensorRow& sensor : run.sensors) std::ranges::for_each(radiant_rows(run, sensor), add);
-  for (const SensorTableRow& row : sensor_rows(run))
-    if (is_derived(row)) add(row);
-  return numbers;
-}
-
-/// Of one number; none where both are infinite, as UGR before a black background is.
-double change_of(const AnswerNumber& from, const AnswerNumber& to) {
-  return to.value == from.value ? 0 : to.value - from.value;
-}
-
-Kept kept_of(const RunResult& run) {
-  Kept kept;
-  kept.numbers = asked_numbers(run);
-  kept.directory = run.input.output.directory;
-  kept.method = run.errors ? "photons" : run.radiosity ? "radiosity" : "ordinates";
-  if (run.radiosity) kept.larger_patches = coarser_patches(run);
-  if (run.errors) kept.histories = run.errors->histories;
-  kept.cells = run.problem.mesh().cell_count();
-  kept.directions = run.solution.directions;
-  for (const auto& [stage, seconds] : stage_seconds(run, 0)) {
-    if (stage == "total") kept.seconds = seconds;
-    if (stage == "orders" || stage == "sweep" || stage == "low_order") kept.of_directions += seconds;
-    if (stage == "probes" || stage == "sensors") kept.of_points += seconds;
-  }
-  if (run.input.solve.order == SpaceOrder::constant) kept.order_of_cells = order_of_constants;
-  kept.is_flat = run.problem.space() != AngularSpace::sphere;
-  kept.is_coarse = run.is_coarse;
-  kept.whole = run.solution.converged() && !run.interrupted();
-  return kept;
-}
-
 /// The repetitions of one run.
 class Estimation {
  public:
-  Estimation(const RunRequest& request, const Kept& run, std::ostream& out, std::ostream& err)
+  Estimation(const RunRequest& request, const KeptRun& run, std::ostream& out, std::ostream& err)
       : request_(request), run_(run), out_(out), err_(err) {}
 
   ErrorEstimate made() {
@@ -122,9 +55,9 @@ class Estimation {
     ErrorCause cause;
     std::function<std::string()> override;  ///< throws InputError where it cannot be
     std::function<double()> forecast;       ///< [s]
-    std::function<double(const Kept&)> ratio;
+    std::function<double(const KeptRun&)> ratio;
     double order;
-    std::function<std::string(const Kept&)> how;
+    std::function<std::string(const KeptRun&)> how;
   };
 
   bool is_cheap(double forecast) const {
@@ -160,7 +93,7 @@ class Estimation {
       out_ << fmt::format("error of the {}: the run again with {}, about {:.0f} s\n",
                           name_of(repetition.cause), change, forecast)
            << std::flush;
-    std::optional<Kept> other;
+    std::optional<KeptRun> other;
     run_case(again, out_, err_, [&](const RunResult& result) { other = kept_of(result); });
     part.seconds = other->seconds;
     spent_ += other->seconds;
@@ -183,8 +116,8 @@ class Estimation {
     const double sweeping = run_.seconds - run_.of_points;
     add({ErrorCause::cells, [&] { return refined_mesh(read_case(request_.file, request_.overrides), -1); },
          [&] { return run_.of_points + share_of_coarser_cells * sweeping; },
-         [&](const Kept& other) { return std::cbrt(run_.cells / other.cells); }, run_.order_of_cells,
-         [](const Kept& other) { return fmt::format("by {:.0f} cells", other.cells); }});
+         [&](const KeptRun& other) { return std::cbrt(run_.cells / other.cells); }, run_.order_of_cells,
+         [](const KeptRun& other) { return fmt::format("by {:.0f} cells", other.cells); }});
   }
 
   void add_directions() {
@@ -200,18 +133,18 @@ class Estimation {
            const int count = build_directions(read_case(request_.file, overrides)).count();
            return run_.seconds + run_.of_directions * (count / run_.directions - 1);
          },
-         [&](const Kept& other) {
+         [&](const KeptRun& other) {
            const double ratio = run_.directions / other.directions;
            return run_.is_flat ? ratio : std::sqrt(ratio);
          },
          smooth_order,
-         [](const Kept& other) { return fmt::format("by {:.0f} directions", other.directions); }});
+         [](const KeptRun& other) { return fmt::format("by {:.0f} directions", other.directions); }});
   }
 
   void add_patches() {
     add({ErrorCause::patches, [&] { return run_.larger_patches; },
-         [&] { return share_of_larger_patches * run_.seconds; }, [](const Kept&) { return 2.0; },
-         order_of_constants, [](const Kept&) { return std::string("by patches of twice the size"); }});
+         [&] { return share_of_larger_patches * run_.seconds; }, [](const KeptRun&) { return 2.0; },
+         order_of_constants, [](const KeptRun&) { return std::string("by patches of twice the size"); }});
   }
 
   void add_chance() {
@@ -223,30 +156,17 @@ class Estimation {
   }
 
   const RunRequest& request_;
-  const Kept& run_;
+  const KeptRun& run_;
   std::ostream& out_;
   std::ostream& err_;
   std::vector<ErrorPart> parts_;
   double spent_ = 0;
 };
 
-void write(const ErrorEstimate& estimate, const std::filesystem::path& directory) {
-  double seconds = 0;
-  for (const ErrorPart& part : estimate.parts) seconds += part.seconds;
-  Interruption interruption;
-  interruption.note_all();  // the files become whole
-  OutputFolder folder(directory);
-  folder.lock();
-  if (holds_other_run(directory)) return;  // its numbers are others
-  folder.add_text("estimate.csv", estimate_csv(estimate));
-  folder.add_text("summary.json", summary_with_estimate(directory, estimate_json(estimate), seconds));
-  folder.publish({});
-}
-
 }  // namespace
 
 ExitCode run_and_estimate(const RunRequest& request, std::ostream& out, std::ostream& err) {
-  std::optional<Kept> kept;
+  std::optional<KeptRun> kept;
   // Between the runs, whose own signals they decide on, the results are whole.
   std::optional<Interruption> between;
   if (request.estimate != EstimateWish::never) between.emplace(last_words_of_repetition);
@@ -258,7 +178,7 @@ ExitCode run_and_estimate(const RunRequest& request, std::ostream& out, std::ost
     return code;
   }
   const ErrorEstimate estimate = Estimation(request, *kept, out, err).made();
-  if (is_known(estimate)) write(estimate, kept->directory);
+  if (is_known(estimate)) write_estimate(estimate, kept->directory);
   const std::string text = estimate_text(estimate);
   out << text << std::flush;
   append_to_log(kept->directory, text);

@@ -62,12 +62,19 @@ double sum_of(const SolveSeconds& solve) {
   return solve.setup + solve.lights + solve.orders + solve.sweep + solve.low_order;
 }
 
+/// Where a run writes what people read.
+struct RunStreams {
+  std::ostream& progress;
+  std::ostream& out;      ///< what is solved, and how
+  std::ostream& results;  ///< what came of it
+  std::ostream& err;
+};
+
 /// Runs the case of a request whose style of progress is resolved. Tells the log where it belongs when all
 /// that the case names is read: a run that is refused before leaves no files.
-ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream& err,
+ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const ResultJudge& wanted,
                     const ResultReader& reader, Interruption& interruption, RunLog& log) {
-  std::ostream nowhere(nullptr);
-  std::ostream& out = request.traces == RunTraces::all ? shown : nowhere;
+  auto& [shown, out, results, err] = streams;
   Stopwatch watch;
   RunSeconds seconds;
   const Case input = case_of(request);
@@ -166,6 +173,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
                    .threads = options.threads,
                    .record = request.record,
                    .heat = setup.heat_solution(),
+                   .expected_memory = static_cast<double>(expected.solving),
                    .is_coarse = is_coarse(resolution)};
   if (setup.exact) add_exact(*setup.exact, directions, result);
   result.seconds.measures = watch.lap();
@@ -177,11 +185,12 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
   result.seconds.sensors += watch.lap();
   note_left_out(result);
   result.seconds.total = watch.total();
-  if (request.traces == RunTraces::none) return conclude_without_traces(result, reader);
+  if (request.traces == RunTraces::none || (wanted && !wanted(result)))
+    return conclude_without_traces(result, reader);
   const WrittenResults written = write_visibly(result, stages);
-  out << convergence_text(result) << uncollided_text(result) << balance_text(result) << powers_text(result)
-      << probes_text(result) << sensors_text(result) << exact_text(result) << cautions_text(result)
-      << closing_text(result, written) << std::flush;
+  results << convergence_text(result) << uncollided_text(result) << balance_text(result)
+          << powers_text(result) << probes_text(result) << sensors_text(result) << exact_text(result)
+          << cautions_text(result) << closing_text(result, written) << std::flush;
   if (!input.cameras.empty()) {
     const auto begun = std::chrono::steady_clock::now();
     bool taken = false;
@@ -189,7 +198,7 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
       const ErrorImages errors(input.cameras, lights, directions, options, solution.state,
                                solution.direction_error, scene->first_collisions());
       taken = write_pictures(input, input.cameras, *scene, errors, options.threads, input.output.directory,
-                             style, out, interrupted, begun);
+                             style, results, interrupted, begun);
     }
     if (!taken) result.left_out.emplace_back("pictures");
   }
@@ -197,31 +206,66 @@ ExitCode run_logged(const RunRequest& request, std::ostream& shown, std::ostream
   return conclude(result, interruption.noted(), err);
 }
 
-}  // namespace
-
-ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err,
-                  const ResultReader& reader) {
+/// With its style of progress, and the time it began.
+RunRequest recorded_request(const RunRequest& request, const std::ostream& out) {
   RunRequest recorded = request;
   recorded.progress = resolved_style(request.progress, out);
   recorded.record.begun = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  RunLog log(recorded.record);
-  std::optional<Interruption> handling;
-  if (request.traces == RunTraces::none)
-    return run_logged(recorded, out, err, reader, handling.emplace(last_words_of_repetition), log);
-  Interruption& interruption = handling.emplace();
+  return recorded;
+}
+
+/// Runs; of a run that fails the log is kept with the fault.
+ExitCode with_log_of_faults(const RunLog& log, const std::function<ExitCode()>& run) {
   try {
-    const ExitCode code = [&] {
-      LoggedStream logged_out(out, log), logged_err(err, log);
-      return run_logged(recorded, logged_out, logged_err, reader, interruption, log);
-    }();
-    log.save();
-    return code;
+    return run();
   } catch (const InputError&) {
     throw;  // a run that is refused leaves no files
   } catch (const std::exception& fault) {
     log.save_failed(report_of(fault).text);
     throw;
   }
+}
+
+}  // namespace
+
+ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err,
+                  const ResultReader& reader) {
+  const RunRequest recorded = recorded_request(request, out);
+  RunLog log(recorded.record);
+  std::optional<Interruption> handling;
+  if (request.traces == RunTraces::none) {
+    std::ostream nowhere(nullptr);
+    return run_logged(recorded, {out, nowhere, nowhere, err}, {}, reader,
+                      handling.emplace(last_words_of_repetition), log);
+  }
+  Interruption& interruption = handling.emplace();
+  return with_log_of_faults(log, [&] {
+    const ExitCode code = [&] {
+      LoggedStream logged_out(out, log), logged_err(err, log);
+      return run_logged(recorded, {logged_out, logged_out, logged_out, logged_err}, {}, reader, interruption,
+                        log);
+    }();
+    log.save();
+    return code;
+  });
+}
+
+ExitCode run_if_wanted(const RunRequest& request, const ResultJudge& wanted, std::ostream& out,
+                       std::ostream& err) {
+  const RunRequest recorded = recorded_request(request, out);
+  RunLog log(recorded.record);
+  Interruption interruption;
+  bool is_wanted = false;
+  const ResultJudge judge = [&](const RunResult& result) { return is_wanted = wanted(result); };
+  return with_log_of_faults(log, [&] {
+    const ExitCode code = [&] {
+      std::ostream nowhere(nullptr);
+      LoggedStream quiet(nowhere, log), logged_out(out, log), logged_err(err, log);
+      return run_logged(recorded, {out, quiet, logged_out, logged_err}, judge, {}, interruption, log);
+    }();
+    if (is_wanted) log.save();
+    return code;
+  });
 }
 
 }  // namespace etendue

@@ -114,13 +114,17 @@ std::string refined_directions(const Case& input, int times) {
 }
 
 std::string refined_mesh(const Case& input, int times) {
+  return resized_mesh(input, std::ldexp(1.0, -times));
+}
+
+std::string resized_mesh(const Case& input, double factor) {
   const MeshCase& mesh = input.mesh;
   if (mesh.file)
     throw InputError(
         fault_at(mesh.file->origin, "",
                  "a mesh that is read has no size that could be changed; give a geometry or a surface"));
-  if (mesh.max_volume) return "mesh.max_volume=" + scaled(*mesh.max_volume, std::ldexp(1.0, -3 * times));
-  if (mesh.edge_length) return "mesh.edge_length=" + scaled(*mesh.edge_length, std::ldexp(1.0, -times));
+  if (mesh.max_volume) return "mesh.max_volume=" + scaled(*mesh.max_volume, std::pow(factor, 3));
+  if (mesh.edge_length) return "mesh.edge_length=" + scaled(*mesh.edge_length, factor);
   throw InputError(fault_at(mesh.origin, "", "has no cell size to refine; give max_volume or edge_length"));
 }
 

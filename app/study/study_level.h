@@ -18,6 +18,8 @@ struct Refinements {
 /// coarser where `times` is negative. Throws InputError where that cannot be.
 std::string refined_directions(const Case& input, int times);
 std::string refined_mesh(const Case& input, int times);
+/// Cells whose size is this multiple of the case's. Throws as the last.
+std::string resized_mesh(const Case& input, double factor);
 /// The same by cutting cells into eight, for which `times` is not negative.
 std::string split_mesh(const Case& input, int times);
 /// Of level `level` (from 1); of both, the directions go first.

@@ -19,6 +19,8 @@ const BoundTable<PhotonCase>& photon_table();  ///< of [solve]
 const BoundTable<PhotonCase>& photon_map_table();
 const BoundTable<RadiosityCase>& radiosity_table();
 const BoundTable<ExactFamily>& exact_family_table();
+const BoundTable<AccuracyCase>& accuracy_table();
+const BoundTable<AccuracyCase>& budget_table();  ///< of [accuracy]
 const BoundTable<OutputCase>& output_table();
 const BoundTable<CameraCase>& camera_table();
 const BoundTable<FalseColor>& false_color_table();

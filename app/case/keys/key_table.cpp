@@ -81,6 +81,10 @@ std::vector<TableDeclaration> make_tables() {
        .help = "What the answer is: the source and what enters at the walls follow from it. Nothing else may "
                "emit, "
                "and walls are black."},
+      {.path = "accuracy",
+       .help = "How accurate the numbers are to be: `run` refines cells and directions "
+               "(docs/user/accuracy.md)."},
+      {.path = "accuracy.budget", .help = "What the rounds may take."},
       {.path = "probe", .form = list, .help = "Points whose values go into `probes.csv`."},
       {.path = "probe.line", .help = "Points at equal distances instead of `points`."},
       {.path = "camera",

@@ -234,6 +234,34 @@ const BoundTable<ExactFamily>& exact_family_table() {
   return table;
 }
 
+const BoundTable<AccuracyCase>& accuracy_table() {
+  static const BoundTable<AccuracyCase> table = [] {
+    BoundTable<AccuracyCase> t("accuracy");
+    t.key("relative", &AccuracyCase::relative, {.range = open_fraction},
+          "Largest error of each quantity, as a part of it. `run` refines cells and directions until its "
+          "estimates are below, from those of the case on.");
+    t.key("absolute", &AccuracyCase::absolute, {.range = positive},
+          "Largest error of each quantity, in its unit. One of the two.");
+    t.key("of", texts, {.default_note = "all probes, sensors, powers of walls and regions"},
+          "The quantities: \"probe:NAME\", \"probe:NAME:INDEX\", \"sensor:NAME\", \"wall:NAME\" (power that "
+          "arrives), \"region:NAME\" (power absorbed).");
+    return t;
+  }();
+  return table;
+}
+
+const BoundTable<AccuracyCase>& budget_table() {
+  static const BoundTable<AccuracyCase> table = [] {
+    BoundTable<AccuracyCase> t("accuracy.budget");
+    t.key("minutes", &AccuracyCase::minutes, {.range = positive},
+          "For all runs together: one that would last longer by its forecast is not begun.");
+    t.key("memory_gb", &AccuracyCase::memory_gb, {.unit = "1e9 bytes", .range = positive},
+          "Of a run, by its forecast; without it what the machine has.");
+    return t;
+  }();
+  return table;
+}
+
 const BoundTable<OutputCase>& output_table() {
   static const BoundTable<OutputCase> table = [] {
     BoundTable<OutputCase> t("output");
@@ -256,7 +284,8 @@ const BoundTable<OutputCase>& output_table() {
 std::vector<KeyDeclaration> run_keys() {
   return declarations_of({direction_table(), refinement_keys(), first_collided_keys(), space_table(),
                           solve_table(), photon_table(), photon_map_table(), radiosity_table(),
-                          exact_family_table(), probe_keys(), line_keys(), output_table()});
+                          exact_family_table(), accuracy_table(), budget_table(), probe_keys(), line_keys(),
+                          output_table()});
 }
 
 }  // namespace etendue

@@ -12,6 +12,7 @@
 #include "app/case/read/first_collided_default.h"
 #include "app/case/read/lights/read_light.h"
 #include "app/case/read/materials/read_matter.h"
+#include "app/case/read/read_accuracy.h"
 #include "app/case/read/read_camera.h"
 #include "app/case/read/read_exact.h"
 #include "app/case/read/read_mesh.h"
@@ -56,6 +57,7 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   for (const auto& [name, wall] : result.walls)
     if (wall.beam) result.lights.push_back(*wall.beam);
   read_space(top.section("space"), result.solve);
+  const bool has_tolerance = top.section("solve").has("tolerance");
   read_solve(top.section("solve"), file.parent_path(), result);
   read_photon_map(top.section("photon_map"), result);
   read_radiosity(top.section("radiosity"), top.section("solve").text("method") == "radiosity", result);
@@ -63,6 +65,7 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   result.cameras = read_cameras(top);
   result.sensors = read_sensors(top);
   if (top.has("exact")) read_exact(top.section("exact"), result);
+  if (top.has("accuracy")) read_accuracy(top.section("accuracy"), !has_tolerance, result);
   result.output = read_output(top.section("output"), file);
   result.solve.keep_ordinates = result.output.radiance_ordinates;
   return result;

@@ -269,6 +269,14 @@ std::string summary_with_estimate(const std::filesystem::path& directory, const 
   return summary_text(summary);
 }
 
+std::string summary_with_accuracy(const std::filesystem::path& directory, const std::string& accuracy) {
+  Json summary = summary_in(directory);
+  if (summary.empty()) return "";
+  add_file_names({"accuracy.csv"}, summary);
+  summary["accuracy"] = Json::parse(accuracy);
+  return summary_text(summary);
+}
+
 bool holds_other_run(const std::filesystem::path& directory) {
   const Json summary = summary_in(directory);
   return !summary.empty() &&

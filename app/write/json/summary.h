@@ -28,6 +28,9 @@ std::string summary_with_files(const std::filesystem::path& directory, const std
 std::string summary_with_estimate(const std::filesystem::path& directory, const std::string& estimate,
                                   double seconds);
 
+/// The same with how it came to its accuracy, a JSON object, and the file accuracy.csv.
+std::string summary_with_accuracy(const std::filesystem::path& directory, const std::string& accuracy);
+
 /// Whether the summary.json in this directory is of a run by another process: files of two runs do not belong
 /// into one directory.
 bool holds_other_run(const std::filesystem::path& directory);

@@ -92,6 +92,7 @@ struct RunResult {
   int threads = 1;
   RunRecord record = {};
   std::optional<HeatSolution> heat = {};   ///< of temperatures that follow by iteration
+  double expected_memory = 0;              ///< forecast of its peak, an upper bound [bytes]; 0: none
   bool is_coarse = false;                  ///< known before the sweeps: cells or directions too coarse
   std::vector<std::string> left_out = {};  ///< what an interruption left out: "3 of 5 sensors"
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "app/compare/error_estimate.h"
+
+namespace etendue {
+
+/// Writes estimate.csv beside the results of a run of this process, and the estimate into their summary.json;
+/// nothing where another run has replaced them. Throws FileError.
+void write_estimate(const ErrorEstimate& estimate, const std::filesystem::path& directory);
+
+}  // namespace etendue
