@@ -10,6 +10,8 @@ namespace etendue {
 namespace {
 
 constexpr double factor_of_one = 3, factor_of_more = 1.25;
+/// What an earlier change leaves to expect counts with this weight.
+constexpr double weight_of_earlier = 0.5;
 /// Between sizes whose change tells an error.
 constexpr double least_ratio = 1.25;
 /// Slower convergence than this is hardly different from none.
@@ -63,7 +65,8 @@ std::vector<double> ConvergenceHistory::errors(double size, double highest_order
     const RefinementChange& before = changes_[changes_.size() - 2];
     const double order =
         observed_order(before, last, i, std::min(lowest_order, highest_order), highest_order);
-    result[i] = factor_of_more * std::max(error_at(size, last, i, order), error_at(size, before, i, order));
+    result[i] = factor_of_more * std::max(error_at(size, last, i, order),
+                                          weight_of_earlier * error_at(size, before, i, order));
   }
   return result;
 }

@@ -15,8 +15,8 @@ struct RefinementChange {
 
 /// Changes of numbers under refinements of one kind, and the errors that follow from them: the grid
 /// convergence index (Roache 1994, J. Fluids Eng. 116, 405), 3 times Richardson's estimate at the highest
-/// order after one refinement, 1.25 times that at the observed order after more. The larger of the
-/// last two refinements' estimates counts, as a change may be small by chance.
+/// order after one refinement, 1.25 times that at the observed order after more. Half of what
+/// the refinement before the last leaves to expect counts too, as a change may be small by chance.
 class ConvergenceHistory {
  public:
   /// A change of size by less than a quarter says little: it counts with the next one.

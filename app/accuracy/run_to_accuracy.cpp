@@ -54,44 +54,59 @@ class AccuracyRun {
 
   ExitCode made() {
     out_ << goal_text(accuracy_) << round_heading() << std::flush;
-    std::optional<RoundSettings> accepted;
-    while (true) {
+    std::optional<EarlierResults> earlier;
+    while (!is_last_) {
       try {
-        run_round(false);
-        if (kept_) break;
-        accepted = settings_;
-        settings_ = *next_;
+        run_round();
       } catch (const InputError& fault) {
-        if (!accepted) throw;
-        return_to(*accepted, fault.what());
-        break;
+        if (rounds_.all().empty()) throw;
+        end_with_the_last(fault.what());
       } catch (const std::bad_alloc&) {
-        if (!accepted) throw;
-        return_to(*accepted, "the memory of this machine does not suffice");
-        break;
+        if (rounds_.all().empty()) throw;
+        end_with_the_last("the memory of this machine does not suffice");
       }
+      if (is_last_) break;
+      outcome_.why = "it ended before the next round did";
+      write_rounds();
+      outcome_.why.clear();
+      earlier.reset();
+      earlier.emplace(interrupted_text());
+      accepted_ = settings_;
+      settings_ = *next_;
     }
     return conclude();
   }
 
  private:
-  /// The last round that was possible once more, for its results.
-  void return_to(const RoundSettings& settings, const std::string& fault) {
-    outcome_.why = "finer is not possible: " + fault.substr(0, fault.find('\n'));
-    settings_ = settings;
-    run_round(true);
+  std::string interrupted_text() const {
+    return fmt::format("\ninterrupted: the results are those of round {}\n", rounds_.all().size());
   }
 
-  void run_round(bool again) {
-    code_ = run_if_wanted(
-        round_request(settings_),
-        [&](const RunResult& result) {
-          if (again) return kept_ = true;
-          note(result);
-          return kept_;
-        },
-        out_, err_);
-    if (code_ == ExitCode::interrupted) kept_ = true;
+  /// A finer round is not possible: that before it once more, for what only a last round leaves.
+  void end_with_the_last(const std::string& fault) {
+    outcome_.why = "finer is not possible: " + fault.substr(0, fault.find('\n'));
+    is_last_ = true;
+    settings_ = accepted_;
+    code_ = run_judged(
+        round_request(settings_), [](const RunResult&) { return ResultUse::all; }, out_, err_);
+  }
+
+  void run_round() {
+    code_ = run_judged(
+        round_request(settings_), [&](const RunResult& result) { return use_of(result); }, out_, err_);
+    if (code_ != ExitCode::interrupted && !was_interrupted_) return;
+    if (was_interrupted_) err_ << interrupted_text().substr(1);
+    code_ = ExitCode::interrupted;
+    outcome_.why = "a signal ended it";
+    is_last_ = true;
+  }
+
+  ResultUse use_of(const RunResult& result) {
+    // What an earlier round left is worth more than what has not converged.
+    was_interrupted_ = result.interrupted() && !rounds_.all().empty();
+    if (was_interrupted_) return ResultUse::none;
+    note(result);
+    return is_last_ ? ResultUse::all : ResultUse::files;
   }
 
   void note(const RunResult& result) {
@@ -99,11 +114,11 @@ class AccuracyRun {
     if (rounds_.all().size() == 1) volume_ = total_volume(result.problem.mesh());
     out_ << round_line(round, static_cast<int>(rounds_.all().size()), accuracy_) << std::flush;
     outcome_.reached = round.is_accurate() && round.run.whole;
-    kept_ = outcome_.reached || !round.run.whole;
-    if (!round.run.whole) outcome_.why = "the last round did not converge, or was interrupted";
-    if (kept_) return;
+    is_last_ = outcome_.reached || !round.run.whole;
+    if (!round.run.whole) outcome_.why = "the last round did not converge";
+    if (is_last_) return;
     next_ = next_settings();
-    kept_ = !next_;
+    is_last_ = !next_;
   }
 
   static double total_volume(const TetrahedralMesh& mesh) {
@@ -204,12 +219,11 @@ class AccuracyRun {
 
   ExitCode conclude() {
     if (rounds_.all().empty()) return code_;
-    outcome_.seconds = seconds();
     const AccuracyRound& last = rounds_.all().back();
+    write_rounds();
     const std::string text = estimate_text(last.estimate) + outcome_text(outcome_, last, accuracy_);
     out_ << text << std::flush;
-    write_rounds(last.run.directory);
-    append_to_log(last.run.directory, text);
+    append_to_log(last.run.directory, "\n" + rounds_text() + text);
     if (code_ == ExitCode::done && !outcome_.reached) {
       err_ << "the accuracy that is asked for was not reached; the results are those of the last round\n";
       return ExitCode::not_converged;
@@ -217,8 +231,19 @@ class AccuracyRun {
     return code_;
   }
 
-  void write_rounds(const std::filesystem::path& directory) const {
-    if (is_known(rounds_.all().back().estimate)) write_estimate(rounds_.all().back().estimate, directory);
+  /// All that was shown of the rounds.
+  std::string rounds_text() const {
+    std::string text = goal_text(accuracy_) + round_heading();
+    int index = 0;
+    for (const AccuracyRound& round : rounds_.all()) text += round_line(round, ++index, accuracy_);
+    return text;
+  }
+
+  /// Beside the results of the last round.
+  void write_rounds() {
+    outcome_.seconds = seconds();
+    const std::filesystem::path& directory = rounds_.all().back().run.directory;
+    write_estimate(rounds_.all().back().estimate, directory);
     Interruption interruption;
     interruption.note_all();  // the files become whole
     OutputFolder folder(directory);
@@ -238,9 +263,11 @@ class AccuracyRun {
   std::ostream& err_;
   const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   RoundSettings settings_;
+  RoundSettings accepted_;  ///< of the round before
   std::optional<RoundSettings> next_;
-  double volume_ = 0;  ///< of the mesh of the first round
-  bool kept_ = false;  ///< whether the last round leaves its results
+  double volume_ = 0;             ///< of the mesh of the first round
+  bool is_last_ = false;          ///< whether no other round follows
+  bool was_interrupted_ = false;  ///< a round after the first
   ExitCode code_ = ExitCode::done;
   AccuracyOutcome outcome_;
 };

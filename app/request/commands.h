@@ -18,12 +18,13 @@ using ResultReader = std::function<void(const RunResult&)>;
 
 ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& err,
                   const ResultReader& reader = {});
-/// Says whether the results of a run are wanted, from all its numbers, before anything is written.
-using ResultJudge = std::function<bool(const RunResult&)>;
-/// run_case() by ordinates, which leaves nothing where its results are not wanted. Until that is known it
-/// shows only its progress.
-ExitCode run_if_wanted(const RunRequest& request, const ResultJudge& wanted, std::ostream& out,
-                       std::ostream& err);
+/// What becomes of the results of a run: nothing, their files without pictures, or all as of run_case().
+enum class ResultUse { none, files, all };
+/// Decides from all numbers of a run, before anything is written.
+using ResultJudge = std::function<ResultUse(const RunResult&)>;
+/// run_case() by ordinates with a judge. Unless all is wanted, only the progress is shown.
+ExitCode run_judged(const RunRequest& request, const ResultJudge& judge, std::ostream& out,
+                    std::ostream& err);
 /// The runs of a case with [accuracy], of which the last leaves its results.
 ExitCode run_to_accuracy(const RunRequest& request, std::ostream& out, std::ostream& err);
 /// run_case(), and where that is wanted or cheap the run again on coarser cells and with other directions,

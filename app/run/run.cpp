@@ -72,7 +72,7 @@ struct RunStreams {
 
 /// Runs the case of a request whose style of progress is resolved. Tells the log where it belongs when all
 /// that the case names is read: a run that is refused before leaves no files.
-ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const ResultJudge& wanted,
+ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const ResultJudge& judge,
                     const ResultReader& reader, Interruption& interruption, RunLog& log) {
   auto& [shown, out, results, err] = streams;
   Stopwatch watch;
@@ -185,12 +185,16 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   result.seconds.sensors += watch.lap();
   note_left_out(result);
   result.seconds.total = watch.total();
-  if (request.traces == RunTraces::none || (wanted && !wanted(result)))
-    return conclude_without_traces(result, reader);
+  const ResultUse use = request.traces == RunTraces::none ? ResultUse::none
+                        : judge                           ? judge(result)
+                                                          : ResultUse::all;
+  if (use == ResultUse::none) return conclude_without_traces(result, reader);
   const WrittenResults written = write_visibly(result, stages);
-  results << convergence_text(result) << uncollided_text(result) << balance_text(result)
-          << powers_text(result) << probes_text(result) << sensors_text(result) << exact_text(result)
-          << cautions_text(result) << closing_text(result, written) << std::flush;
+  (use == ResultUse::all ? results : out)
+      << convergence_text(result) << uncollided_text(result) << balance_text(result) << powers_text(result)
+      << probes_text(result) << sensors_text(result) << exact_text(result) << cautions_text(result)
+      << closing_text(result, written) << std::flush;
+  if (use == ResultUse::files && !interruption.noted()) return conclude_without_traces(result, reader);
   if (!input.cameras.empty()) {
     const auto begun = std::chrono::steady_clock::now();
     bool taken = false;
@@ -250,20 +254,20 @@ ExitCode run_case(const RunRequest& request, std::ostream& out, std::ostream& er
   });
 }
 
-ExitCode run_if_wanted(const RunRequest& request, const ResultJudge& wanted, std::ostream& out,
-                       std::ostream& err) {
+ExitCode run_judged(const RunRequest& request, const ResultJudge& judge, std::ostream& out,
+                    std::ostream& err) {
   const RunRequest recorded = recorded_request(request, out);
   RunLog log(recorded.record);
   Interruption interruption;
-  bool is_wanted = false;
-  const ResultJudge judge = [&](const RunResult& result) { return is_wanted = wanted(result); };
+  ResultUse use = ResultUse::none;
+  const ResultJudge noting = [&](const RunResult& result) { return use = judge(result); };
   return with_log_of_faults(log, [&] {
     const ExitCode code = [&] {
       std::ostream nowhere(nullptr);
       LoggedStream quiet(nowhere, log), logged_out(out, log), logged_err(err, log);
-      return run_logged(recorded, {out, quiet, logged_out, logged_err}, judge, {}, interruption, log);
+      return run_logged(recorded, {out, quiet, logged_out, logged_err}, noting, {}, interruption, log);
     }();
-    if (is_wanted) log.save();
+    if (use != ResultUse::none) log.save();
     return code;
   });
 }

@@ -55,8 +55,8 @@ TEST(ConvergenceHistory, AChangeThatIsSmallByChanceIsNotBelieved) {
   ConvergenceHistory history;
   history.add({1, 0.5, {0.4}});
   history.add({0.5, 0.25, {1e-9}});
-  // 0.4 / (2^2 - 1) at 0.5, a quarter of that at 0.25.
-  EXPECT_NEAR(history.errors(0.25, 2).at(0), 1.25 * 0.4 / 3 / 4, 1e-9);
+  // 0.4 / (2^2 - 1) at 0.5, a quarter of that at 0.25; half of it counts.
+  EXPECT_NEAR(history.errors(0.25, 2).at(0), 1.25 * 0.4 / 3 / 4 / 2, 1e-9);
 }
 
 TEST(ConvergenceHistory, SizesThatAreNearlyTheSameTellNothingAlone) {
