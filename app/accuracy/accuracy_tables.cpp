@@ -81,8 +81,8 @@ std::string round_line(const AccuracyRound& round, int index, const AccuracyCase
 std::string outcome_text(const AccuracyOutcome& outcome, const AccuracyRound& last,
                          const AccuracyCase& accuracy) {
   if (outcome.reached)
-    return fmt::format("accuracy of {} reached for {} numbers in {:.1f} s\n", allowed_text(accuracy),
-                       last.asked.size(), outcome.seconds);
+    return fmt::format("accuracy of {} reached for {} {} in {:.1f} s\n", allowed_text(accuracy),
+                       last.asked.size(), last.asked.size() == 1 ? "number" : "numbers", outcome.seconds);
   std::size_t inside = 0;
   for (const std::size_t i : last.asked) {
     const AnswerNumber& one = last.estimate.numbers[i];

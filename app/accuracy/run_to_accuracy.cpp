@@ -55,6 +55,7 @@ class AccuracyRun {
   ExitCode made() {
     out_ << goal_text(accuracy_) << round_heading() << std::flush;
     std::optional<EarlierResults> earlier;
+    note_signals();
     while (!is_last_) {
       try {
         run_round();
@@ -68,16 +69,36 @@ class AccuracyRun {
       if (is_last_) break;
       outcome_.why = "it ended before the next round did";
       write_rounds();
+      if (between_->noted()) {
+        end_interrupted();
+        break;
+      }
       outcome_.why.clear();
+      between_.reset();
       earlier.reset();
       earlier.emplace(interrupted_text());
+      note_signals();
       accepted_ = settings_;
       settings_ = *next_;
     }
-    return conclude();
+    const ExitCode code = conclude();
+    between_.reset();  // before the words of earlier results
+    return code;
   }
 
  private:
+  /// Between the runs, whose own signals they decide on: files of rounds become whole.
+  void note_signals() {
+    between_.emplace();
+    between_->note_all();
+  }
+
+  void end_interrupted() {
+    err_ << interrupted_text().substr(1);
+    code_ = ExitCode::interrupted;
+    is_last_ = true;
+  }
+
   std::string interrupted_text() const {
     return fmt::format("\ninterrupted: the results are those of round {}\n", rounds_.all().size());
   }
@@ -92,25 +113,26 @@ class AccuracyRun {
   }
 
   void run_round() {
+    is_noted_ = false;
     code_ = run_judged(
         round_request(settings_), [&](const RunResult& result) { return use_of(result); }, out_, err_);
-    if (code_ != ExitCode::interrupted && !was_interrupted_) return;
-    if (was_interrupted_) err_ << interrupted_text().substr(1);
-    code_ = ExitCode::interrupted;
-    outcome_.why = "a signal ended it";
-    is_last_ = true;
+    if (!is_noted_ && !rounds_.all().empty())
+      end_interrupted();
+    else if (code_ == ExitCode::interrupted)
+      is_last_ = true;
+    if (is_last_ && code_ == ExitCode::interrupted) outcome_.why = "a signal ended it";
   }
 
   ResultUse use_of(const RunResult& result) {
     // What an earlier round left is worth more than what has not converged.
-    was_interrupted_ = result.interrupted() && !rounds_.all().empty();
-    if (was_interrupted_) return ResultUse::none;
+    if (result.interrupted() && !rounds_.all().empty()) return ResultUse::none;
     note(result);
     return is_last_ ? ResultUse::all : ResultUse::files;
   }
 
   void note(const RunResult& result) {
     const AccuracyRound& round = rounds_.add(kept_of(result));
+    is_noted_ = true;
     if (rounds_.all().size() == 1) volume_ = total_volume(result.problem.mesh());
     out_ << round_line(round, static_cast<int>(rounds_.all().size()), accuracy_) << std::flush;
     outcome_.reached = round.is_accurate() && round.run.whole;
@@ -199,7 +221,6 @@ class AccuracyRun {
     if (accuracy_.sets_tolerance && accuracy_.relative)
       all.push_back(fmt::format("solve.tolerance={}", std::clamp(share_of_iteration * *accuracy_.relative,
                                                                  tightest_tolerance, loosest_tolerance)));
-    all.emplace_back("output.checkpoint_every=0");
     if (settings.splits > 0) all.push_back(split_mesh(input_, settings.splits));
     if (settings.cell_size == 1) return all;
     if (input_.mesh.max_volume || input_.mesh.edge_length)
@@ -214,6 +235,7 @@ class AccuracyRun {
   RunRequest round_request(const RoundSettings& settings) const {
     RunRequest request = request_;
     request.overrides = overrides(settings);
+    if (!rounds_.all().empty()) request.traces = RunTraces::whole;
     return request;
   }
 
@@ -244,8 +266,6 @@ class AccuracyRun {
     outcome_.seconds = seconds();
     const std::filesystem::path& directory = rounds_.all().back().run.directory;
     write_estimate(rounds_.all().back().estimate, directory);
-    Interruption interruption;
-    interruption.note_all();  // the files become whole
     OutputFolder folder(directory);
     folder.lock();
     if (holds_other_run(directory)) return;
@@ -265,9 +285,10 @@ class AccuracyRun {
   RoundSettings settings_;
   RoundSettings accepted_;  ///< of the round before
   std::optional<RoundSettings> next_;
-  double volume_ = 0;             ///< of the mesh of the first round
-  bool is_last_ = false;          ///< whether no other round follows
-  bool was_interrupted_ = false;  ///< a round after the first
+  double volume_ = 0;  ///< of the mesh of the first round
+  std::optional<Interruption> between_;
+  bool is_last_ = false;   ///< whether no other round follows
+  bool is_noted_ = false;  ///< whether the last run has come to a round
   ExitCode code_ = ExitCode::done;
   AccuracyOutcome outcome_;
 };

@@ -178,7 +178,11 @@ ExitCode run_and_estimate(const RunRequest& request, std::ostream& out, std::ost
     return code;
   }
   const ErrorEstimate estimate = Estimation(request, *kept, out, err).made();
-  if (is_known(estimate)) write_estimate(estimate, kept->directory);
+  if (is_known(estimate)) {
+    Interruption writing;
+    writing.note_all();  // the files become whole
+    write_estimate(estimate, kept->directory);
+  }
   const std::string text = estimate_text(estimate);
   out << text << std::flush;
   append_to_log(kept->directory, text);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/compare/estimate_files.h"
 
-#include "app/progress/interruption.h"
 #include "app/write/json/summary.h"
 #include "app/write/result/output_folder.h"
 
@@ -10,8 +9,6 @@ namespace etendue {
 void write_estimate(const ErrorEstimate& estimate, const std::filesystem::path& directory) {
   double seconds = 0;
   for (const ErrorPart& part : estimate.parts) seconds += part.seconds;
-  Interruption interruption;
-  interruption.note_all();  // the files become whole
   OutputFolder folder(directory);
   folder.lock();
   if (holds_other_run(directory)) return;  // its numbers are others

@@ -8,7 +8,8 @@
 namespace etendue {
 
 /// Writes estimate.csv beside the results of a run of this process, and the estimate into their summary.json;
-/// nothing where another run has replaced them. Throws FileError.
+/// nothing where another run has replaced them. Signals are to be noted only, so that the files become whole.
+/// Throws FileError.
 void write_estimate(const ErrorEstimate& estimate, const std::filesystem::path& directory);
 
 }  // namespace etendue

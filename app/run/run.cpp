@@ -78,7 +78,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   Stopwatch watch;
   RunSeconds seconds;
   const Case input = case_of(request);
-  if (request.traces == RunTraces::all) check_output_directory(input.output.directory);
+  if (request.traces != RunTraces::none) check_output_directory(input.output.directory);
   check_output_memory(input);
   if (input.initial) check_initial(*input.initial, input);
   seconds.read = watch.lap();
@@ -147,7 +147,9 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
     uncollided.emplace(lights, options, stage.observer());
   }
   const std::optional<Solution> solved = solve_visibly(
-      *uncollided, {input, problem, all_directions, options, stages, err, interruption}, tally_ordinates);
+      *uncollided,
+      {input, problem, all_directions, options, stages, err, interruption, request.traces == RunTraces::all},
+      tally_ordinates);
   if (!solved) return ExitCode::interrupted;
   const Solution& solution = *solved;
   setup.set_emission(problem);

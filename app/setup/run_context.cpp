@@ -40,7 +40,7 @@ WrittenResults write_visibly(const RunResult& result, const StageDisplay& stages
 Case case_of(const RunRequest& request) {
   Case input = read_case(request.file, request.overrides);
   if (request.traces == RunTraces::all) return input;
-  input.cameras.clear();
+  if (request.traces == RunTraces::none) input.cameras.clear();
   input.initial.reset();
   input.output.checkpoint_every = 0;
   return input;

@@ -66,6 +66,7 @@ std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const Visible
     return solution;
   } catch (const SolveStopped& stopped) {
     display.finish();
+    if (!solving.leaves_state) return std::nullopt;
     solving.interruption.note_all();
     write_checkpoint(solving.input, solving.problem, stopped.state);
     solving.err

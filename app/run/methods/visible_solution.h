@@ -21,12 +21,13 @@ struct VisibleSolving {
   const StageDisplay& stages;
   std::ostream& err;
   Interruption& interruption;
+  bool leaves_state = true;  ///< whether a solution that is stopped within a sweep leaves its state
 };
 
 /// Solves, shows how it continues and writes checkpoints. Before the first sweep is done a signal ends the
 /// program at once. Later ones end the iteration after its sweep; where that or the last sweep takes more
-/// than half a second from then on, solution.vtu alone is written with the state so far, and nothing comes
-/// back.
+/// than half a second from then on, solution.vtu alone is written with the state so far where that is
+/// wanted, and nothing comes back.
 std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const VisibleSolving& solving,
                                       const DirectionSetObserver& reader);
 

@@ -167,6 +167,27 @@ TEST(Interruption, WhileEstimatingErrorsLeavesTheResultsOfTheRun) {
   }
 }
 
+// The accuracy is never reached: round after round leaves its files.
+TEST(Interruption, OnTheWayToAnAccuracyLeavesTheLastWholeRound) {
+  const CaseFolder folder;
+  Process run({"run", folder.file(), "--progress", "plain", "--set", "accuracy.relative=1e-9"},
+              said_in(folder));
+  ASSERT_TRUE(run.says("\n      6  ")) << text_of(said_in(folder));
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait(), 130) << text_of(said_in(folder));
+  EXPECT_NE(text_of(said_in(folder)).find("interrupted: the results are"), std::string::npos)
+      << text_of(said_in(folder));
+  const json summary = json::parse(text_of(std::filesystem::path(folder.results()) / "summary.json"));
+  EXPECT_EQ(summary["converged"], true);
+  EXPECT_EQ(summary["interrupted"], false);
+  EXPECT_EQ(summary["accuracy"]["reached"], false);
+  EXPECT_GE(summary["accuracy"]["rounds"].size(), 5U);
+  EXPECT_EQ(summary["accuracy"]["rounds"].back()["cells"], summary["cells"]);
+  for (const json& file : summary["files"])
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(folder.results()) / file.get<std::string>()))
+        << file;
+}
+
 /// The last line of what the program said.
 std::string last_line_of(const std::string& said) {
   const std::size_t before = said.rfind('\n', said.size() - 2);
