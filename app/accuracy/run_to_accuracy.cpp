@@ -32,6 +32,16 @@ constexpr double least_useful_factor = 1.2;
 /// sides a of volume V: a^3 = 6 sqrt(2) V.
 const double edge_of_unit_volume = std::cbrt(6 * std::sqrt(2.0));
 
+/// Throws InputError where the case has what rounds cannot be made with. Other commands may take it.
+void check_possible(const Case& input) {
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(fault_at(input.accuracy->origin, "", why));
+  };
+  if (input.photons) refuse("is of discrete ordinates; by photons solve.until ends a run at an error");
+  if (input.radiosity) refuse("is of discrete ordinates; radiosity has radiosity.refine_change");
+  if (input.initial) refuse("begins on coarse cells, for which solve.initial has no solution");
+}
+
 /// How a round differs from the case.
 struct RoundSettings {
   double cell_size = 1;  ///< a multiple of the size in the case, or of the first round's where it has none
@@ -49,6 +59,7 @@ class AccuracyRun {
         rounds_(accuracy_),
         out_(out),
         err_(err) {
+    check_possible(input_);
     settings_.order = input_.direction_order;
   }
 
@@ -265,7 +276,7 @@ class AccuracyRun {
   void write_rounds() {
     outcome_.seconds = seconds();
     const std::filesystem::path& directory = rounds_.all().back().run.directory;
-    write_estimate(rounds_.all().back().estimate, directory);
+    if (is_known(rounds_.all().back().estimate)) write_estimate(rounds_.all().back().estimate, directory);
     OutputFolder folder(directory);
     folder.lock();
     if (holds_other_run(directory)) return;

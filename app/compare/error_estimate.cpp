@@ -75,7 +75,9 @@ std::vector<std::size_t> numbers_by_error(const ErrorEstimate& estimate) {
 }
 
 bool is_known(const ErrorEstimate& estimate) {
-  return std::ranges::any_of(estimate.parts, [](const ErrorPart& part) { return !part.errors.empty(); });
+  return std::ranges::any_of(estimate.parts, [](const ErrorPart& part) {
+    return part.cause != ErrorCause::iteration && !part.errors.empty();
+  });
 }
 
 std::string estimate_csv(const ErrorEstimate& estimate) {

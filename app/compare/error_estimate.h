@@ -40,7 +40,7 @@ ErrorEstimate error_estimate(std::vector<AnswerNumber> numbers, std::vector<Erro
 /// largest first: others are as good as zero.
 std::vector<std::size_t> numbers_by_error(const ErrorEstimate& estimate);
 
-/// Returns whether any part of the errors is known.
+/// Returns whether any part of the errors is known but for that of the iteration.
 bool is_known(const ErrorEstimate& estimate);
 
 /// Returns whether errors may be larger than stated: a part of them is not known, or cells or directions are

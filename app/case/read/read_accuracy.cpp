@@ -50,10 +50,6 @@ void read_accuracy(Section accuracy, bool sets_tolerance, Case& result) {
             fault_at(quantity->origin, fmt::format("\"{}\"", quantity->text()), problem));
       read.of.push_back({quantity->text(), quantity->origin});
     }
-  if (result.photons)
-    accuracy.fault("is of discrete ordinates; by photons solve.until ends a run at an error");
-  if (result.radiosity) accuracy.fault("is of discrete ordinates; radiosity has radiosity.refine_change");
-  if (result.initial) accuracy.fault("begins on coarse cells, for which solve.initial has no solution");
   result.accuracy = std::move(read);
 }
 

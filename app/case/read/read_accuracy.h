@@ -6,7 +6,7 @@
 
 namespace etendue {
 
-/// Reads [accuracy], which is there; needs the probes and sensors that it names, and the method.
+/// Reads [accuracy], which is there; needs the probes and sensors that it names.
 void read_accuracy(Section accuracy, bool sets_tolerance, Case& result);
 
 }  // namespace etendue
