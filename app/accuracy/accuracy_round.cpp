@@ -20,6 +20,8 @@ constexpr double first_factor = 1.6;
 /// Of the error beyond what would just do: the other part needs some of what is allowed, and estimates err.
 constexpr double reserve = 1.5;
 
+/// Of the parts in an estimate.
+constexpr std::size_t place_of_cells = 0, place_of_directions = 1, place_of_iteration = 2;
 constexpr std::array both = {Refined::cells, Refined::directions};
 
 double order_of(Refined what, const KeptRun& run) { return what == Refined::cells ? run.order_of_cells : 2; }
@@ -55,13 +57,16 @@ ErrorEstimate sum_of_parts(ErrorEstimate estimate) {
   return estimate;
 }
 
-/// Over what is allowed; a number that is exactly zero in a relative sense is accurate.
-double excess_of_error(double error, double allowed) { return error > 0 ? error / allowed : 0; }
+/// Over what is allowed. What is no number has no accuracy.
+double excess_of_error(double error, double allowed) {
+  if (error == 0) return 0;
+  return std::isnan(error / allowed) ? infinite : error / allowed;
+}
 
 }  // namespace
 
 double size_of(Refined what, const KeptRun& run) {
-  if (what == Refined::cells) return std::cbrt(1 / run.cells);
+  if (what == Refined::cells) return run.is_flat ? std::sqrt(1 / run.cells) : std::cbrt(1 / run.cells);
   return run.is_flat ? 1 / run.directions : std::sqrt(1 / run.directions);
 }
 
@@ -94,15 +99,15 @@ const AccuracyRound& AccuracyRounds::add(KeptRun run) {
     round.worst = i;
     round.excess = excess;
   }
-  if (std::ranges::any_of(round.estimate.parts, [](const ErrorPart& part) { return part.errors.empty(); }))
-    round.excess = infinite;
+  round.is_known =
+      std::ranges::none_of(round.estimate.parts, [](const ErrorPart& part) { return part.errors.empty(); });
   rounds_.push_back(std::move(round));
   return rounds_.back();
 }
 
-double AccuracyRounds::excess_of(Refined what) const {
+double AccuracyRounds::excess_of(std::size_t which) const {
   const AccuracyRound& round = rounds_.back();
-  const ErrorPart& part = round.estimate.parts[static_cast<std::size_t>(what)];
+  const ErrorPart& part = round.estimate.parts[which];
   if (part.errors.empty()) return infinite;
   double excess = 0;
   for (const std::size_t i : round.asked)
@@ -111,12 +116,15 @@ double AccuracyRounds::excess_of(Refined what) const {
   return excess;
 }
 
+double AccuracyRounds::excess_of_iteration() const { return excess_of(place_of_iteration); }
+
 NextRefinement AccuracyRounds::next() const {
-  const double of_cells = excess_of(Refined::cells), of_directions = excess_of(Refined::directions);
+  const double of_cells = excess_of(place_of_cells), of_directions = excess_of(place_of_directions);
   const Refined what = of_directions > of_cells ? Refined::directions : Refined::cells;
   const double excess = std::max(of_cells, of_directions);
   const double wanted = std::pow(reserve * excess, 1 / order_of(what, rounds_.back().run));
-  return {what, std::isinf(excess) ? first_factor : std::clamp(wanted, least_factor, largest_factor)};
+  if (!history(what).is_known()) return {what, first_factor};
+  return {what, std::clamp(wanted, least_factor, largest_factor)};
 }
 
 }  // namespace etendue

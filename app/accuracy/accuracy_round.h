@@ -28,9 +28,10 @@ struct AccuracyRound {
   ErrorEstimate estimate;            ///< from this run and those before
   std::vector<std::size_t> asked;    ///< places of the numbers that are to be accurate
   std::optional<std::size_t> worst;  ///< of these, by error over what is allowed; empty: none is asked
-  double excess = 0;                 ///< of the worst; infinite where a part of the errors is not known
+  double excess = 0;                 ///< of the worst
+  bool is_known = false;             ///< whether all parts of the errors are
 
-  bool is_accurate() const { return excess <= 1; }
+  bool is_accurate() const { return is_known && excess <= 1; }
 };
 
 /// Runs, each finer than the last in cells or in directions, with the errors that are known after each.
@@ -48,11 +49,14 @@ class AccuracyRounds {
   /// is not known before others. There is a round, which is not accurate.
   NextRefinement next() const;
 
+  /// What the iteration of the last round leaves, over what is allowed.
+  double excess_of_iteration() const;
+
  private:
   /// [number]; empty where not known.
   std::vector<double> errors_of(Refined what, const KeptRun& run) const;
-  /// Of one part, its largest error over what is allowed; infinite where not known.
-  double excess_of(Refined what) const;
+  /// Of one part of the last round, its largest error over what is allowed; infinite where not known.
+  double excess_of(std::size_t part) const;
   ConvergenceHistory& history(Refined what) { return histories_[static_cast<std::size_t>(what)]; }
   const ConvergenceHistory& history(Refined what) const { return histories_[static_cast<std::size_t>(what)]; }
 

@@ -9,6 +9,7 @@
 
 #include "app/accuracy/asked_numbers.h"
 #include "app/progress/text_table.h"
+#include "app/write/csv/csv_field.h"
 
 namespace etendue {
 namespace {
@@ -24,7 +25,8 @@ std::string error_text(double error, const AnswerNumber& one, const AccuracyCase
 }
 
 std::string allowed_text(const AccuracyCase& accuracy) {
-  return accuracy.relative ? percent(*accuracy.relative) : fmt::format("{:.3g}", *accuracy.absolute);
+  return accuracy.relative ? fmt::format("{:.3g} %", 100 * *accuracy.relative)
+                           : fmt::format("{:.3g}", *accuracy.absolute);
 }
 
 /// Of one number, where it is known.
@@ -43,7 +45,7 @@ Json round_json(const AccuracyRound& round) {
                      {"band", worst.band},
                      {"quantity", worst.quantity},
                      {"value", worst.value},
-                     {"error", std::isinf(round.excess) ? Json() : Json(worst.error)}};
+                     {"error", round.is_known ? Json(worst.error) : Json()}};
   }
   return json;
 }
@@ -74,8 +76,8 @@ std::string round_line(const AccuracyRound& round, int index, const AccuracyCase
     return one.errors.empty() ? "?" : error_text(one.errors[*round.worst], worst, accuracy);
   };
   return line + fmt::format("  {:>8}  {:>8}  {:>13}  {} of {}, band {}: {}\n",
-                            std::isinf(round.excess) ? "?" : error_text(worst.error, worst, accuracy),
-                            part(0), part(1), worst.quantity, worst.where, worst.band, number(worst.value));
+                            round.is_known ? error_text(worst.error, worst, accuracy) : "?", part(0), part(1),
+                            worst.quantity, worst.where, worst.band, number(worst.value));
 }
 
 std::string outcome_text(const AccuracyOutcome& outcome, const AccuracyRound& last,
@@ -88,7 +90,7 @@ std::string outcome_text(const AccuracyOutcome& outcome, const AccuracyRound& la
     const AnswerNumber& one = last.estimate.numbers[i];
     if (one.error <= allowed_error(accuracy, one)) ++inside;
   }
-  if (std::isinf(last.excess)) inside = 0;
+  if (!last.is_known) inside = 0;
   return fmt::format("accuracy of {} not reached: {} of {} numbers have it; {}\n", allowed_text(accuracy),
                      inside, last.asked.size(), outcome.why);
 }
@@ -101,12 +103,12 @@ std::string accuracy_csv(const std::vector<AccuracyRound>& rounds, const Accurac
     for (const std::size_t i : rounds[k].asked) {
       const AccuracyRound& round = rounds[k];
       const AnswerNumber& one = round.estimate.numbers[i];
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},\"{}\",\"{}\",{},{},{},{},{},{},{}\n", k + 1,
-                     round.run.cells, round.run.directions, round.run.sweeps, round.run.seconds, one.where,
-                     one.band, one.quantity, one.value,
-                     std::isinf(round.excess) ? "" : fmt::format("{}", one.error),
-                     part_csv(round.estimate.parts[0], i), part_csv(round.estimate.parts[1], i),
-                     part_csv(round.estimate.parts[2], i), allowed_error(accuracy, one));
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", k + 1,
+                     round.run.cells, round.run.directions, round.run.sweeps, round.run.seconds,
+                     csv_field(one.where), csv_field(one.band), one.quantity, one.value,
+                     round.is_known ? fmt::format("{}", one.error) : "", part_csv(round.estimate.parts[0], i),
+                     part_csv(round.estimate.parts[1], i), part_csv(round.estimate.parts[2], i),
+                     allowed_error(accuracy, one));
     }
   return text;
 }

@@ -19,6 +19,7 @@
 #include "app/write/result/output_folder.h"
 #include "base/errors.h"
 #include "solver/angular/sets/direction_set.h"
+#include "solver/transport/sweep/finite_check.h"
 
 namespace etendue {
 namespace {
@@ -73,6 +74,9 @@ class AccuracyRun {
       } catch (const InputError& fault) {
         if (rounds_.all().empty()) throw;
         end_with_the_last(fault.what());
+      } catch (const NotFiniteError& fault) {
+        if (rounds_.all().empty()) throw;
+        end_with_the_last(fault.what());
       } catch (const std::bad_alloc&) {
         if (rounds_.all().empty()) throw;
         end_with_the_last("the memory of this machine does not suffice");
@@ -89,7 +93,6 @@ class AccuracyRun {
       earlier.reset();
       earlier.emplace(interrupted_text());
       note_signals();
-      accepted_ = settings_;
       settings_ = *next_;
     }
     const ExitCode code = conclude();
@@ -114,41 +117,54 @@ class AccuracyRun {
     return fmt::format("\ninterrupted: the results are those of round {}\n", rounds_.all().size());
   }
 
-  /// A finer round is not possible: that before it once more, for what only a last round leaves.
+  /// A finer round is not possible: the results are those that the one before it left, without pictures.
   void end_with_the_last(const std::string& fault) {
     outcome_.why = "finer is not possible: " + fault.substr(0, fault.find('\n'));
+    if (!input_.cameras.empty()) outcome_.why += "; `etendue render` takes the pictures";
+    code_ = ExitCode::done;
     is_last_ = true;
-    settings_ = accepted_;
-    code_ = run_judged(
-        round_request(settings_), [](const RunResult&) { return ResultUse::all; }, out_, err_);
   }
 
   void run_round() {
-    is_noted_ = false;
+    refused_.clear();
+    const std::size_t before = rounds_.all().size();
     code_ = run_judged(
         round_request(settings_), [&](const RunResult& result) { return use_of(result); }, out_, err_);
-    if (!is_noted_ && !rounds_.all().empty())
+    if (rounds_.all().size() > before) {
+      is_last_ |= code_ == ExitCode::interrupted;
+    } else if (!refused_.empty()) {
+      end_with_the_last(refused_);
+    } else if (before > 0) {
+      outcome_.why = "a signal ended it";
       end_interrupted();
-    else if (code_ == ExitCode::interrupted)
-      is_last_ = true;
-    if (is_last_ && code_ == ExitCode::interrupted) outcome_.why = "a signal ended it";
+    } else {
+      is_last_ = true;  // of the first round nothing is there
+    }
   }
 
   ResultUse use_of(const RunResult& result) {
+    KeptRun run = kept_of(result);
     // What an earlier round left is worth more than what has not converged.
-    if (result.interrupted() && !rounds_.all().empty()) return ResultUse::none;
-    note(result);
+    if (!rounds_.all().empty()) {
+      if (result.interrupted()) return ResultUse::none;
+      if (!run.whole)
+        refused_ = fmt::format("the next round did not converge within solve.max_sweeps = {}",
+                               input_.solve.max_sweeps);
+      if (run.numbers.size() != rounds_.all().back().run.numbers.size())
+        refused_ = "the next round has other numbers";
+      if (!refused_.empty()) return ResultUse::none;
+    }
+    note(std::move(run), result.problem.mesh());
     return is_last_ ? ResultUse::all : ResultUse::files;
   }
 
-  void note(const RunResult& result) {
-    const AccuracyRound& round = rounds_.add(kept_of(result));
-    is_noted_ = true;
-    if (rounds_.all().size() == 1) volume_ = total_volume(result.problem.mesh());
+  void note(KeptRun run, const TetrahedralMesh& mesh) {
+    const AccuracyRound& round = rounds_.add(std::move(run));
+    if (rounds_.all().size() == 1) volume_ = total_volume(mesh);
     out_ << round_line(round, static_cast<int>(rounds_.all().size()), accuracy_) << std::flush;
     outcome_.reached = round.is_accurate() && round.run.whole;
     is_last_ = outcome_.reached || !round.run.whole;
-    if (!round.run.whole) outcome_.why = "the last round did not converge";
+    if (!round.run.whole) outcome_.why = "the first round did not converge, or a signal ended it";
     if (is_last_) return;
     next_ = next_settings();
     is_last_ = !next_;
@@ -166,6 +182,12 @@ class AccuracyRun {
 
   /// Empty where the larger part cannot be refined: the smaller part alone would not reach the accuracy.
   std::optional<RoundSettings> next_settings() {
+    const double tolerance = rounds_.all().back().run.tolerance;
+    if (rounds_.excess_of_iteration() >= 1 && !(accuracy_.sets_tolerance && rounds_.all().size() == 1)) {
+      outcome_.why =
+          fmt::format("the iteration alone leaves more than that with solve.tolerance = {:g}", tolerance);
+      return std::nullopt;
+    }
     const NextRefinement wanted = rounds_.next();
     return wanted.what == Refined::cells ? finer_cells(wanted.factor) : finer_directions(wanted.factor);
   }
@@ -183,9 +205,10 @@ class AccuracyRun {
   /// A round that takes so many times the time and the memory of the last; else says why it cannot be.
   bool is_affordable(double times, double times_of_memory) {
     if (times > times_left())
-      outcome_.why =
-          fmt::format("the next round would take about {:.0f} s, beyond the budget of {:.3g} minutes",
-                      std::ceil(times * rounds_.all().back().run.seconds), accuracy_.minutes);
+      outcome_.why = fmt::format(
+          "the next round would take about {:.0f} s, and {:.0f} s are left of the budget of {:.3g} minutes",
+          std::ceil(times * rounds_.all().back().run.seconds),
+          std::max(0.0, 60 * accuracy_.minutes - seconds()), accuracy_.minutes);
     else if (times_of_memory > memory_left())
       outcome_.why =
           fmt::format("the next round may take {:.3g} GB, beyond the {:.3g} GB that it may have",
@@ -201,36 +224,47 @@ class AccuracyRun {
       ++next.splits;
       return is_affordable(8, 8) ? std::optional(next) : std::nullopt;
     }
-    const double affordable = std::cbrt(std::min(times_left(), memory_left()));
+    const double dimensions = rounds_.all().back().run.is_flat ? 2 : 3;
+    const double affordable = std::pow(std::min(times_left(), memory_left()), 1 / dimensions);
     if (affordable > least_useful_factor) factor = std::min(factor, affordable);
     next.cell_size /= factor;
-    const double times = std::pow(factor, 3) * (1 - 1e-9);
+    const double times = std::pow(factor, dimensions) * (1 - 1e-9);
     return is_affordable(times, times) ? std::optional(next) : std::nullopt;
   }
 
   std::optional<RoundSettings> finer_directions(double factor) {
     const KeptRun& last = rounds_.all().back().run;
     const double wanted = last.directions * (last.is_flat ? factor : factor * factor);
-    RoundSettings next = settings_;
+    RoundSettings candidate = settings_;
+    std::optional<RoundSettings> next;
     for (int order = settings_.order + 1; order <= 2 * settings_.order + 2; ++order) {
       if (!check_direction_order(input_.direction_set, order).empty()) continue;
-      next.order = order;
-      const int count = build_directions(read_case(request_.file, overrides(next))).count();
+      candidate.order = order;
+      const int count = build_directions(read_case(request_.file, overrides(candidate))).count();
       const double times = 1 + last.of_directions / last.seconds * (count / last.directions - 1);
-      if (!is_affordable(times, 1)) break;
+      if (!is_affordable(times, 1)) return next;
+      next = candidate;
       if (count >= wanted) return next;
     }
-    if (next.order > settings_.order && is_affordable(1, 1)) return next;
-    if (outcome_.why.empty())
-      outcome_.why = fmt::format("the direction set {} has no higher order", input_.direction_set);
-    return std::nullopt;
+    if (!next) outcome_.why = fmt::format("the direction set {} has no higher order", input_.direction_set);
+    return next;
+  }
+
+  /// That is asked for; of an absolute one that of the largest number, once there is one.
+  double relative_error() const {
+    if (accuracy_.relative) return *accuracy_.relative;
+    double largest = 0;
+    if (!rounds_.all().empty())
+      for (const std::size_t i : rounds_.all().front().asked)
+        largest = std::max(largest, std::abs(rounds_.all().front().run.numbers[i].value));
+    return largest > 0 ? *accuracy_.absolute / largest : 1;
   }
 
   Overrides overrides(const RoundSettings& settings) const {
     Overrides all = request_.overrides;
     all.push_back(fmt::format("directions.order={}", settings.order));
-    if (accuracy_.sets_tolerance && accuracy_.relative)
-      all.push_back(fmt::format("solve.tolerance={}", std::clamp(share_of_iteration * *accuracy_.relative,
+    if (accuracy_.sets_tolerance)
+      all.push_back(fmt::format("solve.tolerance={}", std::clamp(share_of_iteration * relative_error(),
                                                                  tightest_tolerance, loosest_tolerance)));
     if (settings.splits > 0) all.push_back(split_mesh(input_, settings.splits));
     if (settings.cell_size == 1) return all;
@@ -294,12 +328,11 @@ class AccuracyRun {
   std::ostream& err_;
   const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   RoundSettings settings_;
-  RoundSettings accepted_;  ///< of the round before
   std::optional<RoundSettings> next_;
   double volume_ = 0;  ///< of the mesh of the first round
   std::optional<Interruption> between_;
-  bool is_last_ = false;   ///< whether no other round follows
-  bool is_noted_ = false;  ///< whether the last run has come to a round
+  bool is_last_ = false;  ///< whether no other round follows
+  std::string refused_;   ///< why the last run is no round; empty: it is one, or a signal ended it
   ExitCode code_ = ExitCode::done;
   AccuracyOutcome outcome_;
 };

@@ -9,6 +9,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/write/csv/csv_field.h"
+
 namespace etendue {
 namespace {
 
@@ -87,8 +89,9 @@ std::string estimate_csv(const ErrorEstimate& estimate) {
   text += "\n";
   for (std::size_t i = 0; i < estimate.numbers.size(); ++i) {
     const AnswerNumber& number = estimate.numbers[i];
-    fmt::format_to(std::back_inserter(text), "\"{}\",\"{}\",{},{},{},{}", number.where, number.band,
-                   number.quantity, number.value, number.error, relative_error(number));
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}", csv_field(number.where),
+                   csv_field(number.band), number.quantity, number.value, number.error,
+                   relative_error(number));
     for (const ErrorPart& part : estimate.parts)
       if (!part.errors.empty()) fmt::format_to(std::back_inserter(text), ",{}", part.errors[i]);
     text += "\n";

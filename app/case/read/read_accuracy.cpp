@@ -14,6 +14,18 @@ bool has_name(const auto& entries, std::string_view name) {
   return std::ranges::any_of(entries, [&](const auto& entry) { return entry.name == name; });
 }
 
+/// Of a probe, or of one of its points: NAME:INDEX.
+std::string fault_of_probe(const std::string& name, const Case& input) {
+  if (has_name(input.probes, name)) return "";
+  const std::size_t colon = name.rfind(':');
+  const auto probe = std::ranges::find(input.probes, name.substr(0, colon), &Probe::name);
+  if (colon == std::string::npos || probe == input.probes.end())
+    return fmt::format("the case has no probe \"{}\"", name);
+  for (std::size_t i = 0; i < probe->points.size(); ++i)
+    if (name.substr(colon + 1) == std::to_string(i)) return "";
+  return fmt::format("its points are {}:0 to {}:{}", probe->name, probe->name, probe->points.size() - 1);
+}
+
 /// What is wrong with the name of a quantity; empty: nothing. Walls and regions are known with the mesh.
 std::string fault_of_quantity(const std::string& quantity, const Case& input) {
   const std::size_t colon = quantity.find(':');
@@ -22,10 +34,7 @@ std::string fault_of_quantity(const std::string& quantity, const Case& input) {
   if ((kind == "wall" || kind == "region") && !name.empty()) return "";
   if (kind == "sensor" && !name.empty())
     return has_name(input.sensors, name) ? "" : fmt::format("the case has no sensor \"{}\"", name);
-  if (kind == "probe" && !name.empty())
-    return has_name(input.probes, name) || has_name(input.probes, name.substr(0, name.rfind(':')))
-               ? ""
-               : fmt::format("the case has no probe \"{}\"", name);
+  if (kind == "probe" && !name.empty()) return fault_of_probe(name, input);
   return "not known; use probe:NAME, sensor:NAME, wall:NAME or region:NAME";
 }
 

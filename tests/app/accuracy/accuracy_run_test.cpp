@@ -86,7 +86,7 @@ TEST(Accuracy, WritesARowForEachRoundAndNumber) {
   const test::CsvTable table(text_of(std::filesystem::path(folder.results()) / "accuracy.csv"));
   const std::size_t rounds = summary_of(folder)["accuracy"]["rounds"].size();
   ASSERT_EQ(table.rows().size(), 3 * rounds);
-  EXPECT_EQ(table.column("where"), std::vector<std::string>(3 * rounds, "\"probe middle 1\""));
+  EXPECT_EQ(table.column("where"), std::vector<std::string>(3 * rounds, "probe middle 1"));
   const std::vector<double> values = table.numbers("value"), allowed = table.numbers("allowed"),
                             cells = table.numbers("cells");
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -102,7 +102,7 @@ TEST(Accuracy, EndsAtItsBudgetWithWhatIsMissing) {
   const Outcome outcome = etendue_says({"run", folder.file()});
   EXPECT_EQ(outcome.code, ExitCode::not_converged) << outcome.out << outcome.err;
   EXPECT_TRUE(has(outcome.out, "accuracy of 0.0001 % not reached")) << outcome.out;
-  EXPECT_TRUE(has(outcome.out, "beyond the budget of 0.01 minutes")) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "left of the budget of 0.01 minutes")) << outcome.out;
   EXPECT_TRUE(has(outcome.err, "was not reached")) << outcome.err;
   const json summary = summary_of(folder);
   EXPECT_FALSE(summary["accuracy"]["reached"]);
@@ -114,6 +114,23 @@ TEST(Accuracy, KeepsWithinItsMemory) {
   const Outcome outcome = etendue_says({"run", folder.file()});
   EXPECT_EQ(outcome.code, ExitCode::not_converged) << outcome.out << outcome.err;
   EXPECT_TRUE(has(outcome.out, "beyond the 0.0005 GB")) << outcome.out;
+}
+
+TEST(Accuracy, EndsWhereTheIterationLeavesMore) {
+  const CaseFolder folder(hot_gases("relative = 0.001\nof = [\"wall:xmin\"]\n[solve]\ntolerance = 0.01\n"));
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  EXPECT_EQ(outcome.code, ExitCode::not_converged) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "the iteration alone leaves more than that with solve.tolerance = 0.01"))
+      << outcome.out;
+  EXPECT_EQ(summary_of(folder)["accuracy"]["rounds"].size(), 1U);
+}
+
+TEST(Accuracy, TightensTheIterationForAnAmount) {
+  const CaseFolder folder(hot_gases("absolute = 0.01\nof = [\"wall:xmin\"]\n"));
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.out << outcome.err;
+  for (const json& number : summary_of(folder)["estimate"]["numbers"])
+    EXPECT_TRUE(number["where"] != "wall xmin" || number["error"] <= 0.01) << number;
 }
 
 TEST(Accuracy, SaysWhatIsWrongWithItsKeys) {
@@ -130,7 +147,7 @@ TEST(Accuracy, SaysWhatIsWrongWithItsKeys) {
            {"relative = 0.1\nof = [\"floor\"]\n", "use probe:NAME, sensor:NAME"},
            {"relative = 0.1\nof = [\"sensor:desk\"]\n", "no sensor \"desk\""},
            {"relative = 0.1\nof = [\"wall:floor\"]\n", "use wall:xmax, wall:xmin"},
-           {"relative = 0.1\nof = [\"probe:middle:7\"]\n", "use probe:middle:0, probe:middle:1"},
+           {"relative = 0.1\nof = [\"probe:middle:7\"]\n", "its points are middle:0 to middle:1"},
            {"relative = 0.1\n[solve]\nmethod = \"photons\"\n", "solve.until"},
            {"relative = 0.1\n[solve]\nmethod = \"radiosity\"\n", "radiosity.refine_change"}}) {
     const std::string said = fault(keys);

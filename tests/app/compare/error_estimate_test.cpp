@@ -112,7 +112,7 @@ TEST(ErrorEstimate, IsWrittenAsTableAndAsJson) {
       error_estimate(three_numbers(), {of_cells({0.3, 0, 0.03}), of_directions({0.4, 0, 0.04})}, false);
   EXPECT_TRUE(estimate_csv(estimate).starts_with(
       "where,band,quantity,value,error,relative,error_cells,error_directions\n"
-      "\"region gas\",\"grey\",absorbed,10,0.5,0.05,0.3,0.4\n"))
+      "region gas,grey,absorbed,10,0.5,0.05,0.3,0.4\n"))
       << estimate_csv(estimate);
   const json entry = json::parse(estimate_json(estimate));
   EXPECT_EQ(entry["lower_bound"], false);

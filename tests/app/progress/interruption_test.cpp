@@ -170,7 +170,7 @@ TEST(Interruption, WhileEstimatingErrorsLeavesTheResultsOfTheRun) {
 // The accuracy is never reached: round after round leaves its files.
 TEST(Interruption, OnTheWayToAnAccuracyLeavesTheLastWholeRound) {
   const CaseFolder folder;
-  Process run({"run", folder.file(), "--progress", "plain", "--set", "accuracy.relative=1e-9"},
+  Process run({"run", folder.file(), "--progress", "plain", "--set", "accuracy.relative=1e-6"},
               said_in(folder));
   ASSERT_TRUE(run.says("\n      6  ")) << text_of(said_in(folder));
   run.send(SIGINT);
