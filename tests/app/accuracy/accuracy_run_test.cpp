@@ -129,7 +129,8 @@ TEST(Accuracy, TightensTheIterationForAnAmount) {
   const CaseFolder folder(hot_gases("absolute = 0.01\nof = [\"wall:xmin\"]\n"));
   const Outcome outcome = etendue_says({"run", folder.file()});
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.out << outcome.err;
-  for (const json& number : summary_of(folder)["estimate"]["numbers"])
+  const json summary = summary_of(folder);
+  for (const json& number : summary["estimate"]["numbers"])
     EXPECT_TRUE(number["where"] != "wall xmin" || number["error"] <= 0.01) << number;
 }
 
