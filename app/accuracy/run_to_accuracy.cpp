@@ -235,15 +235,16 @@ class AccuracyRun {
   std::optional<RoundSettings> finer_directions(double factor) {
     const KeptRun& last = rounds_.all().back().run;
     const double wanted = last.directions * (last.is_flat ? factor : factor * factor);
-    RoundSettings candidate = settings_;
+    Case finer = input_;
     std::optional<RoundSettings> next;
     for (int order = settings_.order + 1; order <= 2 * settings_.order + 2; ++order) {
       if (!check_direction_order(input_.direction_set, order).empty()) continue;
-      candidate.order = order;
-      const int count = build_directions(read_case(request_.file, overrides(candidate))).count();
+      finer.direction_order = order;
+      const int count = build_directions(finer).count();
       const double times = 1 + last.of_directions / last.seconds * (count / last.directions - 1);
       if (!is_affordable(times, 1)) return next;
-      next = candidate;
+      next = settings_;
+      next->order = order;
       if (count >= wanted) return next;
     }
     if (!next) outcome_.why = fmt::format("the direction set {} has no higher order", input_.direction_set);

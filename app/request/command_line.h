@@ -25,7 +25,7 @@ struct CaseRequest {
 /// Whether a run ends with an estimate of the errors of its numbers; automatic: where that is cheap.
 enum class EstimateWish { automatic, always, never };
 
-/// What a run leaves: all that its case asks for; that, but nothing of a solution that a signal ends; or
+/// Traces of a run: all that its case asks for; that, but nothing of a solution that a signal ends; or
 /// nothing but what its reader takes. A run that leaves nothing takes no pictures and describes only its
 /// progress; only one that leaves all starts from an earlier solution.
 enum class RunTraces { all, whole, none };
