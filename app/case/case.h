@@ -100,6 +100,7 @@ struct MediumCase {
   bool has_kernel = false;                         ///< whose scattering follows from it when there is a mesh
   Origin origin;
   AngularSpace space = AngularSpace::sphere;  ///< what power is divided by
+  double refractive_index = 1;                ///< by which light is slower than in vacuum
   bool reradiates = false;  ///< whether the temperature follows from `heat_source` by scattering alone
 
   /// Whether the temperature follows, and takes more than one solution of the transport equation.
@@ -260,6 +261,22 @@ struct AccuracyCase {
   Origin origin;
 };
 
+/// When all that emits does so.
+enum class EmissionInTime {
+  pulse,  ///< at t = 0: powers are energies, power times the unit of time
+  step    ///< from t = 0 on
+};
+
+/// What is asked about light that changes with time.
+struct TimeCase {
+  double speed = 0;                                 ///< of light in vacuum [length/time]
+  std::string unit = "s";                           ///< of time, a label
+  EmissionInTime emission = EmissionInTime::pulse;  ///< of `times`
+  std::vector<double> modulation;                   ///< frequencies of all that emits [1/time]
+  std::vector<double> times;                        ///< rising [time]
+  Origin origin;
+};
+
 struct OutputCase {
   std::filesystem::path directory;                            ///< resolved
   std::vector<std::string> fields = {"fluence", "net_flux"};  ///< as written, "radiance:K" too
@@ -306,6 +323,7 @@ struct Case {
   std::optional<InputFile> initial;        ///< a solution to start from
   std::optional<ExactCase> exact;
   std::optional<AccuracyCase> accuracy;
+  std::optional<TimeCase> time;
   std::vector<Probe> probes;
   std::vector<CameraCase> cameras;
   std::vector<SensorCase> sensors;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/run/check_run.h"
 
+#include <utility>
+
 #include "app/readings/probes.h"
 #include "app/readings/sensors.h"
 #include "app/render/photon_pictures.h"
@@ -9,6 +11,7 @@
 #include "app/run/methods/run_radiosity.h"
 #include "app/run/ordinates_setup.h"
 #include "app/run/report/phase_text.h"
+#include "app/time/solve_in_time.h"
 #include "solver/transport/solve/solve.h"
 
 namespace etendue {
@@ -30,7 +33,12 @@ CheckedRun check_directions_run(const Case& input, const Problem& problem) {
     solve(problem, run.set(), options);
     if (collides_once) solve(problem, run.directions.first_collided.front(), options);
   }
-  return {run.memory(), run.resolution(problem), plan_texts(problem, run.set())};
+  RunMemory memory = run.memory();
+  if (input.time) {
+    const TimeSetup in_time{input, problem, run.directions.sets, run.options, run.locator};
+    if (RunMemory more = time_memory(in_time); more.solving > memory.solving) memory = std::move(more);
+  }
+  return {std::move(memory), run.resolution(problem), plan_texts(problem, run.set())};
 }
 
 }  // namespace

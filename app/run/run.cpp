@@ -26,6 +26,7 @@
 #include "app/setup/deprecation_notes.h"
 #include "app/setup/fault_report.h"
 #include "app/setup/run_context.h"
+#include "app/time/solve_in_time.h"
 #include "app/write/csv/sensor_files.h"
 #include "app/write/result/output_folder.h"
 #include "app/write/result/program_version.h"
@@ -138,6 +139,10 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   for (const std::string& plan : plan_texts(problem, directions))
     out << "scattering in " << plan << std::endl;
 
+  const TimeSetup in_time{input, problem, all_directions.sets, options, locator, !lights.empty()};
+  const bool asks_time = input.time && request.traces == RunTraces::all;
+  if (asks_time) out << time_plan_text(in_time) << std::flush;
+
   log.belongs_in(input.output.directory);
   seconds.setup += watch.lap();
   // A signal before the first sweep is done ends the program at once: there is nothing to keep.
@@ -185,6 +190,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   result.sensors = read_sensors(input.sensors, {lights, ordinates, options, solution, scene, locator},
                                 ShownStage(stages, "sensors").observer());
   result.seconds.sensors += watch.lap();
+  if (asks_time && !interruption.noted()) result.time = solve_in_time(in_time, stages, interrupted);
   note_left_out(result);
   result.seconds.total = watch.total();
   const ResultUse use = request.traces == RunTraces::none ? ResultUse::none
@@ -194,8 +200,8 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   const WrittenResults written = write_visibly(result, stages);
   (use == ResultUse::all ? results : out)
       << convergence_text(result) << uncollided_text(result) << balance_text(result) << powers_text(result)
-      << probes_text(result) << sensors_text(result) << exact_text(result) << cautions_text(result)
-      << closing_text(result, written) << std::flush;
+      << probes_text(result) << sensors_text(result) << time_text(result) << exact_text(result)
+      << cautions_text(result) << closing_text(result, written) << std::flush;
   if (use == ResultUse::files && !interruption.noted()) return conclude_without_traces(result, reader);
   if (!input.cameras.empty()) {
     const auto begun = std::chrono::steady_clock::now();

@@ -64,6 +64,9 @@ void note_left_out(RunResult& result) {
   const std::size_t sensors = result.errors ? 0 : result.input.sensors.size();
   if (result.sensors.size() < sensors)
     result.left_out.push_back(fmt::format("{} of {} sensors", sensors - result.sensors.size(), sensors));
+  const std::optional<TimeResult>& time = result.time;
+  if (time && time->interrupted) result.left_out.emplace_back("light in time");
+  if (time && time->modulated.empty() && time->histories.empty()) result.time.reset();
 }
 
 RunResult result_of(const RunContext& run, const Solution& solution, std::vector<ProbeRow> probes,
@@ -92,7 +95,15 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) 
     return ExitCode::interrupted;
   }
   err << balance_warning(result);
-  if (result.solution.converged()) return is_balanced(result) ? ExitCode::done : ExitCode::not_converged;
+  if (result.solution.converged()) {
+    const bool in_time = !result.time || result.time->converged;
+    if (!in_time)
+      err << fmt::format(
+          "light in time is not converged: an estimated relative error of {:.2g} is left; raise "
+          "solve.max_sweeps\n",
+          result.time->residual);
+    return is_balanced(result) && in_time ? ExitCode::done : ExitCode::not_converged;
+  }
   if (result.errors)
     err << fmt::format(
         "the error is above solve.until = {} after solve.photons = {} histories in each band; the results "

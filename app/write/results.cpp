@@ -8,6 +8,7 @@
 #include "app/case/temperatures.h"
 #include "app/write/csv/sensor_files.h"
 #include "app/write/csv/tables.h"
+#include "app/write/csv/time_tables.h"
 #include "app/write/json/summary.h"
 #include "app/write/result/output_folder.h"
 #include "app/write/vtk/solution_file.h"
@@ -56,6 +57,11 @@ WrittenResults write_results(const RunResult& result) {
   add_sensor_files(result, folder);
   folder.add_text("walls.csv", walls_csv(result));
   folder.add_text("regions.csv", regions_csv(result));
+  if (result.time && !result.time->modulated.empty()) {
+    folder.add_text("frequency.csv", frequency_csv(result));
+    write_modulation(result, folder.add("modulation.vtu"), directory / "modulation.vtu");
+  }
+  if (result.time && !result.time->histories.empty()) folder.add_text("times.csv", times_csv(result));
   if (has_temperatures(result.input)) folder.add_text("heat.csv", heat_csv(result));
   if (result.radiosity) folder.add_text("form_factors.csv", form_factors_csv(result));
   if (result.radiosity && !result.radiosity->bounces.empty())

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 
+#include "solver/solution/complex_extinction.h"
 #include "solver/transport/sweep/transport_sweep.h"
 #include "tests/benchmark/hardware_counts.h"
 #include "tests/benchmark/unit_cube.h"
@@ -56,15 +57,19 @@ TransportSweepOf<Real> make_sweep(const Problem& problem, const DirectionSet& di
     return TransportSweepOf<Real>(TransportSweep(problem, directions, extinction, options));
 }
 
+/// `is_complex`: two bands are one complex radiance.
 template <class Real>
-void sweep_of(benchmark::State& bench, double max_volume, int degree) {
+void sweep_of(benchmark::State& bench, double max_volume, int degree, bool is_complex = false) {
   const int bands = static_cast<int>(bench.range(0));
   const TetrahedralMesh& mesh = cube(max_volume);
   const Problem problem = smoke(mesh, bands, forward(degree));
   const DirectionSet directions = directions_product(8);
   std::vector<double> extinction(static_cast<std::size_t>(mesh.cell_count() * bands), 1.5);
+  const ComplexExtinction added{std::vector<double>(extinction.size() / 2, 0.3),
+                                std::vector<double>(extinction.size() / 2, 0.7)};
   SolveOptions options;
   options.threads = static_cast<int>(bench.range(1));
+  if (is_complex) options.complex_extinction = &added;
   auto transport = make_sweep<Real>(problem, directions, extinction, options);
   TransportState last(transport.layout());
   TransportState next(transport.layout());
@@ -105,9 +110,17 @@ void arguments(benchmark::internal::Benchmark* bench, const std::vector<int>& ba
     for (const int threads : {1, 2}) bench->Args({bands, threads});
 }
 
-void all_bands(benchmark::internal::Benchmark* bench) { arguments(bench, {1, 3, 8, 16}); }
+void all_bands(benchmark::internal::Benchmark* bench) { arguments(bench, {1, 2, 3, 8, 16}); }
 void few_bands(benchmark::internal::Benchmark* bench) { arguments(bench, {1, 3}); }
+void paired_bands(benchmark::internal::Benchmark* bench) { arguments(bench, {2, 4, 16}); }
 void one_band(benchmark::internal::Benchmark* bench) { arguments(bench, {1}); }
+
+void complex_sweep(benchmark::State& bench, double max_volume, int degree) {
+  sweep_of<double>(bench, max_volume, degree, true);
+}
+void complex_single_sweep(benchmark::State& bench, double max_volume, int degree) {
+  sweep_of<float>(bench, max_volume, degree, true);
+}
 
 BENCHMARK_CAPTURE(sweep, 12k, 2.25e-4, 0)->Apply(all_bands);
 BENCHMARK_CAPTURE(sweep, 60k, 3.4e-5, 0)->Apply(all_bands);
@@ -117,6 +130,9 @@ BENCHMARK_CAPTURE(sweep, 200k, 1e-5, 0)->Apply(all_bands);
 BENCHMARK_CAPTURE(sweep, 1M, 2e-6, 0)->Apply(one_band);
 BENCHMARK_CAPTURE(single_sweep, 60k, 3.4e-5, 0)->Apply(all_bands);
 BENCHMARK_CAPTURE(single_sweep, 60k_degree_3, 3.4e-5, 3)->Apply(few_bands);
+BENCHMARK_CAPTURE(complex_sweep, 60k, 3.4e-5, 0)->Apply(paired_bands);
+BENCHMARK_CAPTURE(complex_sweep, 60k_degree_5, 3.4e-5, 5)->Apply(paired_bands);
+BENCHMARK_CAPTURE(complex_single_sweep, 60k, 3.4e-5, 0)->Apply(paired_bands);
 
 }  // namespace
 }  // namespace etendue

@@ -112,6 +112,10 @@ class Result:
         """What an instrument shows; band "photopic" is what the eye sees."""
         return self._sensors[name, quantity, band or self.bands[0]]
 
+    def table(self, file):
+        """Rows of any CSV file."""
+        return read_rows(self.folder / file)
+
     @functools.cached_property
     def study(self):
         return json.loads((self.folder / "study.json").read_text(encoding="utf-8"))

@@ -21,6 +21,7 @@ const BoundTable<RadiosityCase>& radiosity_table();
 const BoundTable<ExactFamily>& exact_family_table();
 const BoundTable<AccuracyCase>& accuracy_table();
 const BoundTable<AccuracyCase>& budget_table();  ///< of [accuracy]
+const BoundTable<TimeCase>& time_table();
 const BoundTable<OutputCase>& output_table();
 const BoundTable<CameraCase>& camera_table();
 const BoundTable<FalseColor>& false_color_table();

@@ -85,6 +85,9 @@ std::vector<TableDeclaration> make_tables() {
        .help = "How accurate the numbers are to be: `run` refines cells and directions "
                "(docs/user/accuracy.md)."},
       {.path = "accuracy.budget", .help = "What the rounds may take."},
+      {.path = "time",
+       .help = "Light that changes with time, beside the steady one: at frequencies, at times "
+               "(docs/user/time.md)."},
       {.path = "probe", .form = list, .help = "Points whose values go into `probes.csv`."},
       {.path = "probe.line", .help = "Points at equal distances instead of `points`."},
       {.path = "camera",

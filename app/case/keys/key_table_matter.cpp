@@ -73,6 +73,8 @@ KeyTable medium_keys() {
       "\"k.csv\" }, lines of from, into, k with numbers of directions. Beside it absorption or extinction.");
   t.key("reciprocal", boolean, {.default_value = "false"},
         "Claims of the kernel that k(w, v) = k(-v, -w), which is checked.");
+  t.key("refractive_index", number, {.default_note = "1", .range = positive},
+        "By which light is slower here than in vacuum, in a case with [time]. It bends no rays.");
   t.key("uncollided", switch_, {.default_value = "\"auto\""},
         "Whether the emission's uncollided part is integrated along rays as that of a light; auto: where the "
         "region is below 5 % of the volume.");

@@ -262,6 +262,29 @@ const BoundTable<AccuracyCase>& budget_table() {
   return table;
 }
 
+const BoundTable<TimeCase>& time_table() {
+  static const BoundTable<TimeCase> table = [] {
+    BoundTable<TimeCase> t("time");
+    t.key("speed", &TimeCase::speed, {.unit = "length/time", .range = positive, .need = required},
+          "Of light in vacuum, in the case's unit of length: 299792458 for metres and seconds.");
+    t.key("unit", &TimeCase::unit, {}, "Of time; a label.");
+    t.choice("in_time", &TimeCase::emission,
+             {{"pulse", EmissionInTime::pulse}, {"step", EmissionInTime::step}}, {},
+             "What all that emits does for `times`: a pulse at t = 0, of an energy that is the power of the "
+             "case times "
+             "one unit of time; or it is switched on at t = 0.");
+    t.key(
+        "modulation", numbers, {.unit = "1/time", .range = positive},
+        "Frequencies: amplitude and phase of all that is read go into `frequency.csv`, where everything that "
+        "emits changes as cos(2 pi f t) about its mean.");
+    t.key(
+        "times", numbers, {.unit = "time", .range = positive},
+        "Rising: what is read at these times goes into `times.csv`, by inversion of its Laplace transform.");
+    return t;
+  }();
+  return table;
+}
+
 const BoundTable<OutputCase>& output_table() {
   static const BoundTable<OutputCase> table = [] {
     BoundTable<OutputCase> t("output");
@@ -284,8 +307,8 @@ const BoundTable<OutputCase>& output_table() {
 std::vector<KeyDeclaration> run_keys() {
   return declarations_of({direction_table(), refinement_keys(), first_collided_keys(), space_table(),
                           solve_table(), photon_table(), photon_map_table(), radiosity_table(),
-                          exact_family_table(), accuracy_table(), budget_table(), probe_keys(), line_keys(),
-                          output_table()});
+                          exact_family_table(), accuracy_table(), budget_table(), time_table(), probe_keys(),
+                          line_keys(), output_table()});
 }
 
 }  // namespace etendue

@@ -19,6 +19,7 @@
 #include "app/case/read/read_report.h"
 #include "app/case/read/read_sensor.h"
 #include "app/case/read/read_solve.h"
+#include "app/case/read/read_time.h"
 #include "app/case/read/seen_lights_check.h"
 #include "app/case/toml/render_toml.h"
 #include "app/case/toml/toml_document.h"
@@ -66,6 +67,7 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   result.sensors = read_sensors(top);
   if (top.has("exact")) read_exact(top.section("exact"), result);
   if (top.has("accuracy")) read_accuracy(top.section("accuracy"), !has_tolerance, result);
+  if (top.has("time")) read_time(top.section("time"), result);
   result.output = read_output(top.section("output"), file);
   result.solve.keep_ordinates = result.output.radiance_ordinates;
   return result;
@@ -82,6 +84,14 @@ void check_refracting_walls(const Case& input, Faults& faults) {
           fault_at(wall.origin, "",
                    "has a refractive_index in a case with a temperature of media, which would emit n^2 times "
                    "as much (not in this version); use emission, or no refractive_index"));
+}
+
+/// A refractive index of a medium is for the speed of light there alone.
+void check_slow_media(const Case& input, Faults& faults) {
+  for (const auto& [name, medium] : input.media)
+    if (!input.time && medium.refractive_index != 1)
+      faults.push_back(fault_at(medium.origin, "",
+                                "has a refractive_index in a case without [time]; that of a wall refracts"));
 }
 
 /// Adds the files of the mesh that are not there to other faults, unless those are of the mesh too.
@@ -117,6 +127,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
     check_daylight_factors(result, faults);
     check_refracting_walls(result, faults);
     check_heat(result, faults);
+    check_slow_media(result, faults);
     check_seen_by_eye(result, faults);
     check_sensors_see_lights(result, faults);
   }

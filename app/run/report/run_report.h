@@ -21,6 +21,8 @@ std::string powers_text(const RunResult& result);
 std::string heat_text(const RunResult& result);
 /// Probes, where they are few.
 std::string probes_text(const RunResult& result);
+/// Light that changes with time, where the case asks for it and numbers are few.
+std::string time_text(const RunResult& result);
 /// The error against the exact solution, where the case says what it is.
 std::string exact_text(const RunResult& result);
 /// Negative values and lagged faces, where there are any.

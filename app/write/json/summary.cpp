@@ -85,6 +85,13 @@ Json as_json(const RadiosityReport& report) {
             {"fields", report.field_seconds}}}};
 }
 
+Json as_json(const TimeResult& time) {
+  return {{"rates", time.rates},
+          {"sweeps", time.sweeps},
+          {"residual", time.residual},
+          {"converged", time.converged}};
+}
+
 Json as_json(const UncollidedBalance& balance) {
   return {{"sent", balance.sent},           {"absorbed", balance.absorbed}, {"collided", balance.collided},
           {"reflected", balance.reflected}, {"kept", balance.kept},         {"residual", balance.residual}};
@@ -216,6 +223,7 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
         array_of(solution.lights.balance, [](const UncollidedBalance& b) { return as_json(b); });
   if (result.errors) summary["photons"] = as_json(*result.errors);
   if (result.radiosity) summary["radiosity"] = as_json(*result.radiosity);
+  if (result.time) summary["time"] = as_json(*result.time);
   summary["negative"] = array_of(negative_fluence(result.problem, solution),
                                  [](const NegativeFluence& n) { return as_json(n); });
   if (!solution.fixups.empty())

@@ -7,6 +7,7 @@
 
 #include "app/case/case.h"
 #include "app/write/result/run_record.h"
+#include "app/write/result/time_result.h"
 #include "solver/exact/exact_comparison.h"
 #include "solver/heat/heat_solution.h"
 #include "solver/observe/sensors/measurement.h"
@@ -92,6 +93,7 @@ struct RunResult {
   int threads = 1;
   RunRecord record = {};
   std::optional<HeatSolution> heat = {};   ///< of temperatures that follow by iteration
+  std::optional<TimeResult> time = {};     ///< of a case with [time]
   double expected_memory = 0;              ///< forecast of its peak, an upper bound [bytes]; 0: none
   bool is_coarse = false;                  ///< known before the sweeps: cells or directions too coarse
   std::vector<std::string> left_out = {};  ///< what an interruption left out: "3 of 5 sensors"

@@ -27,6 +27,7 @@ std::vector<std::pair<std::string, double>> stage_seconds(const RunResult& resul
   add("probes", run.probes);
   add("sensors", run.sensors);
   add("measures", run.measures);
+  if (result.time) add("light_in_time", result.time->seconds);
   add("write", writing);
   add("total", run.total + writing);
   return stages;

@@ -19,6 +19,11 @@ void write_fields(const RunResult& result, const std::filesystem::path& path,
 void write_walls(const RunResult& result, const std::filesystem::path& path,
                  const std::filesystem::path& shown);
 
+/// modulation.vtu, of a case with frequencies: every cell with four points of its own, and for each frequency
+/// f `amplitude_f` and `phase_f`, by how much light comes later [degree], of the fluence [band].
+void write_modulation(const RunResult& result, const std::filesystem::path& path,
+                      const std::filesystem::path& shown);
+
 /// Encoding, title, program and units of the mesh file of a case.
 MeshFileOptions mesh_file_options(const Case& input);
 

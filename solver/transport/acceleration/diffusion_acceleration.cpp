@@ -74,8 +74,9 @@ DiffusionAcceleration::DiffusionAcceleration(const Problem& problem, TransportSw
       caution_(static_cast<std::size_t>(problem.band_count()), 1),
       free_paths_(extinction_.size()),
       longest_free_path_(longest_chords * mean_chord(problem.mesh())) {
-  nonlocal_ =
-      length == DiffusionLength::nonlocal || (length == DiffusionLength::automatic && wants_nonlocal());
+  // The state of a unit source is complex where radiances are, and says nothing about lengths.
+  nonlocal_ = !sweep.cells().is_complex() && (length == DiffusionLength::nonlocal ||
+                                              (length == DiffusionLength::automatic && wants_nonlocal()));
   std::unique_ptr<TransportState> path;
   if (nonlocal_) {
     path = std::make_unique<TransportState>(sweep.layout());
@@ -143,6 +144,15 @@ double DiffusionAcceleration::free_path(CellIndex cell, std::size_t band, const 
   return std::min(longest_free_path_, std::max(shortest, result) + spread);
 }
 
+double DiffusionAcceleration::imaginary_extinction(std::size_t cell, std::size_t band) const {
+  return sweep_.discretization().added.imaginary[(cell * solver_of_.size() + band) / 2];
+}
+
+double DiffusionAcceleration::added_absorption(std::size_t at) const {
+  const ComplexExtinction& added = sweep_.discretization().added;
+  return added.empty() ? 0 : added.real[at / 2] + added.imaginary[at / 2];
+}
+
 DiffusionCoefficients DiffusionAcceleration::coefficients(std::size_t band, const TransportState* path) {
   const TetrahedralMesh& mesh = problem_.mesh();
   const auto bands = static_cast<std::size_t>(problem_.band_count());
@@ -152,7 +162,7 @@ DiffusionCoefficients DiffusionAcceleration::coefficients(std::size_t band, cons
   for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c) {
     const CellIndex cell(static_cast<std::int64_t>(c));
     // Not as extinction less scattering, in which a tiny absorption is lost.
-    result.absorption.push_back(problem_.absorption()[c * bands + band]);
+    result.absorption.push_back(problem_.absorption()[c * bands + band] + added_absorption(c * bands + band));
     free_paths_[c * bands + band] = free_path(cell, band, path);
     result.diffusion.push_back(free_paths_[c * bands + band] * medium(cell, band).diffusion);
     result.lumped.push_back(sweep_.cells().is_lumped(cell, static_cast<int>(band)));
@@ -166,16 +176,46 @@ void DiffusionAcceleration::apply(const TransportState& residual, TransportState
                                   const std::vector<char>& active) {
   const auto start = WallClock::now();
   std::copy(residual.values().begin(), residual.values().end(), corrected.values().begin());
-  for (std::size_t band = 0; band < solver_of_.size(); ++band)
-    if (active[band] && acts_on(band)) correct_band(band, residual, corrected);
+  const std::size_t step = sweep_.cells().is_complex() ? 2 : 1;
+  for (std::size_t band = 0; band < solver_of_.size(); band += step) {
+    if (!active[band] || !acts_on(band)) continue;
+    if (step == 2)
+      correct_pair(band, residual, corrected);
+    else
+      add_correction(band, approximate(band, right_side(band, residual)), residual, corrected);
+  }
   seconds_ += seconds_since(start);
 }
 
-void DiffusionAcceleration::correct_band(std::size_t band, const TransportState& residual,
-                                         TransportState& corrected) {
-  const NodalVector right = right_side(band, residual);
+NodalVector DiffusionAcceleration::approximate(std::size_t band, const NodalVector& right) {
   NodalVector correction(right.size());
   solvers_[solver_of_[band]]->approximate(right, correction);
+  return correction;
+}
+
+// (D7) of docs/theory/iteration.md. With K = Im s n / c and f + i g on the right-hand side, h = x + y of
+// (A + K) h = f + g and (A + K) x = f + K h.
+void DiffusionAcceleration::correct_pair(std::size_t band, const TransportState& residual,
+                                         TransportState& corrected) {
+  NodalVector right = right_side(band, residual), sum = right_side(band + 1, residual);
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += right[i];
+  const NodalVector both = approximate(band, sum);
+  for (std::size_t c = 0; c < both.size() / 4; ++c) {
+    const CellIndex cell(static_cast<std::int64_t>(c));
+    nodes_of(std::span<double>(right), c) +=
+        imaginary_extinction(c, band) *
+        (mass_matrix(problem_.mesh().volume(cell), sweep_.cells().is_lumped(cell, static_cast<int>(band))) *
+         nodes_of(std::span<const double>(both), c));
+  }
+  const NodalVector real = approximate(band, right);
+  NodalVector imaginary = both;
+  for (std::size_t i = 0; i < imaginary.size(); ++i) imaginary[i] -= real[i];
+  add_correction(band, real, residual, corrected);
+  add_correction(band + 1, imaginary, residual, corrected);
+}
+
+void DiffusionAcceleration::add_correction(std::size_t band, const NodalVector& correction,
+                                           const TransportState& residual, TransportState& corrected) const {
   for (std::size_t i = 0; i < correction.size(); ++i)
     corrected.fluence()[at_corner(i / 4, i % 4, band)] += share_of_corner() * correction[i];
   correct_moments(band, correction, corrected);

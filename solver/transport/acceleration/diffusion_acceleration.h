@@ -42,8 +42,16 @@ class DiffusionAcceleration {
  private:
   bool wants_nonlocal() const;
   double free_path(CellIndex cell, std::size_t band, const TransportState* path) const;
+  double imaginary_extinction(std::size_t cell, std::size_t band) const;
+  /// Addition of complex radiances to the absorption of P at [cell][band] [1/length]: P is made of A + K,
+  /// (D7) of docs/theory/iteration.md.
+  double added_absorption(std::size_t at) const;
   DiffusionCoefficients coefficients(std::size_t band, const TransportState* path);
-  void correct_band(std::size_t band, const TransportState& residual, TransportState& corrected);
+  NodalVector approximate(std::size_t band, const NodalVector& right);
+  /// Of the bands `band` and `band` + 1, the real and the imaginary part of one radiance.
+  void correct_pair(std::size_t band, const TransportState& residual, TransportState& corrected);
+  void add_correction(std::size_t band, const NodalVector& correction, const TransportState& residual,
+                      TransportState& corrected) const;
   /// 0 where no ordinate meets the wall, as above and below a problem of the plane.
   double reflectance_seen(FaceIndex face, std::size_t band) const;
   const DiffusiveMedium& medium(CellIndex cell, std::size_t band) const;

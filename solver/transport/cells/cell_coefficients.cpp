@@ -36,8 +36,9 @@ bool lumps(Lumping lumping, double thickness) {
 
 double cell_size(double volume) { return std::cbrt(6 * std::sqrt(2.0) * volume); }
 
-CellCoefficients::CellCoefficients(const TetrahedralMesh& mesh, std::span<const double> extinction, int bands,
-                                   Basis basis, Lumping lumping, Scalar scalar)
+CellCoefficients::CellCoefficients(const TetrahedralMesh& mesh, std::span<const double> extinction,
+                                   const ComplexExtinction& added, int bands, Basis basis, Lumping lumping,
+                                   Scalar scalar)
     : basis_(basis),
       bands_(bands),
       stride_(lane_stride(bands)),
@@ -45,6 +46,7 @@ CellCoefficients::CellCoefficients(const TetrahedralMesh& mesh, std::span<const 
       mesh_(mesh),
       volumes_(mesh.volumes()),
       extinction_(extinction.begin(), extinction.end()),
+      imaginary_(added.imaginary),
       lumped_(extinction.size(), 0) {
   if (scalar == Scalar::single_precision)
     for (std::int32_t c = 0; c < mesh.cell_count(); ++c) scales_.push_back(size_of_faces(mesh, CellIndex(c)));
@@ -52,7 +54,8 @@ CellCoefficients::CellCoefficients(const TetrahedralMesh& mesh, std::span<const 
   for (std::size_t c = 0; c < volumes_.size(); ++c)
     for (std::size_t b = 0; b < static_cast<std::size_t>(bands); ++b) {
       const std::size_t at = c * static_cast<std::size_t>(bands) + b;
-      lumped_[at] = lumps(lumping, extinction_[at] * cell_size(volumes_[c])) ? 1 : 0;
+      const double steady = extinction_[at] - (added.empty() ? 0 : added.real[at / 2]);
+      lumped_[at] = lumps(lumping, steady * cell_size(volumes_[c])) ? 1 : 0;
     }
 }
 
@@ -62,7 +65,10 @@ double CellCoefficients::mass(CellIndex cell, int band) const {
 }
 
 double CellCoefficients::mass(CellIndex cell, int band, double extinction) const {
-  const double removed = extinction * volumes_[cell.at()] / scale(cell);
+  const bool is_imaginary = is_complex() && band % 2 == 1;
+  const double removed =
+      (is_imaginary ? imaginary_of(cell.at(), static_cast<std::size_t>(band)) : extinction) *
+      volumes_[cell.at()] / scale(cell);
   if (basis_ == Basis::constant) return removed;
   return is_lumped(cell, band) ? -3 * removed : 0.6 * removed;
 }

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "solver/solution/complex_extinction.h"
 #include "solver/solution/solve_options.h"
 #include "solver/transport/kernel/sweep_kernel.h"
 #include "solver/transport/state/aligned_array.h"
@@ -16,10 +17,12 @@ inline constexpr double lumping_thickness = 2;
 /// Coefficients of the cell equations (5) of docs/theory/theory.md that do not depend on the direction.
 class CellCoefficients {
  public:
-  /// `extinction` is [cell][band] [1/length]; it need not be that of the problem (a time step adds to it).
-  /// The mesh must outlive it.
-  CellCoefficients(const TetrahedralMesh& mesh, std::span<const double> extinction, int bands, Basis basis,
-                   Lumping lumping, Scalar scalar = Scalar::double_precision);
+  /// `extinction` is [cell][band] [1/length], the real part of `added` in it; of complex radiances the
+  /// imaginary part is that of `added`, which is empty where they are real. Which cells are lumped does not
+  /// depend on what is added: the solution is an analytic function of it. The mesh must outlive it.
+  CellCoefficients(const TetrahedralMesh& mesh, std::span<const double> extinction,
+                   const ComplexExtinction& added, int bands, Basis basis, Lumping lumping,
+                   Scalar scalar = Scalar::double_precision);
 
   Basis basis() const { return basis_; }
   int bands() const { return bands_; }
@@ -53,15 +56,21 @@ class CellCoefficients {
   /// of the largest face.
   double scale(CellIndex cell) const { return scales_.empty() ? 1 : scales_[cell.at()]; }
   bool is_lumped(CellIndex cell, int band) const;
+  /// Whether two neighbouring bands are the real and the imaginary part of one radiance.
+  bool is_complex() const { return !imaginary_.empty(); }
   /// As the record holds it (cell_record.h).
   double mass(CellIndex cell, int band) const;
   /// The same for an extinction that depends on the ordinate. Lumping and source factors stay those of the
-  /// mean ordinate.
+  /// mean ordinate, and imaginary parts are the same for all ordinates.
   double mass(CellIndex cell, int band, double extinction) const;
   /// Pairs of a cell and a band whose mass is lumped.
   long lumped_count() const;
 
  private:
+  double imaginary_of(std::size_t cell, std::size_t band) const {
+    return imaginary_[(cell * static_cast<std::size_t>(bands_) + band) / 2];
+  }
+
   Basis basis_;
   int bands_;
   int stride_;
@@ -69,6 +78,7 @@ class CellCoefficients {
   const TetrahedralMesh& mesh_;
   std::span<const double> volumes_;
   std::vector<double> extinction_;  ///< [cell][band] [1/length]
+  std::vector<double> imaginary_;   ///< [cell][band / 2] [1/length]; empty: not complex
   std::vector<char> lumped_;        ///< [cell][band]
   std::vector<double> scales_;      ///< [cell]; empty: 1
 };

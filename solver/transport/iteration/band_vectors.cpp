@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "solver/transport/iteration/band_pairs.h"
 #include "solver/transport/state/safe_squares.h"
 
 namespace etendue {
@@ -20,7 +21,8 @@ void append(std::vector<double>& weights, std::size_t count, double weight) {
 }  // namespace
 
 BandVectors::BandVectors(const TetrahedralMesh& mesh, const TransportSweep& sweep)
-    : bands_(static_cast<std::size_t>(sweep.cells().bands())),
+    : is_complex_(sweep.cells().is_complex()),
+      bands_(static_cast<std::size_t>(sweep.cells().bands())),
       stride_(static_cast<std::size_t>(sweep.cells().stride())),
       threads_(sweep.threads()) {
   const StateLayout layout = sweep.layout();
@@ -72,6 +74,7 @@ BandScalars BandVectors::dot(const TransportState& a, const TransportState& b,
   }
   BandScalars result(bands_, 0);
   for (std::size_t i = 0; i < partial.size(); ++i) result[i % bands_] += partial[i];
+  if (is_complex_) add_pairs(result);
   return result;
 }
 
@@ -98,6 +101,7 @@ BandScalars BandVectors::units(const TransportState& a) const {
   BandScalars result(bands_, 0);
   for (std::size_t i = 0; i < largest.size(); ++i)
     result[i % bands_] = std::max(result[i % bands_], largest[i]);
+  if (is_complex_) take_larger_of_pairs(result);
   for (double& value : result) value = unit_for_squares(value);
   return result;
 }

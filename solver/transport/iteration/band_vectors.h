@@ -12,7 +12,8 @@ namespace etendue {
 /// One number for each band.
 using BandScalars = std::vector<double>;
 
-/// Linear algebra on states, each band alone: bands are separate linear systems that are swept together.
+/// Linear algebra on states, each band alone: bands are separate linear systems that are swept together. The
+/// two bands of a complex radiance are one system, and have the sums of both as their inner products.
 /// The inner product weights nodal values by their share of volume or wall area. Sums run over blocks of
 /// fixed size in their order: the same bits for any number of threads.
 class BandVectors {
@@ -32,6 +33,8 @@ class BandVectors {
  private:
   /// Powers of two that bring the largest value of each band near 1 [band].
   BandScalars units(const TransportState& a) const;
+
+  bool is_complex_;
 
   std::size_t bands_;
   std::size_t stride_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/transport/iteration/band_pairs.h"
 #include "solver/transport/state/safe_squares.h"
 
 namespace etendue {
@@ -37,6 +38,10 @@ FieldNorms norms_in(const std::vector<double>& unit, const TetrahedralMesh& mesh
     add_squares(a != nullptr ? a->irradiance() : Part{}, b.irradiance(), face.at() * face_nodes, face_nodes,
                 mesh.area(face), result.walls);
   }
+  if (sweep.cells().is_complex()) {
+    add_pairs(result.volume);
+    add_pairs(result.walls);
+  }
   for (std::size_t band = 0; band < bands; ++band) {
     result.volume[band] = std::sqrt(result.volume[band]) / unit[band];
     result.walls[band] = std::sqrt(result.walls[band]) / unit[band];
@@ -67,6 +72,7 @@ std::vector<double> units(const TransportSweep& sweep, const TransportState* a, 
     add(state->fluence());
     add(state->irradiance());
   }
+  if (sweep.cells().is_complex()) take_larger_of_pairs(result);
   for (double& value : result) value = unit_for_squares(value);
   return result;
 }

@@ -19,7 +19,8 @@ namespace etendue {
 // cell's balance.
 
 //
-// T is a number, or a packet of them (packet.h).
+// T is a number, or a packet of them (packet.h). The areas are real numbers A; what else there is may be
+// complex (complex_lanes.h).
 
 /// Projected areas of the four faces of a cell along one direction [length^2].
 template <class T>
@@ -43,8 +44,8 @@ ETENDUE_KERNEL_INLINE ProjectedAreas<T> projected_areas(const T (&a)[4]) {
 
 /// Adds the inflow through face f, with the nodal values u[0 … 2] at its vertices, to the right-hand side:
 /// 12 times n_f times the face's mass matrix, n_f (sum of u + u_i).
-template <class T>
-ETENDUE_KERNEL_INLINE void add_inflow(const ProjectedAreas<T>& areas, int f, const T* u, T (&right)[4]) {
+template <class A, class T>
+ETENDUE_KERNEL_INLINE void add_inflow(const ProjectedAreas<A>& areas, int f, const T* u, T (&right)[4]) {
   const T sum = areas.incoming[f] * (u[0] + u[1] + u[2]);
   int corner = 0;
   ETENDUE_UNROLL
@@ -52,6 +53,11 @@ ETENDUE_KERNEL_INLINE void add_inflow(const ProjectedAreas<T>& areas, int f, con
     if (i == f) continue;
     right[i] += sum + areas.incoming[f] * u[corner++];
   }
+}
+
+template <class T>
+ETENDUE_KERNEL_INLINE T reciprocal(const T& a) {
+  return 1.0 / a;
 }
 
 /// Part of the inverse matrix that needs no light: it has the only division, which takes long. So it is
@@ -66,18 +72,18 @@ struct CellInverse {
   T by_determinant;
 };
 
-template <class T>
-ETENDUE_KERNEL_INLINE CellInverse<T> invert_cell(const ProjectedAreas<T>& areas, const T& alpha_mass,
+template <class A, class T>
+ETENDUE_KERNEL_INLINE CellInverse<T> invert_cell(const ProjectedAreas<A>& areas, const T& alpha_mass,
                                                  const T& beta_mass) {
   CellInverse<T> cell;
   cell.alpha_mass = alpha_mass;
   cell.beta = beta_mass + areas.total;
   cell.first = alpha_mass + 4.0 * cell.beta;
-  cell.beta_total = cell.beta * areas.total;
+  cell.beta_total = areas.total * cell.beta;
   const T alpha = alpha_mass + areas.total;
   const T determinant = cell.first * alpha_mass + 4.0 * cell.beta_total;
   // One division serves both the determinant and alpha.
-  const T inverse = 1.0 / (determinant * alpha);
+  const T inverse = reciprocal(determinant * alpha);
   cell.by_determinant = inverse * alpha;
   cell.by_alpha = inverse * determinant;
   return cell;
@@ -85,8 +91,8 @@ ETENDUE_KERNEL_INLINE CellInverse<T> invert_cell(const ProjectedAreas<T>& areas,
 
 /// The nodal values from 12 times the right-hand side, in closed form, (7) or (9): with S the sum of the
 /// values and T = p . u, two equations in two unknowns whose determinant is positive, in vacuum too.
-template <class T>
-ETENDUE_KERNEL_INLINE void solve_cell(const ProjectedAreas<T>& areas, const CellInverse<T>& cell,
+template <class A, class T>
+ETENDUE_KERNEL_INLINE void solve_cell(const ProjectedAreas<A>& areas, const CellInverse<T>& cell,
                                       const T (&right)[4], T (&u)[4]) {
   const T sum_right = (right[0] + right[1]) + (right[2] + right[3]);
   const T weighted_right = (areas.outgoing[0] * right[0] + areas.outgoing[1] * right[1]) +

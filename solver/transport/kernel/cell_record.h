@@ -34,7 +34,8 @@ struct RecordLayout {
 };
 
 // The mass is sigma_t V for constants. For the linear basis its size is alpha_mass of cell_balance.h, and its
-// sign says which mass: consistent (beta_mass = alpha_mass) or, below zero, lumped (beta_mass = 0).
+// sign says which mass: consistent (beta_mass = alpha_mass) or, below zero, lumped (beta_mass = 0). Of
+// complex numbers that is so for both parts, which have one sign.
 
 ETENDUE_KERNEL_INLINE constexpr RecordLayout record_layout(Basis basis, int stride,
                                                            Scalar scalar = Scalar::double_precision) {

@@ -8,6 +8,7 @@
 
 #include "solver/transport/kernel/block_projected_areas.h"
 #include "solver/transport/kernel/cell_balance.h"
+#include "solver/transport/kernel/complex_lanes.h"
 #include "solver/transport/kernel/flush_denormals.h"
 #include "solver/transport/kernel/moment_kernel.h"
 #include "solver/transport/kernel/packet.h"
@@ -27,11 +28,47 @@ ETENDUE_KERNEL_INLINE Lanes<C * B> gather_from(const From& from, std::ptrdiff_t 
   return gather_chunks<C, B>(place, at);
 }
 
+/// The same of B numbers, real or complex.
+template <Numbers numbers, int C, int B, class From>
+ETENDUE_KERNEL_INLINE Values<numbers, C * B> gather_values(const From& from, std::ptrdiff_t at) {
+  if constexpr (numbers == Numbers::real) {
+    return gather_from<C, B>(from, at);
+  } else {
+    return parted<C * B>(gather_from<C, 2 * B>(from, at));
+  }
+}
+
+/// Keeps B numbers of each of N nodes of all cells.
+template <Numbers numbers, int C, int B, int N, class Cells>
+ETENDUE_KERNEL_INLINE void keep_values(const Cells& packet, std::ptrdiff_t stride, std::ptrdiff_t band,
+                                       const Values<numbers, C * B> (&u)[N]) {
+  constexpr int places = places_of<numbers> * B;
+  Lanes<C * places> stored[N];
+  ETENDUE_UNROLL
+  for (int i = 0; i < N; ++i) {
+    if constexpr (numbers == Numbers::real) {
+      stored[i] = u[i];
+    } else {
+      stored[i] = paired<C * B>(u[i]);
+    }
+  }
+  ETENDUE_UNROLL
+  for (int j = 0; j < C; ++j) {
+    ETENDUE_UNROLL
+    for (int i = 0; i < N; ++i)
+      packet.template keep<places>(j, i * stride + band, chunk<C, places>(stored[i], j));
+  }
+}
+
+/// Whether rows of one real number for each node and cell are read and written as a whole.
+template <Numbers numbers, int C, int B>
+constexpr bool transposes_rows = numbers == Numbers::real&& transposes<C, B>;
+
 /// Right-hand side of the isotropic sources at the four nodes of each cell.
-template <int C, int B, class Cells>
+template <Numbers numbers, int C, int B, class Cells>
 ETENDUE_KERNEL_INLINE void load_source(const Cells& packet, std::ptrdiff_t stride, std::ptrdiff_t band,
-                                       Lanes<C * B> (&out)[4]) {
-  if constexpr (transposes<C, B>) {
+                                       Values<numbers, C * B> (&out)[4]) {
+  if constexpr (transposes_rows<numbers, C, B>) {
     Lanes<4> row[C];
     ETENDUE_UNROLL
     for (int j = 0; j < C; ++j) row[j] = load_lanes<4>(packet.source(j));
@@ -39,7 +76,7 @@ ETENDUE_KERNEL_INLINE void load_source(const Cells& packet, std::ptrdiff_t strid
   } else {
     ETENDUE_UNROLL
     for (int i = 0; i < 4; ++i)
-      out[i] = gather_from<C, B>([&](int j) { return packet.source(j); }, i * stride + band);
+      out[i] = gather_values<numbers, C, B>([&](int j) { return packet.source(j); }, i * stride + band);
   }
 }
 
@@ -48,9 +85,9 @@ alignas(4 * sizeof(Real)) constexpr RealChoice face_nodes[4][4] = {
     {1, 2, 3, 0}, {0, 2, 3, 1}, {0, 1, 3, 2}, {0, 1, 2, 3}};
 
 /// Radiance at the three vertices of face f, as the cells behind those faces left it.
-template <int C, int B, class Cells>
+template <Numbers numbers, int C, int B, class Cells>
 ETENDUE_KERNEL_INLINE void load_face(const Cells& packet, int f, std::ptrdiff_t stride, std::ptrdiff_t band,
-                                     Lanes<C * B> (&out)[4]) {
+                                     Values<numbers, C * B> (&out)[4]) {
   const Real* radiance[C];
   const RealChoice* nodes[C];
   ETENDUE_UNROLL
@@ -58,7 +95,7 @@ ETENDUE_KERNEL_INLINE void load_face(const Cells& packet, int f, std::ptrdiff_t 
     radiance[j] = packet.behind(j, f);
     nodes[j] = face_nodes[packet.visit(j).faces[f] & opposite_bits];
   }
-  if constexpr (transposes<C, B>) {
+  if constexpr (transposes_rows<numbers, C, B>) {
     Lanes<4> row[C];
     ETENDUE_UNROLL
     for (int j = 0; j < C; ++j) {
@@ -70,7 +107,7 @@ ETENDUE_KERNEL_INLINE void load_face(const Cells& packet, int f, std::ptrdiff_t 
   } else {
     ETENDUE_UNROLL
     for (int k = 0; k < 3; ++k)
-      out[k] = gather_from<C, B>([&](int j) { return radiance[j] + nodes[j][k] * stride; }, band);
+      out[k] = gather_values<numbers, C, B>([&](int j) { return radiance[j] + nodes[j][k] * stride; }, band);
   }
 }
 
@@ -88,57 +125,57 @@ ETENDUE_KERNEL_INLINE bool nothing_enters(const Lanes<C * B>& entering) {
 }
 
 /// Linear basis.
-template <int C, int B, class Cells>
+template <Numbers numbers, int C, int B, class Cells>
 ETENDUE_KERNEL_INLINE void balance_linear(const Cells& packet, std::ptrdiff_t stride, std::ptrdiff_t mass_at,
                                           const ProjectedAreas<Lanes<C * B>>& areas, std::ptrdiff_t band) {
-  using T = Lanes<C * B>;
-  const T mass = gather_from<C, B>([&](int j) { return packet.record(j); }, mass_at + band);
-  const T alpha_mass = mass < 0 ? -mass : mass;
-  const T beta_mass = mass < 0 ? T{} : mass;
-  const CellInverse<T> inverse = invert_cell(areas, alpha_mass, beta_mass);
+  using T = Values<numbers, C * B>;
+  const CellMass<T> mass =
+      cell_mass(gather_values<numbers, C, B>([&](int j) { return packet.record(j); }, mass_at + band));
+  const CellInverse<T> inverse = invert_cell(areas, mass.alpha, mass.beta);
   T right[4];
-  load_source<C, B>(packet, stride, band, right);
+  load_source<numbers, C, B>(packet, stride, band, right);
   ETENDUE_UNROLL
   for (int f = 0; f < 4; ++f) {
     if (nothing_enters<C, B>(areas.incoming[f])) continue;
     T inflow[4];
-    load_face<C, B>(packet, f, stride, band, inflow);
+    load_face<numbers, C, B>(packet, f, stride, band, inflow);
     add_inflow(areas, f, inflow, right);
   }
   T u[4];
   solve_cell(areas, inverse, right, u);
   if constexpr (Cells::sign == Sign::positive) {
     T weights[4];
-    balance_weights(areas, alpha_mass, beta_mass, weights);
+    balance_weights(areas, mass.alpha, mass.beta, weights);
     packet.template keep_positive<B>(weights, (right[0] + right[1]) + (right[2] + right[3]), band, u);
   }
-  if constexpr (transposes<C, B>) {
+  if constexpr (transposes_rows<numbers, C, B>) {
     Lanes<4> row[C];
     Rows<C>::from_lanes(u, row);
     ETENDUE_UNROLL
     for (int j = 0; j < C; ++j) packet.template keep<4>(j, 0, row[j]);
   } else {
-    ETENDUE_UNROLL
-    for (int j = 0; j < C; ++j) {
-      ETENDUE_UNROLL
-      for (int i = 0; i < 4; ++i) packet.template keep<B>(j, i * stride + band, chunk<C, B>(u[i], j));
-    }
+    keep_values<numbers, C, B>(packet, stride, band, u);
   }
 }
 
 /// Piecewise constants: (sigma_t V + P) u = V q + sum of n_f u_f.
-template <int C, int B, class Cells>
+template <Numbers numbers, int C, int B, class Cells>
 ETENDUE_KERNEL_INLINE void balance_constant(const Cells& packet, std::ptrdiff_t mass_at,
                                             const ProjectedAreas<Lanes<C * B>>& areas, std::ptrdiff_t band) {
-  using T = Lanes<C * B>;
-  T right = gather_from<C, B>([&](int j) { return packet.source(j); }, band);
+  using T = Values<numbers, C * B>;
+  T right = gather_values<numbers, C, B>([&](int j) { return packet.source(j); }, band);
   ETENDUE_UNROLL
   for (int f = 0; f < 4; ++f)
-    right += areas.incoming[f] * gather_from<C, B>([&](int j) { return packet.behind(j, f); }, band);
-  const T mass = gather_from<C, B>([&](int j) { return packet.record(j); }, mass_at + band);
-  const T u = right / (mass + areas.total);
-  ETENDUE_UNROLL
-  for (int j = 0; j < C; ++j) packet.template keep<B>(j, band, chunk<C, B>(u, j));
+    right +=
+        areas.incoming[f] * gather_values<numbers, C, B>([&](int j) { return packet.behind(j, f); }, band);
+  const T mass = gather_values<numbers, C, B>([&](int j) { return packet.record(j); }, mass_at + band);
+  T u[1];
+  if constexpr (numbers == Numbers::real) {
+    u[0] = right / (mass + areas.total);
+  } else {
+    u[0] = right * reciprocal(mass + areas.total);
+  }
+  keep_values<numbers, C, B>(packet, 0, band, u);
 }
 
 /// Cells whose projected areas are found together: as many as there are lanes, whatever the bands, but for
@@ -153,7 +190,7 @@ struct Block {
   int count;  ///< of `visits`; up to those of a block there are idle ones behind them
 };
 
-template <Basis basis, int C, int B, Angular angular, Flux flux, Sign sign>
+template <Numbers numbers, Basis basis, int C, int B, Angular angular, Flux flux, Sign sign>
 ETENDUE_KERNEL_INLINE void balance_packet(const SweepTaskOf<Real>& task, const RecordLayout& layout,
                                           const Block& block, int first,
                                           const ProjectedAreas<Lanes<C * B>>& areas) {
@@ -163,29 +200,29 @@ ETENDUE_KERNEL_INLINE void balance_packet(const SweepTaskOf<Real>& task, const R
     prefetch_cell<angular, flux>(task, block.ahead[first + j], layout.length,
                                  static_cast<std::size_t>(packet.length()));
   const auto mass = static_cast<std::ptrdiff_t>(layout.mass);
-  for (std::ptrdiff_t band = 0; band < task.stride; band += B) {
+  for (std::ptrdiff_t band = 0; band < task.stride; band += places_of<numbers> * B) {
     if constexpr (basis == Basis::linear) {
-      balance_linear<C, B>(packet, task.stride, mass, areas, band);
+      balance_linear<numbers, C, B>(packet, task.stride, mass, areas, band);
     } else {
-      balance_constant<C, B>(packet, mass, areas, band);
+      balance_constant<numbers, C, B>(packet, mass, areas, band);
     }
   }
 }
 
-template <Basis basis, int C, int B, Angular angular, Flux flux, Sign sign>
+template <Numbers numbers, Basis basis, int C, int B, Angular angular, Flux flux, Sign sign>
 ETENDUE_KERNEL_INLINE void balance_block(const SweepTaskOf<Real>& task, const RecordLayout& layout,
                                          const Block& block) {
   constexpr int block_cells = cells_of_block(C * B);
   const ProjectedAreas<Lanes<block_cells>> areas =
       block_projected_areas<block_cells>(task, layout, block.visits);
   if constexpr (B == 1) {
-    balance_packet<basis, C, B, angular, flux, sign>(task, layout, block, 0, areas);
+    balance_packet<numbers, basis, C, B, angular, flux, sign>(task, layout, block, 0, areas);
   } else {
     const BlockProjectedAreas<block_cells> stored(areas);
 #pragma GCC unroll 1
     for (int first = 0; first < block.count; first += C)
-      balance_packet<basis, C, B, angular, flux, sign>(task, layout, block, first,
-                                                       stored.template of_packet<C, B>(first));
+      balance_packet<numbers, basis, C, B, angular, flux, sign>(task, layout, block, first,
+                                                                stored.template of_packet<C, B>(first));
   }
 }
 
@@ -199,7 +236,7 @@ ETENDUE_KERNEL_INLINE void prefetch_visits(const SweepTaskOf<Real>& task, std::i
 }
 
 /// `Bands` is the stride where it is known when this is compiled, else 0.
-template <Basis basis, int C, int B, int Bands, Angular angular, Flux flux, Sign sign>
+template <Numbers numbers, Basis basis, int C, int B, int Bands, Angular angular, Flux flux, Sign sign>
 ETENDUE_KERNEL_INLINE void sweep_cells(SweepTaskOf<Real> task) {
   constexpr int block_cells = cells_of_block(C * B);
   if constexpr (Bands > 0) task.stride = Bands;
@@ -224,24 +261,24 @@ ETENDUE_KERNEL_INLINE void sweep_cells(SweepTaskOf<Real> task) {
         for (int j = 0; j < block_cells; ++j) filled[j] = j < count ? block.visits[j] : idle;
         block.visits = filled;
       }
-      balance_block<basis, C, B, angular, flux, sign>(task, layout, block);
+      balance_block<numbers, basis, C, B, angular, flux, sign>(task, layout, block);
     }
   }
 }
 
-template <Basis basis, int C, int B, int Bands, Sign sign>
+template <Numbers numbers, Basis basis, int C, int B, int Bands, Sign sign>
 void sweep(const SweepTaskOf<Real>& task) {
   [[maybe_unused]] const FlushDenormals<Real> mode;
   const bool angular = task.angular_index != nullptr;
   const bool flux = task.net_flux != nullptr;
   if (angular && flux) {
-    sweep_cells<basis, C, B, Bands, Angular::present, Flux::add, sign>(task);
+    sweep_cells<numbers, basis, C, B, Bands, Angular::present, Flux::add, sign>(task);
   } else if (angular) {
-    sweep_cells<basis, C, B, Bands, Angular::present, Flux::skip, sign>(task);
+    sweep_cells<numbers, basis, C, B, Bands, Angular::present, Flux::skip, sign>(task);
   } else if (flux) {
-    sweep_cells<basis, C, B, Bands, Angular::absent, Flux::add, sign>(task);
+    sweep_cells<numbers, basis, C, B, Bands, Angular::absent, Flux::add, sign>(task);
   } else {
-    sweep_cells<basis, C, B, Bands, Angular::absent, Flux::skip, sign>(task);
+    sweep_cells<numbers, basis, C, B, Bands, Angular::absent, Flux::skip, sign>(task);
   }
 }
 
@@ -251,7 +288,16 @@ template <Basis basis, int Bands, Sign sign = Sign::free, int MostBands = ETENDU
 auto sweep_of_bands() {
   constexpr int B = Bands > 0 && Bands < MostBands ? Bands : MostBands;
   constexpr int lanes = B > most_cells_of_block ? B : cells_of_block(ETENDUE_KERNEL_LANES);
-  return sweep<basis, lanes / B, B, Bands, sign>;
+  return sweep<Numbers::real, basis, lanes / B, B, Bands, sign>;
+}
+
+/// The same of complex numbers, half as many as bands. Pairs of them are what fills the lanes.
+template <Basis basis, int Bands>
+auto complex_sweep_of() {
+  constexpr int lanes = ETENDUE_KERNEL_LANES > 4 ? ETENDUE_KERNEL_LANES / 2 : 2;
+  constexpr int most = lanes < 4 ? lanes : 4;
+  constexpr int B = Bands > 0 && Bands / 2 < most ? Bands / 2 : most;
+  return sweep<Numbers::complex, basis, lanes / B, B, Bands, Sign::free>;
 }
 
 /// The widest lanes that divide a row of nodes times bands; two short rows share them.
@@ -275,6 +321,10 @@ void choose_moment_kernels(int row, SweepKernelsOf<Real>& kernels) {
 template <Basis basis>
 void choose_for(int stride, SweepKernelsOf<Real>& kernels) {
   choose_moment_kernels(nodes_per_cell(basis) * stride, kernels);
+  kernels.sweep_complex = stride <= 2    ? complex_sweep_of<basis, 2>()
+                          : stride == 4  ? complex_sweep_of<basis, 4>()
+                          : stride == 16 ? complex_sweep_of<basis, 16>()
+                                         : complex_sweep_of<basis, 0>();
   if constexpr (basis == Basis::linear && scalar_of<Real> == Scalar::double_precision)
     kernels.sweep_positive = stride == 1   ? sweep_of_bands<basis, 1, Sign::positive>()
                              : stride == 2 ? sweep_of_bands<basis, 2, Sign::positive>()

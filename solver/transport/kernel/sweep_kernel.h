@@ -87,6 +87,9 @@ using MatrixProduct = void (*)(const ProductTask&);
 template <class Real>
 struct SweepKernelsOf {
   void (*sweep)(const SweepTaskOf<Real>&) = nullptr;
+  /// The same where the bands 2 p and 2 p + 1 are the real and the imaginary part of one radiance, and of the
+  /// mass of a cell (cell_record.h).
+  void (*sweep_complex)(const SweepTaskOf<Real>&) = nullptr;
   /// The same with non-negative values in every cell; null for constant elements, which have them
   /// anyway, and in single precision.
   void (*sweep_positive)(const SweepTaskOf<Real>&) = nullptr;

@@ -106,7 +106,23 @@ Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const Sol
   return sizes;
 }
 
+/// Numbers of a state.
+double state_length(const Sizes& s) {
+  const double of_cells = s.cells + s.angular_cells * s.moments + s.dense_cells * s.ordinates;
+  return of_cells * s.cell_length + (s.faces + s.mirrors * s.ordinates / 2) * s.trace_length;
+}
+
+double longest_cycle_of(double state) {
+  return std::clamp(static_cast<double>(krylov_memory) / (8 * state),
+                    static_cast<double>(shortest_krylov_basis),
+                    static_cast<double>(longest_krylov_basis) + 1);
+}
+
 }  // namespace
+
+double longest_cycle(const Problem& problem, const DirectionSet& directions, const SolveOptions& options) {
+  return longest_cycle_of(state_length(sizes_of(problem, directions, options)));
+}
 
 std::size_t estimate_memory(const Problem& problem, const DirectionSet& directions,
                             const SolveOptions& options, KrylovVectors vectors) {
@@ -114,18 +130,13 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double fields = s.cells * s.cell_length;
   const double moments = s.angular_cells * s.moments * s.cell_length;
   const double radiance = s.dense_cells * s.ordinates * s.cell_length;
-  const double state =
-      fields + moments + radiance + s.faces * s.trace_length + s.mirrors * s.ordinates / 2 * s.trace_length;
+  const double state = state_length(s);
   // Two changes for each step of the past, the image, its residual and their last ones, the best state.
   const double positive =
       options.positivity == Positivity::none ? 0 : 2.0 * static_cast<double>(anderson_memory(state)) + 7;
   // Source iteration: what is corrected, those bands that are left, and F(0).
   const bool is_typical = vectors == KrylovVectors::typical, iterates = may_iterate(problem);
-  double basis = options.method == Method::source_iteration
-                     ? 3
-                     : std::clamp(static_cast<double>(krylov_memory) / (8 * state),
-                                  static_cast<double>(shortest_krylov_basis),
-                                  static_cast<double>(longest_krylov_basis) + 1);
+  double basis = options.method == Method::source_iteration ? 3 : longest_cycle_of(state);
   if (is_typical) basis = iterates ? std::min(basis, typical_krylov_basis) : 0;
   const int threads = thread_count(options.threads);
   // Cells at the boundary keep their slots; besides, a front through the mesh is live at a time.

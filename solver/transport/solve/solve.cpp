@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "solver/solution/complex_extinction.h"
 #include "solver/solution/following_emission.h"
 #include "solver/transport/order/sweep_stopped.h"
 #include "solver/transport/solve/acceleration_policy.h"
@@ -27,11 +28,20 @@ double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
 
-/// Extinction sigma_a + sigma_s, [cell][band].
-std::vector<double> extinction_of(const Problem& problem) {
+/// Extinction sigma_a + sigma_s, [cell][band], with the real part of what is added to it.
+std::vector<double> extinction_of(const Problem& problem, const ComplexExtinction* added) {
   std::vector<double> extinction(problem.absorption().begin(), problem.absorption().end());
-  for (std::size_t i = 0; i < extinction.size(); ++i) extinction[i] += problem.scattering()[i];
+  for (std::size_t i = 0; i < extinction.size(); ++i)
+    extinction[i] += problem.scattering()[i] + (added != nullptr ? added->real[i / 2] : 0);
   return extinction;
+}
+
+/// A complex radiance is not positive, and does not heat.
+void refuse_complex(const SolveOptions& options) {
+  if (options.complex_extinction == nullptr) return;
+  if (options.positivity != Positivity::none || options.following_emission != nullptr ||
+      (options.method == Method::source_iteration && options.acceleration == Acceleration::diffusion))
+    throw std::invalid_argument("complex radiances with options that need real ones");
 }
 
 /// Lights and emission that depend on the direction, and the options with them as angular input.
@@ -77,8 +87,9 @@ Solution solve_fixed_or_following(const Problem& problem, Problem* changing, con
                                   const SolveOptions& options, const SolveObserver& observer) {
   if (problem.space() != directions.space())
     throw std::invalid_argument("a plane problem needs directions in the plane, and only that");
+  refuse_complex(options);
   const Clock::time_point begun = Clock::now();
-  const std::vector<double> extinction = extinction_of(problem);
+  const std::vector<double> extinction = extinction_of(problem, options.complex_extinction);
   const DirectionalSources sources(problem, directions, options);
   TransportSweep sweep(problem, directions, extinction, sources.options);
   TransportState state(sweep.layout());

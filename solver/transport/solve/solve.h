@@ -21,6 +21,9 @@ enum class KrylovVectors {
 std::size_t estimate_memory(const Problem& problem, const DirectionSet& directions,
                             const SolveOptions& options, KrylovVectors vectors = KrylovVectors::all);
 
+/// Vectors that a cycle of GMRES in solve() may have: more of them do not fit into its memory, or are no use.
+double longest_cycle(const Problem& problem, const DirectionSet& directions, const SolveOptions& options);
+
 /// Solves by discrete ordinates with upwind discontinuous Galerkin elements. Not converging is a result,
 /// marked in the solution. Throws InputError where a mirror has no partner ordinates.
 Solution solve(const Problem& problem, const DirectionSet& directions, const SolveOptions& options,

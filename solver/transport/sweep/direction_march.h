@@ -79,6 +79,7 @@ class DirectionMarch {
   void end_passage(const Passage& passage, const SweepPass& pass, Workspace& work);
   SweepTaskOf<Real> task_of(const Passage& passage, const SweepPass& pass, Workspace& work);
   void run_kernel(const SweepTaskOf<Real>& task) const {
+    if (d_.cells.is_complex()) return kernels_.sweep_complex(task);
     (task.census != nullptr ? kernels_.sweep_positive : kernels_.sweep)(task);
   }
 

@@ -49,6 +49,20 @@ std::vector<CellIndex> observed_cells(const TetrahedralMesh& mesh, const SolveOp
   return cells;
 }
 
+ComplexExtinction added_extinction(const SolveOptions& options) {
+  return options.complex_extinction != nullptr ? *options.complex_extinction : ComplexExtinction{};
+}
+
+/// The same for a subset of the bands, in which both bands of a pair are, or neither.
+ComplexExtinction added_extinction(const Discretization& wide, std::span<const int> bands) {
+  if (wide.added.empty()) return {};
+  std::vector<int> pairs;
+  for (std::size_t i = 0; i < bands.size(); i += 2) pairs.push_back(bands[i] / 2);
+  const std::size_t count = static_cast<std::size_t>(wide.cells.bands()) / 2;
+  return {select_bands(std::span<const double>(wide.added.real), count, pairs),
+          select_bands(std::span<const double>(wide.added.imaginary), count, pairs)};
+}
+
 /// Options of sweeps without sources, of which nothing but the next state is wanted.
 SolveOptions without_record(SolveOptions options) {
   options.angular_input = nullptr;
@@ -79,37 +93,39 @@ std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, con
 Discretization::Discretization(const Problem& given, const DirectionSet& set,
                                std::span<const double> extinction_of_cells, const SolveOptions& wanted,
                                Scalar scalar)
-    : Discretization(given, set, extinction_of_cells, wanted, scalar, treat_scattering(given, set), nullptr) {
-}
+    : Discretization(given, set, extinction_of_cells, wanted, added_extinction(wanted), scalar,
+                     treat_scattering(given, set), nullptr) {}
 
 Discretization::Discretization(const Discretization& other, Scalar scalar)
-    : Discretization(other.problem, other.directions, other.extinction, other.options, scalar,
+    : Discretization(other.problem, other.directions, other.extinction, other.options, other.added, scalar,
                      other.scattering, other.orders) {}
 
 Discretization::Discretization(const Discretization& wide, const Problem& given,
                                std::span<const double> extinction_of_cells, std::span<const int> bands,
                                Scalar scalar)
-    : Discretization(given, wide.directions, extinction_of_cells, wide.options, scalar,
+    : Discretization(given, wide.directions, extinction_of_cells, wide.options, added_extinction(wide, bands),
+                     scalar,
                      {select_bands(std::span<const ScatteringTreatment>(wide.scattering.plan),
                                    static_cast<std::size_t>(wide.cells.bands()), bands),
                       of_bands(wide.scattering.groups, bands)},
                      wide.orders) {}
 
 Discretization::Discretization(const Discretization& fine, const DirectionSet& set, Scalar scalar)
-    : Discretization(fine.problem, set, fine.extinction, without_record(fine.options), scalar,
+    : Discretization(fine.problem, set, fine.extinction, without_record(fine.options), fine.added, scalar,
                      {scattering_on_fewer(fine.problem, set, fine.scattering.plan), {}}, nullptr) {}
 
 Discretization::Discretization(const Problem& given, const DirectionSet& set,
                                std::span<const double> extinction_of_cells, const SolveOptions& wanted,
-                               Scalar scalar, ScatteringTreatments treatments,
+                               ComplexExtinction added_part, Scalar scalar, ScatteringTreatments treatments,
                                std::shared_ptr<const SweepOrders> known_orders)
     : problem(given),
       directions(set),
       extinction(extinction_of_cells),
       options(wanted),
+      added(std::move(added_part)),
       scattering(std::move(treatments)),
       cells(problem.mesh(), effective_extinction(problem, extinction, scattering.plan, scattering.groups),
-            problem.band_count(), basis_of(options), options.lumping, scalar),
+            added, problem.band_count(), basis_of(options), options.lumping, scalar),
       schedule(problem, directions, batches_for(highest_degree(scattering.plan))),
       moments(problem, directions, cells, scattering.plan, schedule, observed_cells(problem.mesh(), options)),
       dense(problem, directions, cells, extinction, scattering.plan, scattering.groups),

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/solution/complex_extinction.h"
 #include "solver/solution/solve_options.h"
 #include "solver/transport/cells/cell_coefficients.h"
 #include "solver/transport/order/ordinate_schedule.h"
@@ -57,6 +58,7 @@ struct Discretization {
   const DirectionSet& directions;
   std::span<const double> extinction;
   SolveOptions options;
+  ComplexExtinction added;  ///< to the extinction, its real part in `extinction` too; empty: it is real
   ScatteringTreatments scattering;
   CellCoefficients cells;
   OrdinateSchedule schedule;
@@ -69,8 +71,8 @@ struct Discretization {
  private:
   /// Makes its own orders where `known_orders` is null.
   Discretization(const Problem& problem, const DirectionSet& directions, std::span<const double> extinction,
-                 const SolveOptions& options, Scalar scalar, ScatteringTreatments treatments,
-                 std::shared_ptr<const SweepOrders> known_orders);
+                 const SolveOptions& options, ComplexExtinction added_extinction, Scalar scalar,
+                 ScatteringTreatments treatments, std::shared_ptr<const SweepOrders> known_orders);
 };
 
 }  // namespace etendue

@@ -190,6 +190,7 @@ MediumCase read_medium(Section section, const MatterContext& context) {
   MediumCase medium;
   medium.space = context.space;
   medium.origin = section.origin();
+  medium.refractive_index = section.number_if("refractive_index").value_or(1);
   if (is_directional(section)) {
     medium.emission = read_band_values(section, "emission", bands, FormulaOf::place_and_direction);
     medium.power_density = read_band_values(section, "power_density", bands);

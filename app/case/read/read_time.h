@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "app/case/case.h"
+#include "app/case/keys/section.h"
+
+namespace etendue {
+
+/// Reads [time], which is there, into a case that is read but for what is written.
+void read_time(Section time, Case& result);
+
+}  // namespace etendue

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/time/solve_in_time.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "app/case/build/entry_of.h"
+#include "app/setup/memory.h"
+#include "app/time/time_numbers.h"
+#include "base/wall_clock.h"
+
+namespace etendue {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Inversion multiplies the errors that an iteration leaves by up to 250.
+constexpr double tolerance_of_transforms = 1e-8;
+
+Slowness slowness_of(const Case& input, const Problem& problem) {
+  Slowness slowness;
+  for (const std::string& region : problem.mesh().region_names())
+    slowness.push_back(entry_of(input.media, region).refractive_index / input.time->speed);
+  return slowness;
+}
+
+/// Rates of the frequencies, that of the mean first.
+std::vector<Complex> rates_of_frequencies(const std::vector<double>& frequencies) {
+  std::vector<Complex> rates = {0.0};
+  for (const double frequency : frequencies) rates.emplace_back(0, 2 * std::numbers::pi * frequency);
+  return rates;
+}
+
+/// The transform of when everything emits.
+Complex transform_of(EmissionInTime emission, Complex rate) {
+  return emission == EmissionInTime::step ? 1.0 / rate : 1.0;
+}
+
+std::size_t rate_count(const TimeCase& time) {
+  return (time.modulation.empty() ? 0 : time.modulation.size() + 1) +
+         latest_times(time.times).size() * LaplaceInversion::rate_count;
+}
+
+/// One run through the rates of a case.
+class SolverInTime {
+ public:
+  SolverInTime(const TimeSetup& setup, const StageDisplay& stages, std::function<bool()> interrupted)
+      : time_(*setup.input.time),
+        setup_(setup),
+        slowness_(slowness_of(setup.input, setup.problem)),
+        numbers_(setup.input, setup.problem, setup.locator),
+        interrupted_(std::move(interrupted)),
+        stage_(stages, "light in time") {
+    result_.quantities = numbers_.quantities();
+  }
+
+  TimeResult result() {
+    const auto start = WallClock::now();
+    if (!time_.modulation.empty()) find_modulated();
+    if (!time_.times.empty() && !result_.interrupted) find_histories();
+    result_.seconds = seconds_since(start);
+    return std::move(result_);
+  }
+
+ private:
+  void find_modulated() {
+    const std::vector<Complex> rates = rates_of_frequencies(time_.modulation);
+    solve(rates, setup_.options.tolerance, [&](const SolvedRates& solved) {
+      std::vector<std::vector<Complex>> values = numbers_.read(solved);
+      for (std::size_t i = 0; i < solved.count; ++i) {
+        const std::size_t place = solved.first + i;
+        const double frequency = place == 0 ? 0 : time_.modulation[place - 1];
+        result_.modulated.push_back({frequency, std::move(values[i]), fluence_of(solved, i)});
+      }
+    });
+    if (result_.interrupted) result_.modulated.clear();
+  }
+
+  /// The fluence at one of the rates [cell][4][band][part].
+  std::vector<double> fluence_of(const SolvedRates& solved, std::size_t rate) const {
+    const std::size_t parts = 2 * static_cast<std::size_t>(setup_.problem.band_count());
+    const std::vector<double>& all = solved.solution.fluence;
+    std::vector<double> fluence;
+    for (std::size_t first = rate * parts; first < all.size(); first += solved.count * parts)
+      fluence.insert(fluence.end(), all.begin() + static_cast<std::ptrdiff_t>(first),
+                     all.begin() + static_cast<std::ptrdiff_t>(first + parts));
+    return fluence;
+  }
+
+  void find_histories() {
+    result_.histories.assign(result_.quantities.size(), std::vector<ValueInTime>(time_.times.size()));
+    const std::vector<double> latest = latest_times(time_.times);
+    auto end = time_.times.cend();
+    for (std::size_t run = 0; run < latest.size() && !result_.interrupted; ++run) {
+      const auto begin = run + 1 < latest.size()
+                             ? std::upper_bound(time_.times.cbegin(), end, latest[run + 1])
+                             : time_.times.cbegin();
+      invert(LaplaceInversion(latest[run]), begin, end);
+      end = begin;
+    }
+    if (result_.interrupted) result_.histories.clear();
+  }
+
+  /// Finds the histories of some neighbouring times.
+  void invert(const LaplaceInversion& inversion, std::vector<double>::const_iterator begin,
+              std::vector<double>::const_iterator end) {
+    std::vector<std::vector<Complex>> transforms(result_.quantities.size());
+    const double tolerance = std::min(setup_.options.tolerance, tolerance_of_transforms);
+    solve(inversion.rates(), tolerance, [&](const SolvedRates& solved) {
+      const std::vector<std::vector<Complex>> values = numbers_.read(solved);
+      for (std::size_t i = 0; i < solved.count; ++i)
+        for (std::size_t q = 0; q < transforms.size(); ++q)
+          transforms[q].push_back(values[i][q] *
+                                  transform_of(time_.emission, inversion.rates()[solved.first + i]));
+    });
+    if (result_.interrupted) return;
+    const std::span<const double> times(begin, end);
+    const auto first = static_cast<std::size_t>(begin - time_.times.cbegin());
+    for (std::size_t q = 0; q < transforms.size(); ++q) {
+      const std::vector<ValueInTime> values = inversion.at(times, transforms[q], tolerance);
+      std::ranges::copy(values, result_.histories[q].begin() + static_cast<std::ptrdiff_t>(first));
+    }
+  }
+
+  void solve(const std::vector<Complex>& rates, double tolerance,
+             const std::function<void(const SolvedRates&)>& take) {
+    SolveOptions options = setup_.options;
+    options.meters = numbers_.meters();
+    options.tolerance = tolerance;
+    options.stops = interrupted_;
+    const auto observe = [&](const SweepProgress&) {
+      return interrupted_() ? SolveControl::stop : SolveControl::proceed;
+    };
+    try {
+      solve_laplace(
+          setup_.problem, setup_.sets, rates, slowness_, options,
+          [&](const SolvedRates& solved) {
+            note(solved);
+            if (!result_.interrupted) take(solved);
+            return !result_.interrupted;
+          },
+          observe);
+    } catch (const SolveStopped&) {
+      result_.interrupted = true;
+    }
+  }
+
+  void note(const SolvedRates& solved) {
+    for (const BandConvergence& band : solved.solution.convergence) {
+      result_.sweeps = std::max(result_.sweeps, band.sweeps);
+      result_.residual = std::max(result_.residual, band.residual);
+    }
+    result_.interrupted = solved.solution.interrupted || interrupted_();
+    result_.converged = result_.converged && solved.solution.converged();
+    result_.rates += static_cast<int>(solved.count);
+    stage_.observer()(static_cast<double>(result_.rates) / static_cast<double>(rate_count(time_)));
+  }
+
+  const TimeCase& time_;
+  const TimeSetup& setup_;
+  Slowness slowness_;
+  TimeNumbers numbers_;
+  std::function<bool()> interrupted_;
+  ShownStage stage_;
+  TimeResult result_;
+};
+
+std::size_t rates_together(const TimeSetup& setup) {
+  return rates_side_by_side(setup.problem, setup.sets.front(), rate_count(*setup.input.time), setup.options);
+}
+
+}  // namespace
+
+RunMemory time_memory(const TimeSetup& setup) {
+  const std::vector<Complex> any(rates_together(setup), 0.0);
+  const LaplaceProblem laplace =
+      laplace_problem(setup.problem, any, Slowness(setup.problem.mesh().region_names().size(), 0));
+  RunMemory memory = memory_of(LightSetup(laplace.problem), {setup.sets, {}}, setup.options);
+  // Beside it are the steady solution, fluence, flux and state, and the fluence of each frequency, complex.
+  const std::size_t fluences = 6 + 2 * (setup.input.time->modulation.size() + 1);
+  const std::size_t more = fluences * 4 * sizeof(double) *
+                           static_cast<std::size_t>(setup.problem.mesh().cell_count()) *
+                           static_cast<std::size_t>(setup.problem.band_count());
+  memory.solving += more;
+  memory.expected += more;
+  return memory;
+}
+
+std::string time_plan_text(const TimeSetup& setup) {
+  const RunMemory memory = time_memory(setup);
+  const std::size_t rates = rate_count(*setup.input.time), together = rates_together(setup);
+  check_memory(memory.solving, setup.problem.mesh(), setup.problem.band_count(), memory.matrices,
+               memory.expected);
+  std::string text =
+      fmt::format("light in time: {} rates are solved for, {} side by side\n", rates, together);
+  const TimeNumbers numbers(setup.input, setup.problem, setup.locator);
+  if (!numbers.left_out().empty())
+    text += fmt::format("  sensors that do not read it: {}\n", fmt::join(numbers.left_out(), ", "));
+  if (setup.follows_rays) text += "  all of it is left to the directions, as with uncollided = false\n";
+  return text;
+}
+
+TimeResult solve_in_time(const TimeSetup& setup, const StageDisplay& stages,
+                         const std::function<bool()>& interrupted) {
+  return SolverInTime(setup, stages, interrupted).result();
+}
+
+}  // namespace etendue

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "app/case/case.h"
+#include "app/write/result/time_result.h"
+#include "mesh/tetrahedra/search/cell_locator.h"
+#include "solver/problem/problem.h"
+#include "solver/solution/solve_options.h"
+#include "solver/time/solve_laplace.h"
+
+namespace etendue {
+
+/// The numbers that are read of light in time: of all probes, of sensors of irradiance and fluence, of walls
+/// and regions.
+class TimeNumbers {
+ public:
+  /// The arguments must outlive it.
+  TimeNumbers(const Case& input, const Problem& problem, const CellLocator& locator);
+
+  const std::vector<TimeQuantity>& quantities() const { return quantities_; }
+  /// Those of sensors that are not read [sensor].
+  const std::vector<std::string>& left_out() const { return left_out_; }
+  /// Where the solutions have to have meters.
+  const std::vector<IrradianceMeter>& meters() const { return meters_; }
+  /// The numbers of each solved rate [rate][quantity].
+  std::vector<std::vector<std::complex<double>>> read(const SolvedRates& solved) const;
+
+ private:
+  /// A place whose fluence or irradiance is read.
+  struct Place {
+    std::string name;
+    Vec3 point;
+    std::optional<std::size_t> meter;  ///< whose irradiance; empty: the fluence
+  };
+
+  void add_place(const std::string& name, const Vec3& point, const std::optional<Vec3>& normal);
+  void add_sensor(const SensorCase& sensor);
+
+  const Problem& problem_;
+  const CellLocator& locator_;
+  std::vector<Place> places_;
+  std::vector<IrradianceMeter> meters_;
+  std::vector<TimeQuantity> quantities_;
+  std::vector<std::string> left_out_;
+};
+
+}  // namespace etendue

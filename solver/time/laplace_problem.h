@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <complex>
+#include <span>
+
+#include "solver/problem/problem.h"
+#include "solver/solution/complex_extinction.h"
+
+namespace etendue {
+
+/// Slowness n / c of light in the regions of a problem [time/length].
+using Slowness = std::vector<double>;
+
+/// The transport equation of light that changes as e^(s t), (L1) of docs/theory/time.md, for several rates s
+/// side by side:
+///
+///     w.grad u + (sigma_t + s n / c) u = integral of sigma_s p(w.w') u(w') dw' + q
+struct LaplaceProblem {
+  /// Its bands are [rate][band of the problem][real, imaginary part of the radiance].
+  Problem problem;
+  ComplexExtinction extinction;
+};
+
+/// Makes the problem for rates [1/time] with Re s >= 0 and Im s >= 0. All that emits is real and does so
+/// alike for all rates; light is left to the directions. `slowness` is [region]; the mesh must outlive the
+/// result. Throws std::invalid_argument where a rate is outside of that quadrant.
+LaplaceProblem laplace_problem(const Problem& problem, std::span<const std::complex<double>> rates,
+                               const Slowness& slowness);
+
+}  // namespace etendue

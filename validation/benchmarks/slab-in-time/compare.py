@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Reflected and transmitted part in time, and their amplitude and phase at frequencies; bands are albedos."""
+
+import cmath
+import math
+
+from suite import modulated_slab
+from suite.result import read_reference
+from suite.row import Row
+
+WALLS = {"R": "wall lit", "T": "wall dark"}
+
+# From when on the directions' own fronts are past; keys are thicknesses.
+LATE = {"1": 7, "5": 20}
+
+
+def compare(runs):
+    found = []
+    for thickness in ("1", "5"):
+        found += compare_modulated(runs[f"thickness {thickness}"], thickness)
+    for name, result in runs.items():
+        found += compare_times(result, name.split(",")[0].split()[1])
+    return found
+
+
+def compare_times(result, thickness):
+    values = {(row["name"], row["band"], float(row["t"])): row for row in result.table("times.csv")
+              if row["quantity"] == "incoming"}
+    found = []
+    for row in read_reference("slab_switched_on.csv"):
+        computed = values.get((WALLS[row["part"]], row["albedo"], float(row["t"])))
+        if row["thickness"] != thickness or computed is None:
+            continue
+        early = "early " if float(row["t"]) < LATE[thickness] else ""
+        found.append(Row(f"{early}{row['part']}, thickness {thickness}, albedo {row['albedo']}, t {row['t']}",
+                         float(computed["value"]), float(row["value"]), float(row["uncertainty"]),
+                         plot=f"thickness {thickness}", curve=f"{row['part']}, albedo {row['albedo']}", x=float(row["t"])))
+    return found
+
+
+def compare_modulated(result, thickness):
+    found = []
+    for row in result.table("frequency.csv"):
+        part = {wall: part for part, wall in WALLS.items()}.get(row["name"])
+        if part is None or row["quantity"] != "incoming" or float(row["frequency"]) == 0:
+            continue
+        rate = 2j * math.pi * float(row["frequency"])
+        exact = modulated_slab.parts(rate, float(row["band"]), float(thickness))[part]
+        label = f"{part}, thickness {thickness}, albedo {row['band']}, frequency {row['frequency']}"
+        lag = -math.degrees(cmath.phase(exact))
+        found.append(Row(f"amplitude {label}", float(row["amplitude"]), abs(exact), 1e-9))
+        # Phases are known to a turn.
+        found.append(Row(f"phase {label}", lag + math.remainder(float(row["phase"]) - lag, 360), lag, 1e-7))
+    return found
