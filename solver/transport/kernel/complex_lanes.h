@@ -10,8 +10,8 @@
 namespace etendue {
 namespace {
 
-/// Whether the numbers of a sweep are real, or complex: then neighbouring bands are the real and the
-/// imaginary part of one.
+/// Kind of the numbers of a sweep. Of complex ones two neighbouring bands are the real and the imaginary
+/// part.
 enum class Numbers { real, complex };
 
 /// W complex numbers side by side.

@@ -321,10 +321,9 @@ void choose_moment_kernels(int row, SweepKernelsOf<Real>& kernels) {
 template <Basis basis>
 void choose_for(int stride, SweepKernelsOf<Real>& kernels) {
   choose_moment_kernels(nodes_per_cell(basis) * stride, kernels);
-  kernels.sweep_complex = stride <= 2    ? complex_sweep_of<basis, 2>()
-                          : stride == 4  ? complex_sweep_of<basis, 4>()
-                          : stride == 16 ? complex_sweep_of<basis, 16>()
-                                         : complex_sweep_of<basis, 0>();
+  kernels.sweep_complex = stride <= 2   ? complex_sweep_of<basis, 2>()
+                          : stride == 4 ? complex_sweep_of<basis, 4>()
+                                        : complex_sweep_of<basis, 0>();
   if constexpr (basis == Basis::linear && scalar_of<Real> == Scalar::double_precision)
     kernels.sweep_positive = stride == 1   ? sweep_of_bands<basis, 1, Sign::positive>()
                              : stride == 2 ? sweep_of_bands<basis, 2, Sign::positive>()
