@@ -12,8 +12,8 @@ namespace {
 /// Real and imaginary parts of all bands and rates that are swept together: with more of them a cell's
 /// numbers leave the cache.
 constexpr std::size_t most_parts = 16;
-/// Vectors that most solutions need.
-constexpr double wanted_vectors = 16;
+/// Vectors that a cycle has at least: with fewer it begins anew too often.
+constexpr double wanted_vectors = 8;
 
 bool has_memory(const Problem& problem, const DirectionSet& directions, std::size_t rates,
                 const SolveOptions& options) {

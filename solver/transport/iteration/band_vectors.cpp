@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 
 #include "solver/transport/iteration/band_pairs.h"
 #include "solver/transport/state/safe_squares.h"
@@ -13,6 +14,33 @@ namespace {
 
 /// Rows of one partial sum. It decides the order of sums, so it must not depend on the number of threads.
 constexpr std::size_t summed_rows = 4096;
+
+/// Calls work with the stride as a constant where it is a usual one, so that loops over it fill registers;
+/// else with 0.
+template <class Work>
+void with_stride(std::size_t stride, const Work& work) {
+  switch (stride) {
+    case 1:
+      return work(std::integral_constant<std::size_t, 1>());
+    case 2:
+      return work(std::integral_constant<std::size_t, 2>());
+    case 4:
+      return work(std::integral_constant<std::size_t, 4>());
+    case 8:
+      return work(std::integral_constant<std::size_t, 8>());
+    case 16:
+      return work(std::integral_constant<std::size_t, 16>());
+    default:
+      return work(std::integral_constant<std::size_t, 0>());
+  }
+}
+
+/// Numbers [band] with as many zeros behind them as fill the stride.
+std::vector<double> filled_up(const BandScalars& numbers, std::size_t stride) {
+  std::vector<double> filled(numbers);
+  filled.resize(stride, 0);
+  return filled;
+}
 
 void append(std::vector<double>& weights, std::size_t count, double weight) {
   weights.insert(weights.end(), count, weight);
@@ -60,20 +88,30 @@ BandScalars BandVectors::dot(const TransportState& a, const TransportState& b,
                              const BandScalars& factor) const {
   const std::size_t rows = weights_.size();
   const std::size_t blocks = (rows + summed_rows - 1) / summed_rows;
-  std::vector<double> partial(blocks * bands_, 0);
+  std::vector<double> partial(blocks * stride_, 0);
+  const std::vector<double> factors = filled_up(factor, stride_);
   const double* left = a.values().data();
   const double* right = b.values().data();
+  with_stride(stride_, [&](auto constant) {
+    const std::size_t stride = constant > 0 ? constant : stride_;
 #pragma omp parallel for schedule(static) num_threads(threads_)
-  for (std::size_t block = 0; block < blocks; ++block) {
-    double* sum = &partial[block * bands_];
-    const std::size_t end = std::min(rows, (block + 1) * summed_rows);
-    for (std::size_t row = block * summed_rows; row < end; ++row)
-      for (std::size_t band = 0; band < bands_; ++band)
-        sum[band] += weights_[row] * (factor[band] * left[row * stride_ + band]) *
-                     (factor[band] * right[row * stride_ + band]);
-  }
+    for (std::size_t block = 0; block < blocks; ++block) {
+      double* const sum = &partial[block * stride];
+      const double* const by = factors.data();
+      const std::size_t end = std::min(rows, (block + 1) * summed_rows);
+      for (std::size_t row = block * summed_rows; row < end; ++row) {
+        const double weight = weights_[row];
+        const double* const x = left + row * stride;
+        const double* const y = right + row * stride;
+#pragma GCC ivdep
+        for (std::size_t band = 0; band < stride; ++band)
+          sum[band] += weight * (by[band] * x[band]) * (by[band] * y[band]);
+      }
+    }
+  });
   BandScalars result(bands_, 0);
-  for (std::size_t i = 0; i < partial.size(); ++i) result[i % bands_] += partial[i];
+  for (std::size_t block = 0; block < blocks; ++block)
+    for (std::size_t band = 0; band < bands_; ++band) result[band] += partial[block * stride_ + band];
   if (is_complex_) add_pairs(result);
   return result;
 }
@@ -109,10 +147,16 @@ BandScalars BandVectors::units(const TransportState& a) const {
 void BandVectors::add(TransportState& to, const BandScalars& factor, const TransportState& from) const {
   double* sum = to.values().data();
   const double* values = from.values().data();
+  const std::vector<double> factors = filled_up(factor, stride_);
+  with_stride(stride_, [&](auto constant) {
+    const std::size_t stride = constant > 0 ? constant : stride_;
+    const double* const by = factors.data();
 #pragma omp parallel for schedule(static) num_threads(threads_)
-  for (std::size_t row = 0; row < weights_.size(); ++row)
-    for (std::size_t band = 0; band < bands_; ++band)
-      sum[row * stride_ + band] += factor[band] * values[row * stride_ + band];
+    for (std::size_t row = 0; row < weights_.size(); ++row)
+#pragma GCC ivdep
+      for (std::size_t band = 0; band < stride; ++band)
+        sum[row * stride + band] += by[band] * values[row * stride + band];
+  });
 }
 
 void BandVectors::scale(TransportState& a, const BandScalars& factor) const {
