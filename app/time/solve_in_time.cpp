@@ -173,10 +173,8 @@ std::size_t rates_together(const TimeSetup& setup) {
   return rates_side_by_side(setup.problem, setup.sets.front(), rate_count(*setup.input.time), setup.options);
 }
 
-}  // namespace
-
-RunMemory time_memory(const TimeSetup& setup) {
-  const std::vector<Complex> any(rates_together(setup), 0.0);
+RunMemory memory_of_rates(const TimeSetup& setup, std::size_t together) {
+  const std::vector<Complex> any(together, 0.0);
   const LaplaceProblem laplace =
       laplace_problem(setup.problem, any, Slowness(setup.problem.mesh().region_names().size(), 0));
   RunMemory memory = memory_of(LightSetup(laplace.problem), {setup.sets, {}}, setup.options);
@@ -190,9 +188,13 @@ RunMemory time_memory(const TimeSetup& setup) {
   return memory;
 }
 
+}  // namespace
+
+RunMemory time_memory(const TimeSetup& setup) { return memory_of_rates(setup, rates_together(setup)); }
+
 std::string time_plan_text(const TimeSetup& setup) {
-  const RunMemory memory = time_memory(setup);
   const std::size_t rates = rate_count(*setup.input.time), together = rates_together(setup);
+  const RunMemory memory = memory_of_rates(setup, together);
   check_memory(memory.solving, setup.problem.mesh(), setup.problem.band_count(), memory.matrices,
                memory.expected);
   std::string text =

@@ -47,9 +47,7 @@ TimeNumbers::TimeNumbers(const Case& input, const Problem& problem, const CellLo
     for (const std::string& band : problem.bands().names) quantities_.push_back({quantity, name, band, unit});
   };
   for (const Place& place : places_) add(place.meter ? "irradiance" : "fluence", place.name, units.flux);
-  for (const std::string& wall : problem.mesh().wall_names()) {
-    add("incoming", "wall " + wall, units.power);
-  }
+  for (const std::string& wall : problem.mesh().wall_names()) add("incoming", "wall " + wall, units.power);
   for (const std::string& region : problem.mesh().region_names()) {
     add("absorbed", "region " + region, units.power);
     add("fluence_mean", "region " + region, units.flux);
@@ -86,9 +84,8 @@ std::vector<std::vector<std::complex<double>>> TimeNumbers::read(const SolvedRat
       parts.add([&](std::size_t band) { return values[band].fluence; });
     }
   }
-  for (const std::vector<WallPower>& wall : wall_powers(solved.problem, solved.solution)) {
+  for (const std::vector<WallPower>& wall : wall_powers(solved.problem, solved.solution))
     parts.add([&](std::size_t band) { return wall[band].incoming; });
-  }
   for (const std::vector<RegionPower>& region : region_powers(solved.problem, solved.solution)) {
     parts.add([&](std::size_t band) { return region[band].absorbed; });
     parts.add([&](std::size_t band) { return region[band].fluence_mean; });

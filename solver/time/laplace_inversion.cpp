@@ -36,7 +36,7 @@ std::vector<Complex> continued_fraction(std::span<const Complex> series) {
     for (std::size_t i = 0; i + 1 < count; ++i)
       quotient[i] = quotient[i + 1] * difference[i + 1] / difference[i];
   }
-  // Of a rational function the fraction ends with a zero, and nothing is known behind it.
+  // The fraction of a rational function, or of nothing, ends with a zero, and nothing is known behind it.
   const auto end = std::ranges::find_if(fraction, [](const Complex& coefficient) {
     return coefficient == 0.0 || !std::isfinite(std::abs(coefficient));
   });
@@ -59,15 +59,12 @@ class PartialInversion {
  public:
   PartialInversion(std::span<const Complex> transform, double growth, double half_period)
       : growth_(growth), half_period_(half_period) {
-    // A function that is not there has no quotients.
-    if (std::ranges::all_of(transform, [](Complex value) { return value == 0.0; })) return;
     std::vector<Complex> series(transform.begin(), transform.end());
     series[0] /= 2;
     fraction_ = continued_fraction(series);
   }
 
   double at(double time) const {
-    if (fraction_.empty()) return 0;
     const Complex z = std::polar(1.0, std::numbers::pi * time / half_period_);
     return std::exp(growth_ * time) / half_period_ * value_of(fraction_, z).real();
   }

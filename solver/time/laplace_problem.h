@@ -12,7 +12,7 @@ namespace etendue {
 /// Slowness n / c of light in the regions of a problem [time/length].
 using Slowness = std::vector<double>;
 
-/// The transport equation of light that changes as e^(s t), (L1) of docs/theory/time.md, for several rates s
+/// The transport equation of light that changes as e^(s t), (L2) of docs/theory/time.md, for several rates s
 /// side by side:
 ///
 ///     w.grad u + (sigma_t + s n / c) u = integral of sigma_s p(w.w') u(w') dw' + q
