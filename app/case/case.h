@@ -13,6 +13,7 @@
 
 #include "app/case/exact_family.h"
 #include "app/case/false_color.h"
+#include "app/case/in_time.h"
 #include "app/case/lamps/light_table.h"
 #include "base/angular_space.h"
 #include "base/errors.h"
@@ -35,6 +36,7 @@
 #include "solver/problem/scattering_choice.h"
 #include "solver/radiosity/solve/radiosity_method.h"
 #include "solver/solution/solve_options.h"
+#include "solver/time/step_method.h"
 
 namespace etendue {
 
@@ -101,6 +103,7 @@ struct MediumCase {
   Origin origin;
   AngularSpace space = AngularSpace::sphere;  ///< what power is divided by
   double refractive_index = 1;                ///< by which light is slower than in vacuum
+  std::optional<InTime> in_time;              ///< of what it emits
   bool reradiates = false;  ///< whether the temperature follows from `heat_source` by scattering alone
 
   /// Whether the temperature follows, and takes more than one solution of the transport equation.
@@ -157,6 +160,7 @@ struct LightCase {
   Uncollided uncollided = Uncollided::automatic;
   std::vector<std::string> walls;
   bool of_wall = false;  ///< walls.NAME.beam, which is no sun
+  std::optional<InTime> in_time;
   Origin origin;
 };
 
@@ -179,7 +183,8 @@ struct WallCase {
   std::optional<LightCase> beam;
   Origin origin;
   bool reradiates = false;  ///< whether the temperature follows from `heat_flux` by reflection alone
-  std::vector<Glazing> glazing = {};  ///< [band] of what light from outside comes in by; empty: an opening
+  std::vector<Glazing> glazing = {};   ///< [band] of what light from outside comes in by; empty: an opening
+  std::optional<InTime> in_time = {};  ///< of the radiance and the beam
 
   /// Whether the temperature follows, and takes more than one solution of the transport equation.
   bool iterates_temperature() const { return (heat_flux || convection) && !reradiates; }
@@ -261,19 +266,18 @@ struct AccuracyCase {
   Origin origin;
 };
 
-/// When all that emits does so.
-enum class EmissionInTime {
-  pulse,  ///< at t = 0: powers are energies, power times the unit of time
-  step    ///< from t = 0 on
-};
-
 /// What is asked about light that changes with time.
 struct TimeCase {
-  double speed = 0;                                 ///< of light in vacuum [length/time]
-  std::string unit = "s";                           ///< of time, a label
-  EmissionInTime emission = EmissionInTime::pulse;  ///< of `times`
-  std::vector<double> modulation;                   ///< frequencies of all that emits [1/time]
-  std::vector<double> times;                        ///< rising [time]
+  double speed = 0;                        ///< of light in vacuum [length/time]
+  std::string unit = "s";                  ///< of time, a label
+  InTime in_time;                          ///< of all sources that say nothing themselves
+  std::vector<double> modulation;          ///< frequencies of all that emits [1/time]
+  std::vector<double> times;               ///< rising, by inversion [time]
+  std::optional<double> until;             ///< steps to here [time]
+  std::optional<double> step;              ///< at most [time]
+  std::optional<double> tolerance;         ///< to which steps adapt
+  StepMethod method = StepMethod::sdirk2;  ///< of steps
+  int frames = 0;                          ///< evenly spaced times of which fields are written
   Origin origin;
 };
 

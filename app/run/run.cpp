@@ -190,7 +190,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   result.sensors = read_sensors(input.sensors, {lights, ordinates, options, solution, scene, locator},
                                 ShownStage(stages, "sensors").observer());
   result.seconds.sensors += watch.lap();
-  if (asks_time && !interruption.noted()) result.time = solve_in_time(in_time, stages, interrupted);
+  if (asks_time && !interruption.noted()) result.time = solve_in_time(in_time, solution, stages, interrupted);
   note_left_out(result);
   result.seconds.total = watch.total();
   const ResultUse use = request.traces == RunTraces::none ? ResultUse::none

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
-#include "app/case/build/entry_of.h"
 #include "app/setup/memory.h"
+#include "app/time/steps_in_time.h"
 #include "app/time/time_numbers.h"
 #include "base/wall_clock.h"
 
@@ -20,13 +20,8 @@ using Complex = std::complex<double>;
 
 /// Inversion multiplies the errors that an iteration leaves by up to 250.
 constexpr double tolerance_of_transforms = 1e-8;
-
-Slowness slowness_of(const Case& input, const Problem& problem) {
-  Slowness slowness;
-  for (const std::string& region : problem.mesh().region_names())
-    slowness.push_back(entry_of(input.media, region).refractive_index / input.time->speed);
-  return slowness;
-}
+/// Of the progress, where there are steps too.
+constexpr double share_of_rates = 0.5;
 
 /// Rates of the frequencies, that of the mean first.
 std::vector<Complex> rates_of_frequencies(const std::vector<double>& frequencies) {
@@ -36,8 +31,8 @@ std::vector<Complex> rates_of_frequencies(const std::vector<double>& frequencies
 }
 
 /// The transform of when everything emits.
-Complex transform_of(EmissionInTime emission, Complex rate) {
-  return emission == EmissionInTime::step ? 1.0 / rate : 1.0;
+Complex transform_of(const InTime& in_time, Complex rate) {
+  return in_time.kind == InTime::Kind::step ? 1.0 / rate : 1.0;
 }
 
 std::size_t rate_count(const TimeCase& time) {
@@ -48,10 +43,12 @@ std::size_t rate_count(const TimeCase& time) {
 /// One run through the rates of a case.
 class SolverInTime {
  public:
-  SolverInTime(const TimeSetup& setup, const StageDisplay& stages, std::function<bool()> interrupted)
+  SolverInTime(const TimeSetup& setup, const Solution& steady, const StageDisplay& stages,
+               std::function<bool()> interrupted)
       : time_(*setup.input.time),
         setup_(setup),
-        slowness_(slowness_of(setup.input, setup.problem)),
+        steady_(steady),
+        slowness_(slowness_of(setup)),
         numbers_(setup.input, setup.problem, setup.locator),
         interrupted_(std::move(interrupted)),
         stage_(stages, "light in time") {
@@ -62,11 +59,19 @@ class SolverInTime {
     const auto start = WallClock::now();
     if (!time_.modulation.empty()) find_modulated();
     if (!time_.times.empty() && !result_.interrupted) find_histories();
+    if (time_.until && !result_.interrupted) march();
     result_.seconds = seconds_since(start);
     return std::move(result_);
   }
 
  private:
+  void march() {
+    const double before = rate_count(time_) > 0 ? share_of_rates : 0;
+    take_steps(
+        setup_, numbers_, steady_, interrupted_,
+        [&](double share) { stage_.observer()(before + (1 - before) * share); }, result_);
+  }
+
   void find_modulated() {
     const std::vector<Complex> rates = rates_of_frequencies(time_.modulation);
     solve(rates, setup_.options.tolerance, [&](const SolvedRates& solved) {
@@ -115,7 +120,7 @@ class SolverInTime {
       for (std::size_t i = 0; i < solved.count; ++i)
         for (std::size_t q = 0; q < transforms.size(); ++q)
           transforms[q].push_back(values[i][q] *
-                                  transform_of(time_.emission, inversion.rates()[solved.first + i]));
+                                  transform_of(time_.in_time, inversion.rates()[solved.first + i]));
     });
     if (result_.interrupted) return;
     const std::span<const double> times(begin, end);
@@ -157,11 +162,13 @@ class SolverInTime {
     result_.interrupted = solved.solution.interrupted || interrupted_();
     result_.converged = result_.converged && solved.solution.converged();
     result_.rates += static_cast<int>(solved.count);
-    stage_.observer()(static_cast<double>(result_.rates) / static_cast<double>(rate_count(time_)));
+    stage_.observer()((time_.until ? share_of_rates : 1) * static_cast<double>(result_.rates) /
+                      static_cast<double>(rate_count(time_)));
   }
 
   const TimeCase& time_;
   const TimeSetup& setup_;
+  const Solution& steady_;
   Slowness slowness_;
   TimeNumbers numbers_;
   std::function<bool()> interrupted_;
@@ -190,15 +197,24 @@ RunMemory memory_of_rates(const TimeSetup& setup, std::size_t together) {
 
 }  // namespace
 
-RunMemory time_memory(const TimeSetup& setup) { return memory_of_rates(setup, rates_together(setup)); }
+RunMemory time_memory(const TimeSetup& setup) {
+  RunMemory memory;
+  if (rate_count(*setup.input.time) > 0) memory = memory_of_rates(setup, rates_together(setup));
+  if (!setup.input.time->until) return memory;
+  RunMemory steps = steps_memory(setup);
+  return steps.solving > memory.solving ? steps : memory;
+}
 
 std::string time_plan_text(const TimeSetup& setup) {
-  const std::size_t rates = rate_count(*setup.input.time), together = rates_together(setup);
-  const RunMemory memory = memory_of_rates(setup, together);
-  check_memory(memory.solving, setup.problem.mesh(), setup.problem.band_count(), memory.matrices,
-               memory.expected);
-  std::string text =
-      fmt::format("light in time: {} rates are solved for, {} side by side\n", rates, together);
+  std::string text;
+  if (const std::size_t rates = rate_count(*setup.input.time); rates > 0) {
+    const std::size_t together = rates_together(setup);
+    const RunMemory memory = memory_of_rates(setup, together);
+    check_memory(memory.solving, setup.problem.mesh(), setup.problem.band_count(), memory.matrices,
+                 memory.expected);
+    text = fmt::format("light in time: {} rates are solved for, {} side by side\n", rates, together);
+  }
+  if (setup.input.time->until) text += steps_plan_text(setup);
   const TimeNumbers numbers(setup.input, setup.problem, setup.locator);
   if (!numbers.left_out().empty())
     text += fmt::format("  sensors that do not read it: {}\n", fmt::join(numbers.left_out(), ", "));
@@ -206,9 +222,9 @@ std::string time_plan_text(const TimeSetup& setup) {
   return text;
 }
 
-TimeResult solve_in_time(const TimeSetup& setup, const StageDisplay& stages,
+TimeResult solve_in_time(const TimeSetup& setup, const Solution& steady, const StageDisplay& stages,
                          const std::function<bool()>& interrupted) {
-  return SolverInTime(setup, stages, interrupted).result();
+  return SolverInTime(setup, steady, stages, interrupted).result();
 }
 
 }  // namespace etendue

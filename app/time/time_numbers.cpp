@@ -8,31 +8,6 @@
 #include "solver/solution/probe.h"
 
 namespace etendue {
-namespace {
-
-/// Numbers of a problem whose bands are [rate][band][part], taken apart.
-class Parts {
- public:
-  Parts(std::size_t rates, std::size_t bands) : bands_(bands), values_(rates) {}
-
-  /// Adds a quantity whose value in each of the problem's bands is of(band).
-  template <class Of>
-  void add(const Of& of) {
-    for (std::size_t rate = 0; rate < values_.size(); ++rate)
-      for (std::size_t band = 0; band < bands_; ++band) {
-        const std::size_t real = 2 * (rate * bands_ + band);
-        values_[rate].emplace_back(of(real), of(real + 1));
-      }
-  }
-  std::vector<std::vector<std::complex<double>>> take() && { return std::move(values_); }
-
- private:
-  std::size_t bands_;
-  std::vector<std::vector<std::complex<double>>> values_;
-};
-
-}  // namespace
-
 TimeNumbers::TimeNumbers(const Case& input, const Problem& problem, const CellLocator& locator)
     : problem_(problem), locator_(locator) {
   for (const Probe& probe : input.probes)
@@ -73,24 +48,49 @@ void TimeNumbers::add_sensor(const SensorCase& sensor) {
     left_out_.push_back(sensor.name);
 }
 
-std::vector<std::vector<std::complex<double>>> TimeNumbers::read(const SolvedRates& solved) const {
-  const auto bands = static_cast<std::size_t>(solved.problem.band_count());
-  Parts parts(solved.count, static_cast<std::size_t>(problem_.band_count()));
+std::vector<std::vector<double>> TimeNumbers::by_bands(const Problem& problem,
+                                                       const Solution& solution) const {
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  std::vector<std::vector<double>> numbers;
+  const auto add = [&](const auto& of_band) {
+    std::vector<double>& row = numbers.emplace_back();
+    for (std::size_t band = 0; band < bands; ++band) row.push_back(of_band(band));
+  };
   for (const Place& place : places_) {
     if (place.meter) {
-      parts.add([&](std::size_t band) { return solved.solution.meters[*place.meter * bands + band]; });
+      add([&](std::size_t band) { return solution.meters[*place.meter * bands + band]; });
     } else {
-      const std::vector<ProbeValue> values = probe(solved.problem, solved.solution, locator_, place.point);
-      parts.add([&](std::size_t band) { return values[band].fluence; });
+      const std::vector<ProbeValue> values = probe(problem, solution, locator_, place.point);
+      add([&](std::size_t band) { return values[band].fluence; });
     }
   }
-  for (const std::vector<WallPower>& wall : wall_powers(solved.problem, solved.solution))
-    parts.add([&](std::size_t band) { return wall[band].incoming; });
-  for (const std::vector<RegionPower>& region : region_powers(solved.problem, solved.solution)) {
-    parts.add([&](std::size_t band) { return region[band].absorbed; });
-    parts.add([&](std::size_t band) { return region[band].fluence_mean; });
+  for (const std::vector<WallPower>& wall : wall_powers(problem, solution))
+    add([&](std::size_t band) { return wall[band].incoming; });
+  for (const std::vector<RegionPower>& region : region_powers(problem, solution)) {
+    add([&](std::size_t band) { return region[band].absorbed; });
+    add([&](std::size_t band) { return region[band].fluence_mean; });
   }
-  return std::move(parts).take();
+  return numbers;
+}
+
+std::vector<double> TimeNumbers::values(const Problem& problem, const Solution& solution) const {
+  std::vector<double> values;
+  for (const std::vector<double>& row : by_bands(problem, solution))
+    values.insert(values.end(), row.begin(), row.end());
+  return values;
+}
+
+// The bands of a solved problem are [rate][band][real, imaginary part].
+std::vector<std::vector<std::complex<double>>> TimeNumbers::read(const SolvedRates& solved) const {
+  const auto bands = static_cast<std::size_t>(problem_.band_count());
+  std::vector<std::vector<std::complex<double>>> values(solved.count);
+  for (const std::vector<double>& row : by_bands(solved.problem, solved.solution))
+    for (std::size_t rate = 0; rate < solved.count; ++rate)
+      for (std::size_t band = 0; band < bands; ++band) {
+        const std::size_t real = 2 * (rate * bands + band);
+        values[rate].emplace_back(row[real], row[real + 1]);
+      }
+  return values;
 }
 
 }  // namespace etendue

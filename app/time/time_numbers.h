@@ -25,6 +25,8 @@ class TimeNumbers {
   const std::vector<std::string>& left_out() const { return left_out_; }
   /// Where the solutions have to have meters.
   const std::vector<IrradianceMeter>& meters() const { return meters_; }
+  /// The numbers of a solution of the problem itself [quantity].
+  std::vector<double> values(const Problem& problem, const Solution& solution) const;
   /// The numbers of each solved rate [rate][quantity].
   std::vector<std::vector<std::complex<double>>> read(const SolvedRates& solved) const;
 
@@ -38,6 +40,8 @@ class TimeNumbers {
 
   void add_place(const std::string& name, const Vec3& point, const std::optional<Vec3>& normal);
   void add_sensor(const SensorCase& sensor);
+  /// The numbers of a solution in each of the bands of `problem`, which may be others [what is read][band].
+  std::vector<std::vector<double>> by_bands(const Problem& problem, const Solution& solution) const;
 
   const Problem& problem_;
   const CellLocator& locator_;

@@ -39,6 +39,16 @@ void add_passes(const RunResult& result, OutputFolder& folder) {
                   "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [" + series + "\n  ]\n}\n");
 }
 
+void add_steps(const RunResult& result, OutputFolder& folder) {
+  const StepsInTime& steps = *result.time->steps;
+  folder.add_text("steps.csv", steps_csv(result));
+  if (steps.frames.empty()) return;
+  for (std::size_t i = 0; i < steps.frames.size(); ++i)
+    write_frame(result, steps.frames[i], folder.add(frame_name(i)),
+                result.input.output.directory / frame_name(i));
+  folder.add_text("fluence.pvd", frames_pvd(steps));
+}
+
 }  // namespace
 
 WrittenResults write_results(const RunResult& result) {
@@ -62,6 +72,7 @@ WrittenResults write_results(const RunResult& result) {
     write_modulation(result, folder.add("modulation.vtu"), directory / "modulation.vtu");
   }
   if (result.time && !result.time->histories.empty()) folder.add_text("times.csv", times_csv(result));
+  if (result.time && result.time->steps) add_steps(result, folder);
   if (has_temperatures(result.input)) folder.add_text("heat.csv", heat_csv(result));
   if (result.radiosity) folder.add_text("form_factors.csv", form_factors_csv(result));
   if (result.radiosity && !result.radiosity->bounces.empty())

@@ -48,7 +48,7 @@ struct IrradianceMeter {
 
 class AngularInput;
 class FollowingEmission;
-struct ComplexExtinction;
+struct AddedExtinction;
 struct SavedState;
 
 struct SolveOptions {
@@ -74,9 +74,9 @@ struct SolveOptions {
   /// Sources of another problem, of which this one is the adjoint with all directions reversed: the solution
   /// has their products with it (Solution::source_products). They must outlive the call.
   std::vector<const AngularInput*> paired_sources;
-  /// Makes the radiance complex; must outlive the solution. Null: it is real. Not with positivity, emission
-  /// that follows or source iteration with diffusion.
-  const ComplexExtinction* complex_extinction = nullptr;
+  /// Of light that changes with time; must outlive the solution. Null: nothing is added. Complex radiances
+  /// are not for positivity, emission that follows or source iteration with diffusion.
+  const AddedExtinction* added_extinction = nullptr;
   /// Emission that changes with the solution, and in the end is that of the solution; must outlive the
   /// call. Null: the emission of the problem is all.
   FollowingEmission* following_emission = nullptr;

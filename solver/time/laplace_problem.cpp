@@ -59,9 +59,9 @@ Problem with_real_sources(const Problem& pairs) {
                  std::move(lights));
 }
 
-ComplexExtinction added_extinction(const Problem& problem, std::span<const std::complex<double>> rates,
-                                   const Slowness& slowness) {
-  ComplexExtinction added;
+AddedExtinction added_extinction(const Problem& problem, std::span<const std::complex<double>> rates,
+                                 const Slowness& slowness) {
+  AddedExtinction added;
   for (std::int32_t c = 0; c < problem.mesh().cell_count(); ++c) {
     const double slow = slowness[static_cast<std::size_t>(problem.mesh().region(CellIndex(c)))];
     for (const std::complex<double>& rate : rates)

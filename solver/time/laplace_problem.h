@@ -5,7 +5,7 @@
 #include <span>
 
 #include "solver/problem/problem.h"
-#include "solver/solution/complex_extinction.h"
+#include "solver/solution/added_extinction.h"
 
 namespace etendue {
 
@@ -19,7 +19,7 @@ using Slowness = std::vector<double>;
 struct LaplaceProblem {
   /// Its bands are [rate][band of the problem][real, imaginary part of the radiance].
   Problem problem;
-  ComplexExtinction extinction;
+  AddedExtinction extinction;
 };
 
 /// Makes the problem for rates [1/time] with Re s >= 0 and Im s >= 0. All that emits is real and does so

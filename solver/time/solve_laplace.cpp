@@ -2,9 +2,11 @@
 #include "solver/time/solve_laplace.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "solver/solution/mean_solution.h"
 #include "solver/transport/solve/solve.h"
+#include "solver/transport/solve/transport_solver.h"
 
 namespace etendue {
 namespace {
@@ -38,17 +40,21 @@ void solve_laplace(const Problem& problem, const std::vector<DirectionSet>& sets
                    const SolveOptions& options, const SolvedRatesReader& reader,
                    const SolveObserver& observer) {
   const std::size_t together = rates_side_by_side(problem, sets.front(), rates.size(), options);
+  std::vector<std::shared_ptr<const SweepOrders>> orders(sets.size());
   for (std::size_t first = 0; first < rates.size(); first += together) {
     const std::size_t count = std::min(together, rates.size() - first);
     const LaplaceProblem laplace = laplace_problem(problem, rates.subspan(first, count), slowness);
     SolveOptions own = options;
-    own.complex_extinction = &laplace.extinction;
+    own.added_extinction = &laplace.extinction;
     own.angular_input = nullptr;
     own.initial = nullptr;
     own.keep_ordinates.clear();
     MeanSolution mean;
-    for (const DirectionSet& directions : sets) {
-      const Solution on_set = solve(laplace.problem, directions, own, observer);
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      // The last few rates have fewer bands.
+      TransportSolver solver(laplace.problem, sets[i], own, count == together ? orders[i] : nullptr);
+      if (count == together) orders[i] = solver.orders();
+      const Solution on_set = solver.solve(observer);
       mean.add(on_set);
       if (on_set.interrupted) break;
     }

@@ -8,7 +8,7 @@
 #include <map>
 #include <memory>
 
-#include "solver/solution/complex_extinction.h"
+#include "solver/solution/added_extinction.h"
 #include "solver/transport/sweep/transport_sweep.h"
 #include "tests/benchmark/hardware_counts.h"
 #include "tests/benchmark/unit_cube.h"
@@ -65,11 +65,11 @@ void sweep_of(benchmark::State& bench, double max_volume, int degree, bool is_co
   const Problem problem = smoke(mesh, bands, forward(degree));
   const DirectionSet directions = directions_product(8);
   std::vector<double> extinction(static_cast<std::size_t>(mesh.cell_count() * bands), 1.5);
-  const ComplexExtinction added{std::vector<double>(extinction.size() / 2, 0.3),
-                                std::vector<double>(extinction.size() / 2, 0.7)};
+  const AddedExtinction added{std::vector<double>(extinction.size() / 2, 0.3),
+                              std::vector<double>(extinction.size() / 2, 0.7)};
   SolveOptions options;
   options.threads = static_cast<int>(bench.range(1));
-  if (is_complex) options.complex_extinction = &added;
+  if (is_complex) options.added_extinction = &added;
   auto transport = make_sweep<Real>(problem, directions, extinction, options);
   TransportState last(transport.layout());
   TransportState next(transport.layout());

@@ -38,6 +38,8 @@ KeyTable wall_keys() {
   t.key("uncollided", switch_, {.default_value = "\"auto\""},
         "Whether the uncollided part of the radiance and of the beam is integrated along rays as that of a "
         "light; auto: of a beam, and of the radiance where the wall is below 5 % of the boundary.");
+  t.key("in_time", text, {.default_note = "that of [time]"},
+        "When the wall sends its radiance and its beam, in a case with [time]: see `time.in_time`.");
   return t;
 }
 
@@ -174,6 +176,8 @@ KeyTable single_light_keys() {
   t.key("uncollided", switch_, {.default_value = "\"auto\""},
         "auto and true: the uncollided part is integrated along rays; false: it is left to the directions, "
         "and shows their rays.");
+  t.key("in_time", text, {.default_note = "that of [time]"},
+        "When the light shines, in a case with [time]: see `time.in_time`.");
   return t;
 }
 

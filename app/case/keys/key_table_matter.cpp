@@ -75,6 +75,8 @@ KeyTable medium_keys() {
         "Claims of the kernel that k(w, v) = k(-v, -w), which is checked.");
   t.key("refractive_index", number, {.default_note = "1", .range = positive},
         "By which light is slower here than in vacuum, in a case with [time]. It bends no rays.");
+  t.key("in_time", text, {.default_note = "that of [time]"},
+        "When the medium emits, in a case with [time]: see `time.in_time`.");
   t.key("uncollided", switch_, {.default_value = "\"auto\""},
         "Whether the emission's uncollided part is integrated along rays as that of a light; auto: where the "
         "region is below 5 % of the volume.");

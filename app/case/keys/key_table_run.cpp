@@ -268,11 +268,12 @@ const BoundTable<TimeCase>& time_table() {
     t.key("speed", &TimeCase::speed, {.unit = "length/time", .range = positive, .need = required},
           "Of light in vacuum, in the case's unit of length: 299792458 for metres and seconds.");
     t.key("unit", &TimeCase::unit, {}, "Of time; a label.");
-    t.choice("in_time", &TimeCase::emission,
-             {{"pulse", EmissionInTime::pulse}, {"step", EmissionInTime::step}}, {},
-             "What all that emits does for `times`: a pulse at t = 0, of an energy that is the power of the "
-             "case times "
-             "one unit of time; or it is switched on at t = 0.");
+    t.key(
+        "in_time", text, {.default_value = "\"pulse\""},
+        "When sources emit that have no `in_time` themselves. pulse: all at t = 0, of an energy that is the "
+        "power of the case times one unit of time; step: from t = 0 on; a formula in t, or the name of a CSV "
+        "file of t and factor: the part of the power at times t > 0. `times` needs pulse or step, the same "
+        "for all sources.");
     t.key(
         "modulation", numbers, {.unit = "1/time", .range = positive},
         "Frequencies: amplitude and phase of all that is read go into `frequency.csv`, where everything that "
@@ -280,6 +281,22 @@ const BoundTable<TimeCase>& time_table() {
     t.key(
         "times", numbers, {.unit = "time", .range = positive},
         "Rising: what is read at these times goes into `times.csv`, by inversion of its Laplace transform.");
+    t.key("until", &TimeCase::until, {.unit = "time", .range = positive},
+          "Steps in time, from darkness at t = 0 to here: what is read at their ends goes into `steps.csv`.");
+    t.key("step", &TimeCase::step,
+          {.unit = "time", .default_note = "a hundredth of until", .range = positive},
+          "Length of steps, at most.");
+    t.key(
+        "tolerance", &TimeCase::tolerance, {.default_note = "none: even steps", .range = open_fraction},
+        "Steps become as short as the error of a step in the fluence asks for, relative to its largest value "
+        "so far and to that of the steady light.");
+    t.choice(
+        "method", &TimeCase::method, {{"sdirk2", StepMethod::sdirk2}, {"bdf2", StepMethod::bdf2}}, {},
+        "Of steps, both of second order. sdirk2: two solutions a step, the more accurate; bdf2: one, for "
+        "even steps.");
+    t.key("frames", &TimeCase::frames, {.range = {.lowest = 0, .highest = 10000}},
+          "Evenly spaced times up to `until` of which the fluence is written, `fluence_0001.vtu` and so on, "
+          "and `fluence.pvd` that has them all.");
     return t;
   }();
   return table;

@@ -67,7 +67,7 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   result.sensors = read_sensors(top);
   if (top.has("exact")) read_exact(top.section("exact"), result);
   if (top.has("accuracy")) read_accuracy(top.section("accuracy"), !has_tolerance, result);
-  if (top.has("time")) read_time(top.section("time"), result);
+  if (top.has("time")) read_time(top.section("time"), file.parent_path(), result);
   result.output = read_output(top.section("output"), file);
   result.solve.keep_ordinates = result.output.radiance_ordinates;
   return result;
@@ -92,6 +92,20 @@ void check_slow_media(const Case& input, Faults& faults) {
     if (!input.time && medium.refractive_index != 1)
       faults.push_back(fault_at(medium.origin, "",
                                 "has a refractive_index in a case without [time]; that of a wall refracts"));
+}
+
+/// Without light in time nothing has a course.
+void check_courses(const Case& input, Faults& faults) {
+  if (input.time) return;
+  const auto check = [&](const std::optional<InTime>& in_time) {
+    if (in_time)
+      faults.push_back(
+          fault_at(in_time->origin, "\"" + in_time->text + "\"", "is of no use in a case without [time]"));
+  };
+  for (const auto& [name, medium] : input.media) check(medium.in_time);
+  for (const auto& [name, wall] : input.walls) check(wall.in_time);
+  for (const LightCase& light : input.lights)
+    if (!light.of_wall) check(light.in_time);
 }
 
 /// Adds the files of the mesh that are not there to other faults, unless those are of the mesh too.
@@ -128,6 +142,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
     check_refracting_walls(result, faults);
     check_heat(result, faults);
     check_slow_media(result, faults);
+    check_courses(result, faults);
     check_seen_by_eye(result, faults);
     check_sensors_see_lights(result, faults);
   }

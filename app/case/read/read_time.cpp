@@ -6,6 +6,7 @@
 
 #include "app/case/keys/case_tables.h"
 #include "app/case/temperatures.h"
+#include "app/case/values/in_time_value.h"
 
 namespace etendue {
 namespace {
@@ -34,16 +35,57 @@ std::vector<double> read_rising(Section& section, const char* name) {
   return values;
 }
 
+void check_steps(Section& time, const TimeCase& read) {
+  const auto unused = [&](const char* key, bool is_asked) {
+    if (!read.until && is_asked) time.unused(key, "there are no steps without `until`");
+  };
+  unused("step", read.step.has_value());
+  unused("tolerance", read.tolerance.has_value());
+  unused("method", read.method != StepMethod::sdirk2);
+  unused("frames", read.frames > 0);
+  if (read.until && read.step && *read.step > *read.until)
+    time.fault("step", "is longer than until; use at most that");
+  if (read.tolerance && read.method == StepMethod::bdf2)
+    time.fault("method", "takes even steps; leave tolerance out, or use sdirk2");
+}
+
+/// What sources say themselves.
+std::vector<InTime> own_courses(const Case& input) {
+  std::vector<InTime> courses;
+  const auto add = [&](const std::optional<InTime>& in_time) {
+    if (in_time) courses.push_back(*in_time);
+  };
+  for (const auto& [name, medium] : input.media) add(medium.in_time);
+  for (const auto& [name, wall] : input.walls) add(wall.in_time);
+  for (const LightCase& light : input.lights)
+    if (!light.of_wall) add(light.in_time);
+  return courses;
+}
+
+/// Inversion knows pulses and steps, and one of them alone.
+void refuse_inversion(Section& time, const InTime& in_time) {
+  if (!time.has("times")) return;
+  time.faults().push_back(fault_at(in_time.origin, "\"" + in_time.text + "\"",
+                                   "is not for `times`, which needs \"pulse\" or \"step\", the same for all "
+                                   "sources; use steps (time.until)"));
+}
+
 }  // namespace
 
-void read_time(Section time, Case& result) {
+void read_time(Section time, const std::filesystem::path& case_folder, Case& result) {
   TimeCase read;
   read.origin = time.origin();
   time_table().read(time, read);
+  if (const std::optional<InTime> in_time = read_in_time(time, case_folder)) read.in_time = *in_time;
   read.modulation = read_rising(time, "modulation");
   read.times = read_rising(time, "times");
-  if (!time.has("modulation") && !time.has("times"))
-    time.fault("asks for nothing; give modulation, times or both");
+  if (!time.has("modulation") && !time.has("times") && !time.has("until"))
+    time.fault("asks for nothing; give modulation, times or until");
+  check_steps(time, read);
+  if (read.in_time.kind != InTime::Kind::pulse && read.in_time.kind != InTime::Kind::step)
+    refuse_inversion(time, read.in_time);
+  for (const InTime& own : own_courses(result))
+    if (own.text != read.in_time.text) refuse_inversion(time, own);
   if (const std::string conflict = conflict_of(result); !conflict.empty()) time.fault(conflict);
   result.time = std::move(read);
 }

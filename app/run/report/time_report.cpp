@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/run/report/report_parts.h"
 
@@ -46,14 +47,39 @@ std::string histories_text(const TimeResult& time) {
       time.histories.size(), time.histories.front().size(), worst);
 }
 
+std::string steps_text(const StepsInTime& steps, const std::string& unit) {
+  double shortest = 0, longest = 0, error = 0, imbalance = 0, last = 0;
+  for (const StepInTime& step : steps.steps) {
+    const double length = step.end - std::exchange(last, step.end);
+    shortest = shortest > 0 ? std::min(shortest, length) : length;
+    longest = std::max(longest, length);
+    error = std::max(error, step.error);
+    imbalance = std::max(imbalance, step.imbalance);
+  }
+  const std::string lengths = longest - shortest > 1e-6 * longest
+                                  ? fmt::format("{:.4g} to {:.4g} {}", shortest, longest, unit)
+                                  : fmt::format("{:.4g} {}", longest, unit);
+  return fmt::format(
+             "\nsteps: {} of {}, to {:.6g} {}: {} numbers, see steps.csv{}\n", steps.steps.size(), lengths,
+             last, unit, steps.quantities.size(),
+             steps.frames.empty() ? "" : fmt::format("; {} frames in fluence.pvd", steps.frames.size())) +
+         fmt::format(
+             "  at most {} sweeps each; a step of first order would change the fluence by up to {:.2g} of "
+             "its "
+             "largest\n  energy kept to {:.2g}\n",
+             steps.sweeps, error, imbalance);
+}
+
 }  // namespace
 
 std::string time_text(const RunResult& result) {
   if (!result.time) return "";
   const TimeResult& time = *result.time;
-  return modulated_text(time, result.input.time->unit) + histories_text(time) +
-         fmt::format("  {} rates, at most {} sweeps each: estimated relative error {:.2g}{}\n", time.rates,
-                     time.sweeps, time.residual, time.converged ? "" : ", NOT converged");
+  std::string text = modulated_text(time, result.input.time->unit) + histories_text(time);
+  if (time.rates > 0) text += fmt::format("  {} rates, at most {} sweeps each\n", time.rates, time.sweeps);
+  if (time.steps) text += steps_text(*time.steps, result.input.time->unit);
+  return text + fmt::format("  estimated relative error of the iteration {:.2g}{}\n", time.residual,
+                            time.converged ? "" : ", NOT converged");
 }
 
 }  // namespace etendue

@@ -44,4 +44,16 @@ std::string times_csv(const RunResult& result) {
   return table;
 }
 
+std::string steps_csv(const RunResult& result) {
+  const StepsInTime& steps = *result.time->steps;
+  std::string table = "quantity,name,band,t,value,error,unit\n";
+  for (std::size_t q = 0; q < steps.quantities.size(); ++q)
+    for (const StepInTime& step : steps.steps) {
+      table += labels_of(steps.quantities[q]);
+      fmt::format_to(std::back_inserter(table), "{},{},{},{}\n", step.end, step.values[q], step.errors[q],
+                     csv_field(steps.quantities[q].unit));
+    }
+  return table;
+}
+
 }  // namespace etendue

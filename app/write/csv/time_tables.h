@@ -15,4 +15,8 @@ std::string frequency_csv(const RunResult& result);
 /// quantity,name,band,t,value,error,unit: histories, and what the inversion may be off by.
 std::string times_csv(const RunResult& result);
 
+/// quantity,name,band,t,value,error,unit: what is read at the ends of steps, and by how much it would differ
+/// with a step of first order.
+std::string steps_csv(const RunResult& result);
+
 }  // namespace etendue

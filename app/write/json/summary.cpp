@@ -85,11 +85,24 @@ Json as_json(const RadiosityReport& report) {
             {"fields", report.field_seconds}}}};
 }
 
+Json as_json(const StepsInTime& steps) {
+  double error = 0, imbalance = 0;
+  for (const StepInTime& step : steps.steps) {
+    error = std::max(error, step.error);
+    imbalance = std::max(imbalance, step.imbalance);
+  }
+  return {{"steps", steps.steps.size()}, {"until", steps.steps.empty() ? 0 : steps.steps.back().end},
+          {"sweeps", steps.sweeps},      {"error", error},
+          {"imbalance", imbalance},      {"frames", steps.frames.size()}};
+}
+
 Json as_json(const TimeResult& time) {
-  return {{"rates", time.rates},
-          {"sweeps", time.sweeps},
-          {"residual", time.residual},
-          {"converged", time.converged}};
+  Json json = {{"rates", time.rates},
+               {"sweeps", time.sweeps},
+               {"residual", time.residual},
+               {"converged", time.converged}};
+  if (time.steps) json["march"] = as_json(*time.steps);
+  return json;
 }
 
 Json as_json(const UncollidedBalance& balance) {

@@ -3,6 +3,7 @@
 
 #include <complex>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,14 +34,37 @@ struct ModulatedLight {
   std::vector<double> fluence;
 };
 
+/// A step in time.
+struct StepInTime {
+  double end = 0;              ///< [time]
+  double error = 0;            ///< of the fluence, relative, as that of one step (TimeStep::error)
+  double imbalance = 0;        ///< of the energy, relative
+  std::vector<double> values;  ///< [quantity] at its end
+  std::vector<double> errors;  ///< [quantity] of this step
+};
+
+/// The fluence at a time.
+struct FrameInTime {
+  double time = 0;
+  std::vector<double> fluence;  ///< [cell][4][band] [power/length^2]
+};
+
+struct StepsInTime {
+  std::vector<TimeQuantity> quantities;
+  std::vector<StepInTime> steps;
+  std::vector<FrameInTime> frames;
+  int sweeps = 0;  ///< of the step that took most
+};
+
 /// What a run found about light that changes with time.
 struct TimeResult {
   std::vector<TimeQuantity> quantities;
   std::vector<ModulatedLight> modulated;            ///< the first that of frequency 0; empty: not asked
   std::vector<std::vector<ValueInTime>> histories;  ///< [quantity][time]; empty: not asked
+  std::optional<StepsInTime> steps;                 ///< empty: not asked
   int rates = 0;                                    ///< that were solved for
   int sweeps = 0;                                   ///< of the rate that took most
-  double residual = 0;                              ///< the largest
+  double residual = 0;                              ///< the largest of rates and steps
   bool converged = true;
   bool interrupted = false;
   double seconds = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "app/write/result/run_result.h"
 #include "mesh/files/mesh_file.h"
@@ -23,6 +24,16 @@ void write_walls(const RunResult& result, const std::filesystem::path& path,
 /// f `amplitude_f` and `phase_f`, by how much light comes later [degree], of the fluence [band].
 void write_modulation(const RunResult& result, const std::filesystem::path& path,
                       const std::filesystem::path& shown);
+
+/// Name of the file of a frame.
+std::string frame_name(std::size_t frame);
+
+/// A frame of steps in time: every cell with four points of its own, and the fluence [band].
+void write_frame(const RunResult& result, const FrameInTime& frame, const std::filesystem::path& path,
+                 const std::filesystem::path& shown);
+
+/// A collection of all frames beside it, with their times.
+std::string frames_pvd(const StepsInTime& steps);
 
 /// Encoding, title, program and units of the mesh file of a case.
 MeshFileOptions mesh_file_options(const Case& input);

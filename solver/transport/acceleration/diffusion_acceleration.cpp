@@ -149,8 +149,8 @@ double DiffusionAcceleration::imaginary_extinction(std::size_t cell, std::size_t
 }
 
 double DiffusionAcceleration::added_absorption(std::size_t at) const {
-  const ComplexExtinction& added = sweep_.discretization().added;
-  return added.empty() ? 0 : added.real[at / 2] + added.imaginary[at / 2];
+  const AddedExtinction& added = sweep_.discretization().added;
+  return added.real_at(at) + (added.is_complex() ? added.imaginary[at / 2] : 0);
 }
 
 DiffusionCoefficients DiffusionAcceleration::coefficients(std::size_t band, const TransportState* path) {

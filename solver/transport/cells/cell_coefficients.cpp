@@ -37,7 +37,7 @@ bool lumps(Lumping lumping, double thickness) {
 double cell_size(double volume) { return std::cbrt(6 * std::sqrt(2.0) * volume); }
 
 CellCoefficients::CellCoefficients(const TetrahedralMesh& mesh, std::span<const double> extinction,
-                                   const ComplexExtinction& added, int bands, Basis basis, Lumping lumping,
+                                   const AddedExtinction& added, int bands, Basis basis, Lumping lumping,
                                    Scalar scalar)
     : basis_(basis),
       bands_(bands),
@@ -54,7 +54,7 @@ CellCoefficients::CellCoefficients(const TetrahedralMesh& mesh, std::span<const 
   for (std::size_t c = 0; c < volumes_.size(); ++c)
     for (std::size_t b = 0; b < static_cast<std::size_t>(bands); ++b) {
       const std::size_t at = c * static_cast<std::size_t>(bands) + b;
-      const double steady = extinction_[at] - (added.empty() ? 0 : added.real[at / 2]);
+      const double steady = extinction_[at] - added.real_at(at);
       lumped_[at] = lumps(lumping, steady * cell_size(volumes_[c])) ? 1 : 0;
     }
 }

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "solver/solution/complex_extinction.h"
+#include "solver/solution/added_extinction.h"
 #include "solver/solution/solve_options.h"
 #include "solver/transport/kernel/sweep_kernel.h"
 #include "solver/transport/state/aligned_array.h"
@@ -17,11 +17,11 @@ inline constexpr double lumping_thickness = 2;
 /// Coefficients of the cell equations (5) of docs/theory/theory.md that do not depend on the direction.
 class CellCoefficients {
  public:
-  /// `extinction` is [cell][band] [1/length], the real part of `added` in it; of complex radiances the
-  /// imaginary part is that of `added`, which is empty where they are real. Which cells are lumped does not
+  /// `extinction` is [cell][band] [1/length], the real part of `added` in it; the imaginary part of complex
+  /// radiances is that of `added`. Which cells are lumped does not
   /// depend on what is added: the solution is an analytic function of it. The mesh must outlive it.
   CellCoefficients(const TetrahedralMesh& mesh, std::span<const double> extinction,
-                   const ComplexExtinction& added, int bands, Basis basis, Lumping lumping,
+                   const AddedExtinction& added, int bands, Basis basis, Lumping lumping,
                    Scalar scalar = Scalar::double_precision);
 
   Basis basis() const { return basis_; }

@@ -85,8 +85,10 @@ void read_out(const TransportSweep& sweep, const TransportState& state, SweepRec
   solution.net_flux = net_flux_at_vertices(record.net_flux.span(), nodes, stride, bands);
   solution.irradiance = vertex_values(state.irradiance(), face_nodes, 3, stride, bands);
   solution.exitance = vertex_values(record.exitance.span(), face_nodes, 3, stride, bands);
-  for (OrdinateRadiance& kept : record.radiance)
+  for (OrdinateRadiance& kept : record.radiance) {
     solution.radiance.push_back({kept.ordinate, vertex_values(kept.values, nodes, 4, stride, bands)});
+    kept.values = {};  // those of all ordinates are large
+  }
   solution.meters = vertex_values(record.meters, 1, 1, stride, bands);
   SourceProducts(sweep.discretization()).add_isotropic(state.fluence(), record.source_products);
   solution.source_products = vertex_values(record.source_products, 1, 1, stride, bands);

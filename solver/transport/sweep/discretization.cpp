@@ -49,18 +49,20 @@ std::vector<CellIndex> observed_cells(const TetrahedralMesh& mesh, const SolveOp
   return cells;
 }
 
-ComplexExtinction added_extinction(const SolveOptions& options) {
-  return options.complex_extinction != nullptr ? *options.complex_extinction : ComplexExtinction{};
+AddedExtinction added_extinction(const SolveOptions& options) {
+  return options.added_extinction != nullptr ? *options.added_extinction : AddedExtinction{};
 }
 
 /// The same for a subset of the bands, in which both bands of a pair are, or neither.
-ComplexExtinction added_extinction(const Discretization& wide, std::span<const int> bands) {
-  if (wide.added.empty()) return {};
+AddedExtinction added_extinction(const Discretization& wide, std::span<const int> bands) {
+  const auto wide_bands = static_cast<std::size_t>(wide.cells.bands());
+  if (wide.added.real.empty()) return {};
+  if (!wide.added.is_complex())
+    return {select_bands(std::span<const double>(wide.added.real), wide_bands, bands), {}};
   std::vector<int> pairs;
   for (std::size_t i = 0; i < bands.size(); i += 2) pairs.push_back(bands[i] / 2);
-  const std::size_t count = static_cast<std::size_t>(wide.cells.bands()) / 2;
-  return {select_bands(std::span<const double>(wide.added.real), count, pairs),
-          select_bands(std::span<const double>(wide.added.imaginary), count, pairs)};
+  return {select_bands(std::span<const double>(wide.added.real), wide_bands / 2, pairs),
+          select_bands(std::span<const double>(wide.added.imaginary), wide_bands / 2, pairs)};
 }
 
 /// Options of sweeps without sources, of which nothing but the next state is wanted.
@@ -92,9 +94,9 @@ std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, con
 
 Discretization::Discretization(const Problem& given, const DirectionSet& set,
                                std::span<const double> extinction_of_cells, const SolveOptions& wanted,
-                               Scalar scalar)
+                               std::shared_ptr<const SweepOrders> known_orders, Scalar scalar)
     : Discretization(given, set, extinction_of_cells, wanted, added_extinction(wanted), scalar,
-                     treat_scattering(given, set), nullptr) {}
+                     treat_scattering(given, set), std::move(known_orders)) {}
 
 Discretization::Discretization(const Discretization& other, Scalar scalar)
     : Discretization(other.problem, other.directions, other.extinction, other.options, other.added, scalar,
@@ -116,7 +118,7 @@ Discretization::Discretization(const Discretization& fine, const DirectionSet& s
 
 Discretization::Discretization(const Problem& given, const DirectionSet& set,
                                std::span<const double> extinction_of_cells, const SolveOptions& wanted,
-                               ComplexExtinction added_part, Scalar scalar, ScatteringTreatments treatments,
+                               AddedExtinction added_part, Scalar scalar, ScatteringTreatments treatments,
                                std::shared_ptr<const SweepOrders> known_orders)
     : problem(given),
       directions(set),

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/solution/complex_extinction.h"
+#include "solver/solution/added_extinction.h"
 #include "solver/solution/solve_options.h"
 #include "solver/transport/cells/cell_coefficients.h"
 #include "solver/transport/order/ordinate_schedule.h"
@@ -27,11 +27,12 @@ struct ScatteringTreatments {
 /// The discretized problem of a sweep, equations (4), (11) and (13) of docs/theory/theory.md: cells,
 /// ordinates and their orders, scattering and walls.
 struct Discretization {
-  /// `extinction` is [cell][band]; it may exceed absorption + scattering. The arguments must outlive it.
-  /// Throws InputError where a mirror has no partner ordinates, SweepStopped where the options' `stops` asks
-  /// for it.
+  /// `extinction` is [cell][band]; it may exceed absorption + scattering. `known_orders` are those of another
+  /// one of the same mesh, directions and number of bands; null: they are made. The arguments must outlive
+  /// it. Throws InputError where a mirror has no partner ordinates, SweepStopped where the options' `stops`
+  /// asks for it.
   Discretization(const Problem& problem, const DirectionSet& directions, std::span<const double> extinction,
-                 const SolveOptions& options, Scalar scalar);
+                 const SolveOptions& options, std::shared_ptr<const SweepOrders> known_orders, Scalar scalar);
   /// The same for sweeps in another precision, with the same orders.
   Discretization(const Discretization& other, Scalar scalar);
   /// The same for a subset of the bands, with the same orders. `problem` and `extinction` are those of the
@@ -58,7 +59,7 @@ struct Discretization {
   const DirectionSet& directions;
   std::span<const double> extinction;
   SolveOptions options;
-  ComplexExtinction added;  ///< to the extinction, its real part in `extinction` too; empty: it is real
+  AddedExtinction added;  ///< to the extinction, its real part in `extinction` too
   ScatteringTreatments scattering;
   CellCoefficients cells;
   OrdinateSchedule schedule;
@@ -71,7 +72,7 @@ struct Discretization {
  private:
   /// Makes its own orders where `known_orders` is null.
   Discretization(const Problem& problem, const DirectionSet& directions, std::span<const double> extinction,
-                 const SolveOptions& options, ComplexExtinction added_extinction, Scalar scalar,
+                 const SolveOptions& options, AddedExtinction added_extinction, Scalar scalar,
                  ScatteringTreatments treatments, std::shared_ptr<const SweepOrders> known_orders);
 };
 

@@ -51,8 +51,9 @@ TransportSweepOf<Real>::TransportSweepOf(std::in_place_t, const Arguments&... ar
 
 template <class Real>
 TransportSweepOf<Real>::TransportSweepOf(const Problem& problem, const DirectionSet& directions,
-                                         std::span<const double> extinction, const SolveOptions& options)
-    : TransportSweepOf(std::in_place, problem, directions, extinction, options) {}
+                                         std::span<const double> extinction, const SolveOptions& options,
+                                         std::shared_ptr<const SweepOrders> known_orders)
+    : TransportSweepOf(std::in_place, problem, directions, extinction, options, known_orders) {}
 
 template <class Real>
 template <class Other>

@@ -31,10 +31,10 @@ template <class Real>
 class TransportSweepOf {
  public:
   /// `extinction` is [cell][band]; it may exceed absorption + scattering. The arguments must outlive it.
-  /// Throws InputError where a mirror has no partner ordinates, SweepStopped where the options' `stops` asks
-  /// for it.
+  /// `known_orders` as in Discretization. Throws InputError where a mirror has no partner ordinates,
+  /// SweepStopped where the options' `stops` asks for it.
   TransportSweepOf(const Problem& problem, const DirectionSet& directions, std::span<const double> extinction,
-                   const SolveOptions& options);
+                   const SolveOptions& options, std::shared_ptr<const SweepOrders> known_orders = nullptr);
   /// The same sweep in another precision, with the same orders. The other one's arguments must outlive it.
   template <class Other>
   explicit TransportSweepOf(const TransportSweepOf<Other>& other);

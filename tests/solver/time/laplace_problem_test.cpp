@@ -19,7 +19,7 @@ std::vector<Complex> complex_fluence(const Problem& problem, std::span<const Com
                                      const Slowness& slowness, const DirectionSet& directions,
                                      SolveOptions options) {
   const LaplaceProblem laplace = laplace_problem(problem, rates, slowness);
-  options.complex_extinction = &laplace.extinction;
+  options.added_extinction = &laplace.extinction;
   const Solution solution = solve(laplace.problem, directions, options);
   EXPECT_TRUE(solution.converged());
   std::vector<Complex> result;
@@ -203,7 +203,7 @@ TEST(LaplaceProblem, TakesFewSweepsInThickMedia) {
     const Complex rate(0, frequency);
     const LaplaceProblem laplace = laplace_problem(problem, {&rate, 1}, alike(mesh, 1));
     SolveOptions options;
-    options.complex_extinction = &laplace.extinction;
+    options.added_extinction = &laplace.extinction;
     options.tolerance = 1e-6;
     const Solution solution = solve(laplace.problem, directions_product(4), options);
     EXPECT_TRUE(solution.converged());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/read/lights/read_light.h"
+#include "app/case/values/in_time_value.h"
 
 #include <fmt/format.h>
 
@@ -136,6 +137,7 @@ LightCase read_light(Section& section, const LightContext& context) {
   light.origin = section.origin();
   light.name = section.text_if("name").value_or("");
   light.uncollided = read_uncollided(section);
+  light.in_time = read_in_time(section, context.folder);
   const auto kind = std::ranges::find(kind_keys(), section.text_if("kind").value_or(""), &KindKeys::name);
   if (kind == kind_keys().end()) {
     // Nothing is said about the keys of a kind that is not known.

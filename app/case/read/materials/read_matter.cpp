@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/read/materials/read_matter.h"
+#include "app/case/values/in_time_value.h"
 
 #include <fmt/format.h>
 
@@ -191,6 +192,7 @@ MediumCase read_medium(Section section, const MatterContext& context) {
   medium.space = context.space;
   medium.origin = section.origin();
   medium.refractive_index = section.number_if("refractive_index").value_or(1);
+  medium.in_time = read_in_time(section, context.case_folder);
   if (is_directional(section)) {
     medium.emission = read_band_values(section, "emission", bands, FormulaOf::place_and_direction);
     medium.power_density = read_band_values(section, "power_density", bands);
@@ -278,7 +280,11 @@ WallCase read_wall(const std::string& name, Section section, const WallContext& 
                      return std::holds_alternative<Formula>(value);
                    }));
   wall.beam = read_beam(section, name, bands);
-  if (wall.beam) wall.beam->uncollided = wall.uncollided;
+  wall.in_time = read_in_time(section, context.case_folder);
+  if (wall.beam) {
+    wall.beam->uncollided = wall.uncollided;
+    wall.beam->in_time = wall.in_time;
+  }
   if (section.has("glazing")) {
     wall.glazing = read_glazing(section.section("glazing"), bands);
     check_glazed_wall(section, wall);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/case/values/in_time_value.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "app/case/keys/resolve_path.h"
+#include "base/expression/expression.h"
+#include "base/text/number_columns.h"
+
+namespace etendue {
+namespace {
+
+InTime of_table(const TomlNode& node, const std::filesystem::path& case_folder) {
+  InTime read{InTime::Kind::table, node.text(), {}, {}, node.origin};
+  auto columns = read_columns(resolve_path(node, case_folder), {"t", "factor"});
+  if (columns[0].empty() ||
+      std::ranges::adjacent_find(columns[0], std::greater_equal<>()) != columns[0].end())
+    throw InputError(fault_at(node.origin, "\"" + node.text() + "\"", "needs times that rise throughout"));
+  read.times = std::move(columns[0]);
+  read.factors = std::move(columns[1]);
+  return read;
+}
+
+InTime of_formula(const TomlNode& node) {
+  try {
+    Expression(Formula{node.text()}, {"t"});
+  } catch (const InputError& error) {
+    throw InputError(fault_at(node.origin, "\"" + node.text() + "\"",
+                              "is neither \"pulse\", \"step\", a formula in t nor the name of a .csv file: " +
+                                  error.faults().front().text));
+  }
+  return {InTime::Kind::formula, node.text(), {}, {}, node.origin};
+}
+
+}  // namespace
+
+std::optional<InTime> read_in_time(Section& section, const std::filesystem::path& case_folder) {
+  const TomlNode* node = section.find_or_default("in_time");
+  if (node == nullptr) return std::nullopt;
+  const std::string& text = node->text();
+  if (text == "pulse") return InTime{InTime::Kind::pulse, text, {}, {}, node->origin};
+  if (text == "step") return InTime{InTime::Kind::step, text, {}, {}, node->origin};
+  try {
+    return text.ends_with(".csv") ? of_table(*node, case_folder) : of_formula(*node);
+  } catch (const InputError& error) {
+    const std::vector<Fault>& faults = error.faults();
+    section.faults().insert(section.faults().end(), faults.begin(), faults.end());
+    return std::nullopt;
+  }
+}
+
+}  // namespace etendue

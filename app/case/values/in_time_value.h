@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "app/case/in_time.h"
+#include "app/case/keys/section.h"
+
+namespace etendue {
+
+/// Reads "in_time" of a table; empty where it is absent or faulty.
+std::optional<InTime> read_in_time(Section& section, const std::filesystem::path& case_folder);
+
+}  // namespace etendue

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/time/emission_courses.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "app/case/build/entry_of.h"
+#include "base/expression/expression.h"
+#include "solver/time/timed_sources.h"
+
+namespace etendue {
+namespace {
+
+/// The factor of a formula, which has to be finite.
+std::function<double(double)> formula_factor(const InTime& in_time) {
+  const auto formula = std::make_shared<Expression>(Formula{in_time.text}, std::vector<std::string>{"t"});
+  return [formula, in_time](double t) {
+    const double factor = (*formula)(std::array{t});
+    if (!std::isfinite(factor))
+      throw InputError(fault_at(in_time.origin, "\"" + in_time.text + "\"",
+                                fmt::format("is {} at t = {:.6g}; use a formula that is finite", factor, t)));
+    return factor;
+  };
+}
+
+std::function<double(double)> table_factor(const InTime& in_time) {
+  return [in_time](double t) {
+    const std::vector<double>& times = in_time.times;
+    const std::vector<double>& factors = in_time.factors;
+    const auto next = std::ranges::upper_bound(times, t);
+    if (next == times.begin()) return factors.front();
+    if (next == times.end()) return factors.back();
+    const auto i = static_cast<std::size_t>(next - times.begin());
+    return std::lerp(factors[i - 1], factors[i], (t - times[i - 1]) / (times[i] - times[i - 1]));
+  };
+}
+
+Course course_of(const InTime& in_time) {
+  switch (in_time.kind) {
+    case InTime::Kind::pulse:
+      return {true, {}};
+    case InTime::Kind::step:
+      return {false, [](double) { return 1.0; }};
+    case InTime::Kind::formula:
+      return {false, formula_factor(in_time)};
+    case InTime::Kind::table:
+      break;
+  }
+  return {false, table_factor(in_time)};
+}
+
+/// The courses, each once.
+class Courses {
+ public:
+  explicit Courses(const InTime& of_all) : of_all_(of_all) {}
+
+  std::size_t number_of(const std::optional<InTime>& own) {
+    const InTime& in_time = own ? *own : of_all_;
+    const auto known = std::ranges::find(texts_, in_time.text);
+    if (known != texts_.end()) return static_cast<std::size_t>(known - texts_.begin());
+    texts_.push_back(in_time.text);
+    courses_.push_back(course_of(in_time));
+    return texts_.size() - 1;
+  }
+  std::vector<Course> take() && { return std::move(courses_); }
+
+ private:
+  const InTime& of_all_;
+  std::vector<std::string> texts_;
+  std::vector<Course> courses_;
+};
+
+/// A light that comes in by some walls has its name and theirs.
+std::optional<InTime> course_of_light(const Case& input, const std::string& name) {
+  for (const LightCase& light : input.lights)
+    if (light.name == name || name.starts_with(light.name + " through ")) return light.in_time;
+  return std::nullopt;
+}
+
+}  // namespace
+
+EmissionCourses emission_courses(const Case& input, const Problem& problem) {
+  Courses courses(input.time->in_time);
+  EmissionCourses result;
+  for (const std::string& region : problem.mesh().region_names())
+    result.regions.push_back(courses.number_of(entry_of(input.media, region).in_time));
+  for (const std::string& wall : problem.mesh().wall_names())
+    result.walls.push_back(courses.number_of(entry_of(input.walls, wall).in_time));
+  for (const Light& light : problem.lights())
+    result.lights.push_back(courses.number_of(course_of_light(input, light.name)));
+  result.courses = std::move(courses).take();
+  return result;
+}
+
+void refuse_pulses_through_walls(const Problem& problem, const EmissionCourses& courses) {
+  std::vector<Fault> faults;
+  const auto refuse = [&](const Origin& origin, const std::string& what) {
+    faults.push_back(fault_at(origin, "",
+                              what +
+                                  " sends a pulse in, which would last as long as a step; give it in_time = "
+                                  "\"step\", a formula in t or a table, or use times in place of until"));
+  };
+  for (std::size_t w = 0; w < problem.walls().size(); ++w)
+    if (courses.courses[courses.walls[w]].is_pulse && emits(problem.walls()[w]))
+      refuse(problem.walls()[w].origin, "the wall " + problem.mesh().wall_names()[w]);
+  for (std::size_t l = 0; l < problem.lights().size(); ++l)
+    if (courses.courses[courses.lights[l]].is_pulse &&
+        std::holds_alternative<BeamLight>(problem.lights()[l].kind))
+      refuse(problem.lights()[l].origin, "the light " + problem.lights()[l].name);
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+}  // namespace etendue

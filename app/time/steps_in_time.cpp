@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/time/steps_in_time.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "app/setup/memory.h"
+#include "app/time/emission_courses.h"
+#include "app/write/result/unit_labels.h"
+#include "base/field_view.h"
+#include "solver/time/time_steps.h"
+
+namespace etendue {
+namespace {
+
+constexpr double usual_steps = 100;
+
+/// Root mean square of the steady fluence over the volume, of the values at the vertices, all bands together;
+/// 0 where a pulse says what is large.
+double usual_fluence(const TimeSetup& setup, const EmissionCourses& courses, const Solution& steady) {
+  if (std::ranges::any_of(courses.courses, &Course::is_pulse)) return 0;
+  const TetrahedralMesh& mesh = setup.problem.mesh();
+  const auto bands = static_cast<std::size_t>(setup.problem.band_count());
+  const ConstCellField fluence(steady.fluence, bands);
+  double sum = 0, volume = 0;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t b = 0; b < bands; ++b)
+        sum += std::pow(fluence(CellIndex(c), i, b), 2) * mesh.volume(CellIndex(c)) /
+               static_cast<double>(4 * bands);
+    volume += mesh.volume(CellIndex(c));
+  }
+  return std::sqrt(sum / volume);
+}
+
+std::vector<double> frame_times(const TimeCase& time) {
+  std::vector<double> times;
+  for (int frame = 1; frame < time.frames; ++frame) times.push_back(*time.until * frame / time.frames);
+  return times;
+}
+
+std::size_t frame_bytes(const TimeSetup& setup) {
+  return static_cast<std::size_t>(setup.input.time->frames) * 4 * sizeof(double) *
+         static_cast<std::size_t>(setup.problem.mesh().cell_count()) *
+         static_cast<std::size_t>(setup.problem.band_count());
+}
+
+}  // namespace
+
+double longest_step(const TimeCase& time) { return time.step.value_or(*time.until / usual_steps); }
+
+RunMemory steps_memory(const TimeSetup& setup) {
+  RunMemory memory;
+  memory.solving =
+      estimate_march_memory(setup.problem, setup.sets.front(), setup.options) + frame_bytes(setup);
+  memory.expected = memory.solving;
+  return memory;
+}
+
+std::string steps_plan_text(const TimeSetup& setup) {
+  const TimeCase& time = *setup.input.time;
+  if (setup.sets.size() > 1)
+    throw InputError(fault_at(time.origin, "until",
+                              "takes steps along one set of directions; leave directions.rotations out"));
+  refuse_pulses_through_walls(setup.problem, emission_courses(setup.input, setup.problem));
+  const RunMemory memory = steps_memory(setup);
+  check_memory(memory.solving, setup.problem.mesh(), setup.problem.band_count());
+  const double step = longest_step(time);
+  return fmt::format(
+      "steps in time: {}of {:.4g} {}, to {:.4g} {}; the radiance of all directions is kept ({:.2g} GiB)\n",
+      time.tolerance ? "at most " : fmt::format("{:.0f} ", std::ceil(*time.until / step)), step, time.unit,
+      *time.until, time.unit, static_cast<double>(memory.solving) / 1073741824.0);
+}
+
+void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Solution& steady,
+                const std::function<bool()>& interrupted, const std::function<void(double)>& share,
+                TimeResult& result) {
+  const TimeCase& time = *setup.input.time;
+  const EmissionCourses courses = emission_courses(setup.input, setup.problem);
+  StepOptions steps;
+  steps.method = time.method;
+  steps.until = *time.until;
+  steps.step = longest_step(time);
+  steps.tolerance = time.tolerance.value_or(0);
+  steps.scale = usual_fluence(setup, courses, steady);
+  steps.stops = frame_times(time);
+  steps.read = [&](const Problem& problem, const Solution& solution) {
+    return numbers.values(problem, solution);
+  };
+  SolveOptions options = setup.options;
+  options.meters = numbers.meters();
+  options.stops = interrupted;
+  StepsInTime& taken = result.steps.emplace();
+  taken.quantities = numbers.quantities();
+  const UnitLabels units(setup.input.units, setup.input.angular_space);
+  for (const std::string& band : setup.problem.bands().names)
+    taken.quantities.push_back({"energy", "light", band, units.power + " " + time.unit});
+  const auto observe = [&](const SweepProgress&) {
+    return interrupted() ? SolveControl::stop : SolveControl::proceed;
+  };
+  std::vector<double> frames = steps.stops;
+  frames.push_back(*time.until);
+  const auto reader = [&](const TimeStep& step) {
+    StepInTime row{step.end, step.error, step.imbalance, step.values, step.errors};
+    row.values.insert(row.values.end(), step.energy.begin(), step.energy.end());
+    row.errors.insert(row.errors.end(), step.energy.size(), 0);
+    taken.steps.push_back(std::move(row));
+    taken.sweeps = std::max(taken.sweeps, step.sweeps);
+    result.residual = std::max(result.residual, step.residual);
+    result.converged = result.converged && step.converged;
+    if (time.frames > 0 && std::ranges::find(frames, step.end) != frames.end())
+      taken.frames.push_back({step.end, step.solution.fluence});
+    share(step.end / *time.until);
+    return !interrupted();
+  };
+  try {
+    march_in_time(setup.problem, setup.sets.front(), slowness_of(setup), courses, steps, options, reader,
+                  observe);
+  } catch (const SolveStopped&) {
+    result.interrupted = true;
+  } catch (const std::domain_error&) {
+    throw InputError(fault_at(time.origin, "tolerance",
+                              "asks for steps below a billionth of until; give a larger one, or even steps"));
+  }
+  result.interrupted = result.interrupted || interrupted();
+}
+
+}  // namespace etendue

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/time/time_numbers.h"
+#include "app/time/time_setup.h"
+#include "app/write/result/time_result.h"
+#include "solver/solution/solution.h"
+
+namespace etendue {
+
+/// Length of the steps of a case with `until`, at most [time].
+double longest_step(const TimeCase& time);
+
+/// What a person reads before the first step. Throws InputError where steps are not for this case, or where
+/// the memory of this machine does not suffice.
+std::string steps_plan_text(const TimeSetup& setup);
+
+/// Memory that steps take, with all that is kept of them.
+RunMemory steps_memory(const TimeSetup& setup);
+
+/// Takes the steps of a case with `until`, and adds them to the result; `steady` is its steady solution.
+/// `share` is told the part of the time that is marched through.
+void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Solution& steady,
+                const std::function<bool()>& interrupted, const std::function<void(double)>& share,
+                TimeResult& result);
+
+}  // namespace etendue

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/time/time_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "base/field_view.h"
+#include "solver/solution/added_extinction.h"
+#include "solver/solution/balance.h"
+#include "solver/time/angular_history.h"
+#include "solver/time/timed_sources.h"
+#include "solver/transport/solve/solve.h"
+#include "solver/transport/solve/transport_solver.h"
+
+namespace etendue {
+namespace {
+
+constexpr double sdirk_gamma = 1 - 1 / std::numbers::sqrt2;
+/// Of backward differentiation: n/c (3 u_{k+1} - 4 u_k + u_{k-1}) / (2 step).
+constexpr double bdf2_part = 2.0 / 3;
+/// Steps that differ by less are alike: their coefficients are those at hand.
+constexpr double alike = 1e-9;
+
+/// How steps that adapt follow the error, which is of second order in the step.
+constexpr double safety = 0.9;
+constexpr double largest_growth = 2;
+constexpr double least_growth = 1.4;  ///< below it new coefficients do not pay
+constexpr double strongest_cut = 0.1;
+constexpr double weakest_cut = 0.7;
+constexpr double shortest_part = 1e-9;  ///< of all the time
+
+std::vector<int> all_ordinates(const DirectionSet& directions) {
+  std::vector<int> all(static_cast<std::size_t>(directions.count()));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+/// Input that every cell has along every ordinate, for estimates.
+struct EverywhereDirectional : AngularInput {
+  void add_source(OrdinateIndex, CellIndex, std::span<double>) const override {}
+  void add_inflow(OrdinateIndex, FaceIndex, std::span<double>) const override {}
+};
+
+void check(const StepOptions& steps) {
+  if (!(steps.until > 0) || !(steps.step > 0) || steps.tolerance < 0 ||
+      (steps.tolerance > 0 && steps.method == StepMethod::bdf2))
+    throw std::invalid_argument("steps that lead nowhere");
+}
+
+/// What a solution says of the energy, [band].
+struct Powers {
+  std::vector<double> energy;  ///< of all light [power time]
+  std::vector<double> net;     ///< emitted less absorbed less what leaves [power]
+};
+
+/// The numbers of one solution.
+struct Reading {
+  std::vector<double> values;
+  std::vector<double> fluence;
+  Powers powers;
+};
+
+/// (1 - a) x + a y, element by element.
+std::vector<double> mixed(const std::vector<double>& x, const std::vector<double>& y, double a) {
+  std::vector<double> result(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) result[i] = (1 - a) * x[i] + a * y[i];
+  return result;
+}
+
+/// One march.
+class March {
+ public:
+  March(const Problem& problem, const DirectionSet& directions, const Slowness& slowness,
+        const EmissionCourses& courses, const StepOptions& steps, const SolveOptions& options)
+      : steps_(steps),
+        directions_(directions),
+        slowness_(slowness),
+        sources_(problem, directions, courses),
+        dark_(darkened(problem)),
+        history_(problem, sources_, slowness),
+        options_(options) {
+    options_.keep_ordinates = all_ordinates(directions);
+    options_.angular_input = &history_;
+    options_.initial = nullptr;
+    last_.fluence = history_.begin(directions);
+    last_.powers.energy = energy_of(last_.fluence);
+    largest_energy_ = largest_of(last_.powers.energy);
+    largest_fluence_ = std::max(steps.scale, norm(last_.fluence));
+    if (steps.read) {
+      Solution dark = empty_solution();
+      dark.fluence = last_.fluence;
+      last_.values = steps.read(dark_, dark);
+    }
+  }
+
+  void run(const TimeStepReader& reader, const SolveObserver& observer) {
+    observer_ = observer;
+    std::vector<double> stops = steps_.stops;
+    stops.push_back(steps_.until);
+    double step = steps_.step, t = 0;
+    for (const double stop : stops)
+      while (t < stop) {
+        const double left = std::ceil((stop - t) / step - alike);
+        const double wanted = (stop - t) / std::max(1.0, left);
+        const double taken = std::abs(wanted - last_step_) < alike * wanted ? last_step_ : wanted;
+        const double end = left <= 1 ? stop : t + taken;
+        const std::optional<double> error = take_step(t, taken, end, reader);
+        if (!error) return;
+        if (is_accepted(*error)) t = end;
+        if (steps_.tolerance > 0) step = next_step(taken, step, *error);
+      }
+  }
+
+ private:
+  bool is_accepted(double error) const { return steps_.tolerance == 0 || error <= steps_.tolerance; }
+
+  double next_step(double taken, double step, double error) const {
+    const double growth = error > 0 ? safety * std::sqrt(steps_.tolerance / error) : largest_growth;
+    if (!is_accepted(error)) {
+      const double next = taken * std::clamp(growth, strongest_cut, weakest_cut);
+      if (next < shortest_part * steps_.until)
+        throw std::domain_error("steps in time become too short for their tolerance");
+      return next;
+    }
+    if (growth < 1) return taken * growth;
+    if (growth < least_growth) return step;
+    return std::min(steps_.step, std::max(step, taken * std::min(growth, largest_growth)));
+  }
+
+  /// Takes a step, or leaves all as it was where its error is too large. The error; empty: the reader wants
+  /// no more.
+  std::optional<double> take_step(double begin, double step, double end, const TimeStepReader& reader) {
+    sweeps_ = 0;
+    residual_ = 0;
+    converged_ = true;
+    const bool by_differences = steps_.method == StepMethod::bdf2 && before_ && step == last_step_;
+    const Taken taken = by_differences ? differences(step, end) : stages(begin, step, end);
+    const double error = norm(taken.error) / std::max(largest_fluence_, norm(taken.now.fluence));
+    const double relative = std::isfinite(error) ? error : 0;
+    if (!is_accepted(relative)) return relative;
+    history_.accept(std::move(solution_.radiance), steps_.method == StepMethod::bdf2);
+    largest_fluence_ = std::max(largest_fluence_, norm(taken.now.fluence));
+    largest_energy_ = std::max(largest_energy_, largest_of(taken.now.powers.energy));
+    const TimeStep told{begin,
+                        end,
+                        relative,
+                        taken.now.values,
+                        taken.errors,
+                        taken.now.powers.energy,
+                        largest_energy_ > 0 ? taken.imbalance / largest_energy_ : 0,
+                        sweeps_,
+                        residual_,
+                        converged_,
+                        dark_,
+                        solution_};
+    const bool goes_on = reader(told);
+    before_ = std::exchange(last_, taken.now);
+    last_step_ = step;
+    return goes_on ? std::optional<double>(relative) : std::nullopt;
+  }
+
+  /// What a step found.
+  struct Taken {
+    Reading now;
+    std::vector<double> error;   ///< of the fluence
+    std::vector<double> errors;  ///< of the values
+    double imbalance = 0;        ///< of the energy, of the worst band [power time]
+  };
+
+  /// k_1 at begin + gamma step and k_2 at the end; in first order it would be u + step k_1.
+  Taken stages(double begin, double step, double end) {
+    history_.mix(1, 0);
+    const Reading first = solve(sdirk_gamma * step, begin + sdirk_gamma * step);
+    history_.keep_stage(std::move(solution_.radiance));
+    history_.mix(1 - (1 - sdirk_gamma) / sdirk_gamma, (1 - sdirk_gamma) / sdirk_gamma);
+    Taken taken{solve(sdirk_gamma * step, end), {}, {}, 0};
+    taken.error = differences_of(taken.now.fluence, mixed(last_.fluence, first.fluence, 1 / sdirk_gamma));
+    taken.errors = differences_of(taken.now.values, mixed(last_.values, first.values, 1 / sdirk_gamma));
+    for (std::size_t b = 0; b < first.powers.net.size(); ++b) {
+      const double gained =
+          step * ((1 - sdirk_gamma) * first.powers.net[b] + sdirk_gamma * taken.now.powers.net[b]);
+      taken.imbalance =
+          std::max(taken.imbalance, std::abs(taken.now.powers.energy[b] - last_.powers.energy[b] - gained));
+    }
+    return taken;
+  }
+
+  Taken differences(double step, double end) {
+    history_.mix(4.0 / 3, -1.0 / 3);
+    Taken taken{solve(bdf2_part * step, end), {}, {}, 0};
+    const auto second = [](const std::vector<double>& now, const std::vector<double>& last,
+                           const std::vector<double>& before) {
+      std::vector<double> result(now.size());
+      for (std::size_t i = 0; i < now.size(); ++i) result[i] = std::abs(now[i] - 2 * last[i] + before[i]) / 2;
+      return result;
+    };
+    taken.error = second(taken.now.fluence, last_.fluence, before_->fluence);
+    taken.errors = second(taken.now.values, last_.values, before_->values);
+    for (std::size_t b = 0; b < taken.now.powers.net.size(); ++b) {
+      const double change =
+          1.5 * taken.now.powers.energy[b] - 2 * last_.powers.energy[b] + 0.5 * before_->powers.energy[b];
+      taken.imbalance = std::max(taken.imbalance, std::abs(change - step * taken.now.powers.net[b]));
+    }
+    return taken;
+  }
+
+  static std::vector<double> differences_of(const std::vector<double>& x, const std::vector<double>& y) {
+    std::vector<double> result(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) result[i] = std::abs(x[i] - y[i]);
+    return result;
+  }
+
+  /// The light at a time, of the radiance that the history mixes, where a stage adds n / (c stage).
+  Reading solve(double stage, double t) {
+    use(stage);
+    history_.set_time(stage, t);
+    dark_.set_following(sources_.isotropic_at(t));
+    solution_ = solver_->solve(observer_);
+    int sweeps = 0;
+    for (const BandConvergence& band : solution_.convergence) {
+      sweeps = std::max(sweeps, band.sweeps);
+      residual_ = std::max(residual_, band.residual);
+    }
+    sweeps_ += sweeps;
+    if (solution_.interrupted) throw SolveStopped{};
+    converged_ = converged_ && solution_.converged();
+    Reading reading{{}, solution_.fluence, powers_of(t)};
+    if (steps_.read) reading.values = steps_.read(dark_, solution_);
+    return reading;
+  }
+
+  /// Makes the solver of a stage, unless it is at hand.
+  void use(double stage) {
+    if (solver_ && std::abs(stage - stage_) < alike * stage) return;
+    std::shared_ptr<const SweepOrders> orders;
+    if (solver_) {
+      orders = solver_->orders();
+      initial_ = solution_.state;
+      options_.initial = &initial_;
+    }
+    solver_.reset();
+    const TetrahedralMesh& mesh = dark_.mesh();
+    added_.real.clear();
+    for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
+      added_.real.insert(added_.real.end(), static_cast<std::size_t>(dark_.band_count()),
+                         slowness_[static_cast<std::size_t>(mesh.region(CellIndex(c)))] / stage);
+    options_.added_extinction = &added_;
+    solver_ = std::make_unique<TransportSolver>(dark_, directions_, options_, std::move(orders));
+    stage_ = stage;
+  }
+
+  Powers powers_of(double t) const {
+    Powers powers{energy_of(solution_.fluence), sources_.power_inside(t)};
+    for (const std::vector<RegionPower>& region : region_powers(dark_, solution_))
+      for (std::size_t b = 0; b < powers.net.size(); ++b) powers.net[b] -= region[b].absorbed;
+    for (const std::vector<WallPower>& wall : wall_powers(dark_, solution_))
+      for (std::size_t b = 0; b < powers.net.size(); ++b)
+        powers.net[b] += wall[b].outgoing - wall[b].incoming;
+    return powers;
+  }
+
+  std::vector<double> energy_of(const std::vector<double>& fluence) const {
+    const TetrahedralMesh& mesh = dark_.mesh();
+    const auto bands = static_cast<std::size_t>(dark_.band_count());
+    std::vector<double> energy(bands, 0);
+    for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+      const CellIndex cell(c);
+      const double slow = slowness_[static_cast<std::size_t>(mesh.region(cell))];
+      for (std::size_t b = 0; b < bands; ++b)
+        energy[b] += slow * mesh.volume(cell) * ConstCellField(fluence, bands).mean(cell, b);
+    }
+    return energy;
+  }
+
+  static double largest_of(const std::vector<double>& values) {
+    return values.empty() ? 0 : *std::ranges::max_element(values);
+  }
+
+  /// Root mean square over the volume, of the values at the vertices, all bands together.
+  double norm(const std::vector<double>& fluence) const {
+    const TetrahedralMesh& mesh = dark_.mesh();
+    const std::size_t length = 4 * static_cast<std::size_t>(dark_.band_count());
+    double sum = 0, volume = 0;
+    for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+      double squares = 0;
+      for (std::size_t i = 0; i < length; ++i)
+        squares += std::pow(fluence[static_cast<std::size_t>(c) * length + i], 2);
+      sum += squares * mesh.volume(CellIndex(c)) / static_cast<double>(length);
+      volume += mesh.volume(CellIndex(c));
+    }
+    return std::sqrt(sum / volume);
+  }
+
+  /// With zeros where the fields of a solution are.
+  Solution empty_solution() const {
+    const auto bands = static_cast<std::size_t>(dark_.band_count());
+    const auto cells = static_cast<std::size_t>(dark_.mesh().cell_count());
+    const auto faces = static_cast<std::size_t>(dark_.mesh().boundary_face_count());
+    Solution dark;
+    dark.net_flux.assign(cells * 12 * bands, 0);
+    dark.irradiance.assign(faces * 3 * bands, 0);
+    dark.exitance.assign(faces * 3 * bands, 0);
+    dark.half_range.assign(faces, 0);
+    dark.meters.assign(options_.meters.size() * bands, 0);
+    return dark;
+  }
+
+  const StepOptions& steps_;
+  const DirectionSet& directions_;
+  const Slowness& slowness_;
+  TimedSources sources_;
+  Problem dark_;
+  AngularHistory history_;
+  SolveOptions options_;
+  SolveObserver observer_;
+  AddedExtinction added_;
+  SavedState initial_;
+  std::unique_ptr<TransportSolver> solver_;
+  double stage_ = 0;
+  Solution solution_;
+  Reading last_;                   ///< at the end of the last step
+  std::optional<Reading> before_;  ///< of the step before
+  double last_step_ = 0;
+  double largest_fluence_ = 0;
+  double largest_energy_ = 0;
+  int sweeps_ = 0;  ///< of the step that is taken
+  double residual_ = 0;
+  bool converged_ = true;
+};
+
+}  // namespace
+
+void march_in_time(const Problem& problem, const DirectionSet& directions, const Slowness& slowness,
+                   const EmissionCourses& courses, const StepOptions& steps, const SolveOptions& options,
+                   const TimeStepReader& reader, const SolveObserver& observer) {
+  check(steps);
+  March(problem, directions, slowness, courses, steps, options).run(reader, observer);
+}
+
+std::size_t estimate_march_memory(const Problem& problem, const DirectionSet& directions,
+                                  const SolveOptions& options) {
+  SolveOptions own = options;
+  own.keep_ordinates = all_ordinates(directions);
+  const EverywhereDirectional input;
+  own.angular_input = &input;
+  const std::size_t angular = static_cast<std::size_t>(problem.mesh().cell_count()) * 4 *
+                              static_cast<std::size_t>(problem.band_count()) *
+                              static_cast<std::size_t>(directions.count()) * sizeof(double);
+  return estimate_memory(darkened(problem), directions, own) + 2 * angular;
+}
+
+}  // namespace etendue

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "solver/angular/sets/direction_set.h"
+#include "solver/solution/solution.h"
+#include "solver/solution/solve_observer.h"
+#include "solver/solution/solve_options.h"
+#include "solver/time/emission_course.h"
+#include "solver/time/laplace_problem.h"
+#include "solver/time/step_method.h"
+
+namespace etendue {
+
+/// Numbers that are read of a solution, linear in it.
+using NumbersReader = std::function<std::vector<double>(const Problem& problem, const Solution& solution)>;
+
+struct StepOptions {
+  StepMethod method = StepMethod::sdirk2;
+  double until = 0;  ///< [time]
+  double step = 0;   ///< [time], at most
+  /// Of the change of the fluence by which a step would differ in first order, relative to its largest value
+  /// so far, both as root mean squares over the volume; steps adapt to it. 0: they are even. Not with bdf2.
+  double tolerance = 0;
+  /// Root mean square of a fluence that counts as one of those so far [power/length^2]: from darkness the
+  /// first steps have nothing that they could be compared with.
+  double scale = 0;
+  /// Rising times in (0, until) at which a step ends.
+  std::vector<double> stops = {};
+  NumbersReader read = {};
+};
+
+/// A step that was taken.
+struct TimeStep {
+  double begin = 0, end = 0;   ///< [time]
+  double error = 0;            ///< what StepOptions::tolerance bounds
+  std::vector<double> values;  ///< at its end, as StepOptions::read made them
+  std::vector<double> errors;  ///< by how much they would differ in first order
+  std::vector<double> energy;  ///< [band] of all light at its end [power time]
+  /// What is emitted less what is absorbed and what leaves in the step, less the change of the energy,
+  /// relative to the largest energy so far: of the worst band. The iteration leaves it.
+  double imbalance = 0;
+  int sweeps = 0;            ///< of all its solutions
+  double residual = 0;       ///< the largest of them
+  bool converged = true;     ///< all of them
+  const Problem& problem;    ///< with the emission at its end
+  const Solution& solution;  ///< at its end
+};
+
+/// Takes steps while they last. Returns false where no more are wanted.
+using TimeStepReader = std::function<bool(const TimeStep&)>;
+
+/// Marches in time from darkness:
+///
+///     n/c du/dt + w.grad u + sigma_t u = integral of sigma_s p(w.w') u(w') dw' + f(t) q,  u(0) = pulses c/n
+///
+/// The radiance is kept for all directions, twice. Light is left to the directions; options are those of a
+/// steady solution, an angular input, a state to start from and ordinates to keep are not used. Throws as
+/// solve() and TimedSources do, std::invalid_argument where the options make no sense, and std::domain_error
+/// where steps that adapt become too short.
+void march_in_time(const Problem& problem, const DirectionSet& directions, const Slowness& slowness,
+                   const EmissionCourses& courses, const StepOptions& steps, const SolveOptions& options,
+                   const TimeStepReader& reader, const SolveObserver& observer = {});
+
+/// Bytes that march_in_time() takes at its peak: an upper estimate.
+std::size_t estimate_march_memory(const Problem& problem, const DirectionSet& directions,
+                                  const SolveOptions& options);
+
+}  // namespace etendue
