@@ -273,6 +273,7 @@ struct TimeCase {
   InTime in_time;                          ///< of all sources that say nothing themselves
   std::vector<double> modulation;          ///< frequencies of all that emits [1/time]
   std::vector<double> times;               ///< rising, by inversion [time]
+  double window = 0.05;                    ///< of photons about each of `times`, relative
   std::optional<double> until;             ///< steps to here [time]
   std::optional<double> step;              ///< at most [time]
   std::optional<double> tolerance;         ///< to which steps adapt

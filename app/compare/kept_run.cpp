@@ -18,7 +18,7 @@ bool is_derived(const SensorTableRow& row) {
 /// What users ask for: powers of regions and walls, probes and sensors with all that is made of them.
 std::vector<AnswerNumber> asked_numbers(const RunResult& run) {
   std::vector<AnswerNumber> numbers;
-  for (AnswerNumber& number : answer_of(run).numbers) {
+  for (AnswerNumber& number : steady_numbers(run)) {
     const bool of_region = number.where.starts_with("region ") && number.quantity == "absorbed";
     const bool of_wall = number.where.starts_with("wall ") && number.quantity == "incoming";
     if (of_region || of_wall || number.where.starts_with("probe ")) numbers.push_back(std::move(number));

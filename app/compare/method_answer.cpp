@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/study/study_level.h"
@@ -132,7 +134,26 @@ void add_error_of_mesh(const ComparedCase& base, MethodAnswer& answer, std::ostr
   }
 }
 
+/// Light in time but for irradiances, which photons do not read.
+std::vector<AnswerNumber> numbers_in_time(const RunResult& run) {
+  std::vector<AnswerNumber> numbers;
+  if (!run.time) return numbers;
+  for (std::size_t q = 0; q < run.time->histories.size(); ++q) {
+    const TimeQuantity& of = run.time->quantities[q];
+    if (of.quantity == "irradiance") continue;
+    for (std::size_t i = 0; i < run.time->histories[q].size(); ++i) {
+      const ValueInTime& found = run.time->histories[q][i];
+      numbers.push_back({of.name, of.band,
+                         fmt::format("{} at t = {:.6g}", of.quantity, run.input.time->times[i]), found.value,
+                         found.error});
+    }
+  }
+  return numbers;
+}
+
 }  // namespace
+
+std::vector<AnswerNumber> steady_numbers(const RunResult& run) { return Numbers(run).all(); }
 
 std::string other_directions(const Case& input) {
   for (int order = (input.direction_order + 1) / 2; order < input.direction_order; ++order)
@@ -154,7 +175,8 @@ std::string coarser_patches(const RunResult& run) {
 MethodAnswer answer_of(const RunResult& run) {
   MethodAnswer answer;
   answer.method = run.solution.method;
-  answer.numbers = Numbers(run).all();
+  answer.numbers = steady_numbers(run);
+  std::ranges::copy(numbers_in_time(run), std::back_inserter(answer.numbers));
   answer.cells = node_means(run.solution.fluence, 4, run.problem.bands().names.size());
   answer.cell_errors = run.errors ? run.errors->fluence_mean : std::vector<double>(answer.cells.size(), 0);
   answer.seconds = run.seconds.total;

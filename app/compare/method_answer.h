@@ -30,7 +30,11 @@ struct MethodAnswer {
   bool whole = true;  ///< not interrupted
 };
 
-/// The answer of a run; errors are those of photons, else 0.
+/// The numbers of a run's steady light, in an order that depends on the case alone; errors are those of
+/// photons, else 0.
+std::vector<AnswerNumber> steady_numbers(const RunResult& run);
+
+/// The answer of a run, of light in time too; errors are those of photons, else 0.
 MethodAnswer answer_of(const RunResult& run);
 
 /// Returns the override that repeats a case with other directions, of which the changes tell the error of its

@@ -73,6 +73,13 @@ std::vector<std::vector<double>> TimeNumbers::by_bands(const Problem& problem,
   return numbers;
 }
 
+std::vector<Vec3> TimeNumbers::fluence_points() const {
+  std::vector<Vec3> points;
+  for (const Place& place : places_)
+    if (!place.meter) points.push_back(place.point);
+  return points;
+}
+
 std::vector<double> TimeNumbers::values(const Problem& problem, const Solution& solution) const {
   std::vector<double> values;
   for (const std::vector<double>& row : by_bands(problem, solution))

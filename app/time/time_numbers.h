@@ -25,6 +25,8 @@ class TimeNumbers {
   const std::vector<std::string>& left_out() const { return left_out_; }
   /// Where the solutions have to have meters.
   const std::vector<IrradianceMeter>& meters() const { return meters_; }
+  /// Where the fluence is read, in the order of its quantities.
+  std::vector<Vec3> fluence_points() const;
   /// The numbers of a solution of the problem itself [quantity].
   std::vector<double> values(const Problem& problem, const Solution& solution) const;
   /// The numbers of each solved rate [rate][quantity].

@@ -281,6 +281,9 @@ const BoundTable<TimeCase>& time_table() {
     t.key(
         "times", numbers, {.unit = "time", .range = positive},
         "Rising: what is read at these times goes into `times.csv`, by inversion of its Laplace transform.");
+    t.key("window", &TimeCase::window, {.range = open_fraction},
+          "Of photons after a pulse: each of `times` stands for a window of this width, as a part of the "
+          "time.");
     t.key("until", &TimeCase::until, {.unit = "time", .range = positive},
           "Steps in time, from darkness at t = 0 to here: what is read at their ends goes into `steps.csv`.");
     t.key("step", &TimeCase::step,

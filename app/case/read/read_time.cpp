@@ -12,9 +12,10 @@ namespace etendue {
 namespace {
 
 /// Why light in time is not solved for beside something else in the case; empty where it is.
-std::string conflict_of(const Case& input) {
-  if (input.photons || input.radiosity)
-    return "not by photons or radiosity in this version; use solve.method = \"auto\"";
+std::string conflict_of(const Case& input, const TimeCase& read) {
+  if (input.radiosity) return "not by radiosity in this version; use solve.method = \"auto\"";
+  if (input.photons && (!read.modulation.empty() || read.until))
+    return "photons know `times` alone; leave modulation and until out, or use solve.method = \"auto\"";
   if (input.exact) return "not beside [exact]";
   if (input.accuracy) return "not beside [accuracy] in this version";
   if (has_temperatures(input)) return "not beside temperatures, which would change with time too";
@@ -86,7 +87,7 @@ void read_time(Section time, const std::filesystem::path& case_folder, Case& res
     refuse_inversion(time, read.in_time);
   for (const InTime& own : own_courses(result))
     if (own.text != read.in_time.text) refuse_inversion(time, own);
-  if (const std::string conflict = conflict_of(result); !conflict.empty()) time.fault(conflict);
+  if (const std::string conflict = conflict_of(result, read); !conflict.empty()) time.fault(conflict);
   result.time = std::move(read);
 }
 

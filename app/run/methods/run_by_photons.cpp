@@ -13,6 +13,7 @@
 #include "app/run/report/unreached.h"
 #include "app/setup/memory.h"
 #include "app/setup/run_context.h"
+#include "app/time/photon_times.h"
 #include "app/write/results.h"
 
 namespace etendue {
@@ -43,13 +44,15 @@ ExitCode run_by_photons(const RunContext& run, std::ostream& out, std::ostream& 
   RunResult result = result_of(run, found.solution, std::move(found.probes), threads);
   result.errors = std::move(found.errors);
   bound_unreached(result, locator, found.walked_back);
+  if (run.input.time && !interrupted())
+    result.time = photon_times(run.input, run.problem, locator, threads, stages);
   seconds.measures += run.watch.lap();
   seconds.total = run.watch.total();
   result.seconds = seconds;
   note_left_out(result);
   const WrittenResults written = write_visibly(result, stages);
   out << photons_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
-      << errors_text(result) << closing_text(result, written) << std::flush;
+      << time_text(result) << errors_text(result) << closing_text(result, written) << std::flush;
   if (!run.input.cameras.empty()) {
     const auto begun = std::chrono::steady_clock::now();
     const bool taken =

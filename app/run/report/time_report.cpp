@@ -42,9 +42,9 @@ std::string histories_text(const TimeResult& time) {
     if (largest > 0) worst = std::max(worst, error / largest);
   }
   return fmt::format(
-      "\nhistories: {} numbers at {} times, see times.csv (the inversion leaves up to {:.2g} of a number's "
-      "largest value)\n",
-      time.histories.size(), time.histories.front().size(), worst);
+      "\nhistories: {} numbers at {} times, see times.csv ({} up to {:.2g} of a number's largest value)\n",
+      time.histories.size(), time.histories.front().size(),
+      time.rates > 0 ? "the inversion leaves" : "the standard error is", worst);
 }
 
 std::string steps_text(const StepsInTime& steps, const std::string& unit) {
@@ -78,6 +78,7 @@ std::string time_text(const RunResult& result) {
   std::string text = modulated_text(time, result.input.time->unit) + histories_text(time);
   if (time.rates > 0) text += fmt::format("  {} rates, at most {} sweeps each\n", time.rates, time.sweeps);
   if (time.steps) text += steps_text(*time.steps, result.input.time->unit);
+  if (time.rates == 0 && !time.steps) return text;
   return text + fmt::format("  estimated relative error of the iteration {:.2g}{}\n", time.residual,
                             time.converged ? "" : ", NOT converged");
 }

@@ -104,7 +104,8 @@ ETENDUE_PHOTON_INLINE bool step(const PhotonSceneView& scene, double roulette, P
   const double integral = weighted * part.mean;
   const Four moments =
       passage.coordinate * integral + passage.rate * (weighted * passage.length * part.first);
-  score.pass(photon, cell, moments, integral);
+  score.pass(photon, cell, Track{passage, matter.absorption, moments, integral});
+  if (score.is_over()) return false;
   if constexpr (turning == Turning::by_direction)
     if (const FormulaEmitter* emitter = scene.deflections[cell.deflection].emitter)
       score.pass_emitter(*emitter, photon, moments);
@@ -210,6 +211,16 @@ PhotonCounts follow_all(const PhotonSceneView& scene, const HistoryRange& range,
   return walk_in_turn(scene, range, RandomUse::flight, [&](std::uint64_t) -> Forward& { return score; });
 }
 
+PhotonCounts follow_all_in_time(const PhotonSceneView& scene, const HistoryRange& range,
+                                const TimedTally& tally) {
+  for (std::uint64_t i = 0; i < range.starts.size(); ++i) tally.clocks[i] = {};
+  Timed score{tally};
+  return walk_in_turn(scene, range, RandomUse::flight, [&](std::uint64_t i) -> Timed& {
+    score.clock = tally.clocks + i;
+    return score;
+  });
+}
+
 PhotonCounts record_all(const PhotonSceneView& scene, const HistoryRange& range, HitBuffers& buffers) {
   Recording score{buffers};
   return walk_in_turn(scene, range, RandomUse::flight, [&](std::uint64_t) -> Recording& { return score; });
@@ -227,7 +238,7 @@ PhotonCounts collect_all(const PhotonSceneView& scene, const HistoryRange& range
 }  // namespace
 
 PhotonKernels ETENDUE_PHOTON_KERNEL_NAME() {
-  return {ETENDUE_PHOTON_KERNEL_ISA, follow_all, record_all, collect_all};
+  return {ETENDUE_PHOTON_KERNEL_ISA, follow_all, follow_all_in_time, record_all, collect_all};
 }
 
 }  // namespace etendue

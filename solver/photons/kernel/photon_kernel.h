@@ -31,6 +31,9 @@ struct PhotonKernels {
   const char* name;
   /// From the light on: what the photons leave is added to the tally.
   PhotonCounts (*follow)(const PhotonSceneView& scene, const HistoryRange& range, const PhotonTally& tally);
+  /// The same by time; histories end with the last bin.
+  PhotonCounts (*follow_in_time)(const PhotonSceneView& scene, const HistoryRange& range,
+                                 const TimedTally& tally);
   /// Traces histories from the lights and writes their hits into the buffers.
   PhotonCounts (*record)(const PhotonSceneView& scene, const HistoryRange& range, HitBuffers& buffers);
   /// Against the light: starts travel the path of the light in reverse. score[i] becomes the radiance that

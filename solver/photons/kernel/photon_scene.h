@@ -113,6 +113,25 @@ struct PhotonTally {
   double* absorbed;  ///< [cell] [power], where a medium depends on the direction
 };
 
+/// When a history is, on its way.
+struct PhotonClock {
+  double time = 0;
+  std::int32_t bin = -1;  ///< in which it last was; -1: before the first
+};
+
+/// What histories leave by when light passes, as sums over histories: bin k is between edges k and k + 1.
+struct TimedTally {
+  const double* edges;                ///< rising, not below 0 [time]
+  std::int32_t bins;                  ///< one less
+  const double* slowness;             ///< [region] [time/length]
+  const std::int32_t* place_of_cell;  ///< [cell] number among those that are looked at, -1: none
+  const std::int32_t* wall_of_face;   ///< [boundary face]
+  PhotonClock* clocks;                ///< [history of a range]
+  double* places;   ///< [place][bin][4] weight × integral of the barycentric coordinate along the track
+  double* regions;  ///< [region][bin][2] the same without a coordinate [power length], and absorbed [power]
+  double* walls;    ///< [wall][bin] arriving [power]
+};
+
 /// A photon where it met a wall, or where it scattered, as it came there.
 struct PhotonHit {
   double position[3];

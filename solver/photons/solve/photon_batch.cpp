@@ -49,6 +49,21 @@ PhotonBatches::Outcome PhotonBatches::walk(std::uint64_t first, std::size_t coun
   return outcome;
 }
 
+void PhotonBatches::walk_in_time(int number, std::uint64_t first, std::size_t count, const TimedTally& tally,
+                                 StageCounter& counter) const {
+  const Band& band = *bands_[static_cast<std::size_t>(number)];
+  if (band.sources.power() == 0) {
+    counter.add(count);
+    return;
+  }
+  for (std::size_t done = 0; done < count && !counter.stopped(); done += starts_at_a_time) {
+    const std::vector<PhotonStart> starts =
+        band.sources.starts(seed_, {first, count}, done, std::min(starts_at_a_time, count - done));
+    kernels_.follow_in_time(band.mesh.view(), {starts, first + done, seed_, roulette, watch_by(counter)},
+                            tally);
+  }
+}
+
 PhotonBatches::Hits PhotonBatches::hits(int number, std::uint64_t first, std::size_t count,
                                         StageCounter& counter) const {
   const Band& band = *bands_[static_cast<std::size_t>(number)];

@@ -40,6 +40,11 @@ class PhotonBatches {
   /// short where it is stopped. May be called by several threads at a time.
   Outcome walk(std::uint64_t first, std::size_t count, StageCounter& counter) const;
 
+  /// The same histories of one band by time; adds to the tally. May be called by several threads at a time,
+  /// each with a tally of its own.
+  void walk_in_time(int band, std::uint64_t first, std::size_t count, const TimedTally& tally,
+                    StageCounter& counter) const;
+
   /// Where the same histories of one band met walls that scatter light, and where they were scattered. None
   /// where the counter was stopped. May be called by several threads at a time.
   struct Hits {

@@ -152,6 +152,47 @@ TEST(StepsOfARun, StandBesideTransforms) {
   EXPECT_EQ(by_steps.numbers("t")[19], 1);
 }
 
+/// Photons find the same histories, with errors that hold.
+void expect_histories_by_photons(const std::string& in_time, const std::function<double(double)>& fluence) {
+  const CaseFolder folder(between_mirrors("in_time = \"" + in_time + "\"\ntimes = [0.3, 1]\nwindow = 0.1\n"));
+  const Outcome outcome =
+      etendue_says({"run", folder.file(), "--set", "solve={photons=2e5,method=\"photons\"}"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.out << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "see times.csv (the standard error is up to")) << outcome.out;
+  const test::CsvTable table(text_of(std::filesystem::path(folder.results()) / "times.csv"));
+  const std::vector<std::string> quantities = table.column("quantity"), names = table.column("name");
+  const std::vector<double> times = table.numbers("t"), values = table.numbers("value"),
+                            errors = table.numbers("error");
+  int seen = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_NE(quantities[i], "irradiance");
+    if (quantities[i] == "incoming") continue;
+    ++seen;
+    const double expected = (quantities[i] == "absorbed" ? absorption * volume : 1) * fluence(times[i]);
+    EXPECT_NEAR(values[i], expected, 4 * errors[i] + 2e-4 * expected) << quantities[i] << " at " << times[i];
+    EXPECT_LE(errors[i], 0.2 * expected) << quantities[i] << " at " << times[i];
+  }
+  EXPECT_EQ(seen, 3 * 2);
+}
+
+TEST(StepsOfARun, AreThoseOfPhotons) {
+  expect_histories_by_photons(
+      "step", [](double t) { return power / absorption * (1 - std::exp(-absorption * t / slowness)); });
+  expect_histories_by_photons(
+      "pulse", [](double t) { return power / slowness * std::exp(-absorption * t / slowness); });
+}
+
+TEST(StepsOfARun, AreComparedWithPhotons) {
+  const CaseFolder folder(between_mirrors("in_time = \"step\"\ntimes = [0.3, 1]\n"));
+  const Outcome outcome = etendue_says(
+      {"compare", folder.file(), "--methods", "ordinates,photons", "--set", "solve.photons=1e5"});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.out << outcome.err;
+  const std::string table = text_of(std::filesystem::path(folder.results()) / "comparison.csv");
+  for (const char* row :
+       {"\"region gas\",\"grey\",absorbed at t = 0.3,", "\"probe middle 0\",\"grey\",fluence at t = 1,"})
+    EXPECT_TRUE(has(table, row)) << table;
+}
+
 struct Refusal {
   const char* time;
   const char* medium;

@@ -233,9 +233,9 @@ TEST(Time, RefusesWhatItCannotDo) {
     EXPECT_EQ(outcome.code, ExitCode::input_error) << fault.time;
     EXPECT_TRUE(has(outcome.err, fault.message)) << outcome.err;
   }
-  const CaseFolder photons(between_mirrors("times = [1]\n"));
+  const CaseFolder photons(between_mirrors("modulation = [1]\n"));
   EXPECT_TRUE(has(etendue_says({"check", photons.file(), "--set", "solve.method=\"photons\""}).err,
-                  "time: not by photons or radiosity in this version"));
+                  "time: photons know `times` alone"));
 }
 
 TEST(Time, IsWhatARefractiveIndexOfAMediumNeeds) {
