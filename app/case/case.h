@@ -272,6 +272,7 @@ struct TimeCase {
   std::string unit = "s";                  ///< of time, a label
   InTime in_time;                          ///< of all sources that say nothing themselves
   std::vector<double> modulation;          ///< frequencies of all that emits [1/time]
+  bool flight_times = false;               ///< mean and spread of the time of flight
   std::vector<double> times;               ///< rising, by inversion [time]
   double window = 0.05;                    ///< of photons about each of `times`, relative
   std::optional<double> until;             ///< steps to here [time]

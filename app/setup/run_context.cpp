@@ -66,7 +66,7 @@ void note_left_out(RunResult& result) {
     result.left_out.push_back(fmt::format("{} of {} sensors", sensors - result.sensors.size(), sensors));
   const std::optional<TimeResult>& time = result.time;
   if (time && time->interrupted) result.left_out.emplace_back("light in time");
-  if (time && time->modulated.empty() && time->histories.empty() &&
+  if (time && time->modulated.empty() && time->histories.empty() && time->flight_times.empty() &&
       (!time->steps || time->steps->steps.empty()))
     result.time.reset();
 }

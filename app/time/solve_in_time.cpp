@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "app/time/steps_in_time.h"
 #include "app/time/time_numbers.h"
 #include "base/wall_clock.h"
+#include "solver/time/flight_moments.h"
 
 namespace etendue {
 namespace {
@@ -59,12 +61,44 @@ class SolverInTime {
     const auto start = WallClock::now();
     if (!time_.modulation.empty()) find_modulated();
     if (!time_.times.empty() && !result_.interrupted) find_histories();
+    if (time_.flight_times && !result_.interrupted) find_flight_times();
     if (time_.until && !result_.interrupted) march();
     result_.seconds = seconds_since(start);
     return std::move(result_);
   }
 
  private:
+  /// Of moments over all sets of directions.
+  void find_flight_times() {
+    constexpr int highest = 2;
+    std::vector<std::vector<double>> moments(highest + 1,
+                                             std::vector<double>(numbers_.quantities().size(), 0));
+    SolveOptions options = setup_.options;
+    options.meters = numbers_.meters();
+    options.stops = interrupted_;
+    try {
+      for (const DirectionSet& directions : setup_.sets)
+        solve_flight_moments(
+            setup_.problem, directions, slowness_, highest, options,
+            [&](int k, const Problem& problem, const Solution& moment) {
+              note(moment);
+              const std::vector<double> values = numbers_.values(problem, moment);
+              for (std::size_t q = 0; q < values.size(); ++q)
+                moments[static_cast<std::size_t>(k)][q] += values[q];
+            },
+            observe());
+    } catch (const SolveStopped&) {
+      result_.interrupted = true;
+      return;
+    }
+    for (std::size_t q = 0; q < moments[0].size(); ++q) {
+      const bool any = moments[0][q] > 0;
+      const double mean = any ? moments[1][q] / moments[0][q] : 0;
+      const double variance = any ? moments[2][q] / moments[0][q] - mean * mean : 0;
+      result_.flight_times.push_back({mean, std::sqrt(std::max(0.0, variance))});
+    }
+  }
+
   void march() {
     const double before = rate_count(time_) > 0 ? share_of_rates : 0;
     take_steps(
@@ -137,9 +171,6 @@ class SolverInTime {
     options.meters = numbers_.meters();
     options.tolerance = tolerance;
     options.stops = interrupted_;
-    const auto observe = [&](const SweepProgress&) {
-      return interrupted_() ? SolveControl::stop : SolveControl::proceed;
-    };
     try {
       solve_laplace(
           setup_.problem, setup_.sets, rates, slowness_, options,
@@ -148,19 +179,28 @@ class SolverInTime {
             if (!result_.interrupted) take(solved);
             return !result_.interrupted;
           },
-          observe);
+          observe());
     } catch (const SolveStopped&) {
       result_.interrupted = true;
     }
   }
 
-  void note(const SolvedRates& solved) {
-    for (const BandConvergence& band : solved.solution.convergence) {
+  SolveObserver observe() const {
+    return
+        [this](const SweepProgress&) { return interrupted_() ? SolveControl::stop : SolveControl::proceed; };
+  }
+
+  void note(const Solution& solution) {
+    for (const BandConvergence& band : solution.convergence) {
       result_.sweeps = std::max(result_.sweeps, band.sweeps);
       result_.residual = std::max(result_.residual, band.residual);
     }
+    result_.converged = result_.converged && solution.converged();
+  }
+
+  void note(const SolvedRates& solved) {
+    note(solved.solution);
     result_.interrupted = solved.solution.interrupted || interrupted_();
-    result_.converged = result_.converged && solved.solution.converged();
     result_.rates += static_cast<int>(solved.count);
     stage_.observer()((time_.until ? share_of_rates : 1) * static_cast<double>(result_.rates) /
                       static_cast<double>(rate_count(time_)));
@@ -200,7 +240,7 @@ RunMemory memory_of_rates(const TimeSetup& setup, std::size_t together) {
 RunMemory time_memory(const TimeSetup& setup) {
   RunMemory memory;
   if (rate_count(*setup.input.time) > 0) memory = memory_of_rates(setup, rates_together(setup));
-  if (!setup.input.time->until) return memory;
+  if (!setup.input.time->until && !setup.input.time->flight_times) return memory;
   RunMemory steps = steps_memory(setup);
   return steps.solving > memory.solving ? steps : memory;
 }
@@ -214,6 +254,9 @@ std::string time_plan_text(const TimeSetup& setup) {
                  memory.expected);
     text = fmt::format("light in time: {} rates are solved for, {} side by side\n", rates, together);
   }
+  if (setup.input.time->flight_times || setup.input.time->until)
+    check_memory(steps_memory(setup).solving, setup.problem.mesh(), setup.problem.band_count());
+  if (setup.input.time->flight_times) text += "times of flight: three solutions with the same coefficients\n";
   if (setup.input.time->until) text += steps_plan_text(setup);
   const TimeNumbers numbers(setup.input, setup.problem, setup.locator);
   if (!numbers.left_out().empty())

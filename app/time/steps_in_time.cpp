@@ -68,7 +68,6 @@ std::string steps_plan_text(const TimeSetup& setup) {
                               "takes steps along one set of directions; leave directions.rotations out"));
   refuse_pulses_through_walls(setup.problem, emission_courses(setup.input, setup.problem));
   const RunMemory memory = steps_memory(setup);
-  check_memory(memory.solving, setup.problem.mesh(), setup.problem.band_count());
   const double step = longest_step(time);
   return fmt::format(
       "steps in time: {}of {:.4g} {}, to {:.4g} {}; the radiance of all directions is kept ({:.2g} GiB)\n",

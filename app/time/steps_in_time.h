@@ -14,11 +14,10 @@ namespace etendue {
 /// Length of the steps of a case with `until`, at most [time].
 double longest_step(const TimeCase& time);
 
-/// What a person reads before the first step. Throws InputError where steps are not for this case, or where
-/// the memory of this machine does not suffice.
+/// What a person reads before the first step. Throws InputError where steps are not for this case.
 std::string steps_plan_text(const TimeSetup& setup);
 
-/// Memory that steps take, with all that is kept of them.
+/// Memory that steps take, with all that is kept of them, and times of flight.
 RunMemory steps_memory(const TimeSetup& setup);
 
 /// Takes the steps of a case with `until`, and adds them to the result; `steady` is its steady solution.

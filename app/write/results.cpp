@@ -72,6 +72,8 @@ WrittenResults write_results(const RunResult& result) {
     write_modulation(result, folder.add("modulation.vtu"), directory / "modulation.vtu");
   }
   if (result.time && !result.time->histories.empty()) folder.add_text("times.csv", times_csv(result));
+  if (result.time && !result.time->flight_times.empty())
+    folder.add_text("flight_times.csv", flight_times_csv(result));
   if (result.time && result.time->steps) add_steps(result, folder);
   if (has_temperatures(result.input)) folder.add_text("heat.csv", heat_csv(result));
   if (result.radiosity) folder.add_text("form_factors.csv", form_factors_csv(result));

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/time/angular_history.h"
 
+#include <numeric>
 #include <utility>
 
 namespace etendue {
+
+std::vector<int> all_ordinates(const DirectionSet& directions) {
+  std::vector<int> all(static_cast<std::size_t>(directions.count()));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
 
 std::vector<double> AngularHistory::begin(const DirectionSet& directions) {
   const auto cells = static_cast<std::size_t>(mesh_.cell_count());

@@ -13,6 +13,9 @@
 
 namespace etendue {
 
+/// The numbers of all ordinates of a set.
+std::vector<int> all_ordinates(const DirectionSet& directions);
+
 /// What a step adds to the source along each direction: the radiance that was, times n / (c stage), and
 /// sources that depend on the direction.
 class AngularHistory : public AngularInput {

@@ -5,6 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "solver/problem/problem.h"
+
 namespace etendue {
 
 /// When a source emits.
@@ -22,5 +24,8 @@ struct EmissionCourses {
   std::vector<std::size_t> walls;    ///< [wall]
   std::vector<std::size_t> lights;   ///< [light]
 };
+
+/// All that emits follows the same course.
+EmissionCourses one_course(const Problem& problem, const Course& course);
 
 }  // namespace etendue

@@ -34,12 +34,6 @@ constexpr double strongest_cut = 0.1;
 constexpr double weakest_cut = 0.7;
 constexpr double shortest_part = 1e-9;  ///< of all the time
 
-std::vector<int> all_ordinates(const DirectionSet& directions) {
-  std::vector<int> all(static_cast<std::size_t>(directions.count()));
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
-
 /// Input that every cell has along every ordinate, for estimates.
 struct EverywhereDirectional : AngularInput {
   void add_source(OrdinateIndex, CellIndex, std::span<double>) const override {}

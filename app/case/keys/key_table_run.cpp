@@ -281,6 +281,9 @@ const BoundTable<TimeCase>& time_table() {
     t.key(
         "times", numbers, {.unit = "time", .range = positive},
         "Rising: what is read at these times goes into `times.csv`, by inversion of its Laplace transform.");
+    t.key("flight_times", &TimeCase::flight_times, {},
+          "Mean and standard deviation of the time that light is under way until it is read, in "
+          "`flight_times.csv`.");
     t.key("window", &TimeCase::window, {.range = open_fraction},
           "Of photons after a pulse: each of `times` stands for a window of this width, as a part of the "
           "time.");

@@ -14,8 +14,8 @@ namespace {
 /// Why light in time is not solved for beside something else in the case; empty where it is.
 std::string conflict_of(const Case& input, const TimeCase& read) {
   if (input.radiosity) return "not by radiosity in this version; use solve.method = \"auto\"";
-  if (input.photons && (!read.modulation.empty() || read.until))
-    return "photons know `times` alone; leave modulation and until out, or use solve.method = \"auto\"";
+  if (input.photons && (!read.modulation.empty() || read.until || read.flight_times))
+    return "photons know `times` alone; leave the others out, or use solve.method = \"auto\"";
   if (input.exact) return "not beside [exact]";
   if (input.accuracy) return "not beside [accuracy] in this version";
   if (has_temperatures(input)) return "not beside temperatures, which would change with time too";
@@ -80,8 +80,8 @@ void read_time(Section time, const std::filesystem::path& case_folder, Case& res
   if (const std::optional<InTime> in_time = read_in_time(time, case_folder)) read.in_time = *in_time;
   read.modulation = read_rising(time, "modulation");
   read.times = read_rising(time, "times");
-  if (!time.has("modulation") && !time.has("times") && !time.has("until"))
-    time.fault("asks for nothing; give modulation, times or until");
+  if (!time.has("modulation") && !time.has("times") && !time.has("until") && !read.flight_times)
+    time.fault("asks for nothing; give modulation, times, until or flight_times");
   check_steps(time, read);
   if (read.in_time.kind != InTime::Kind::pulse && read.in_time.kind != InTime::Kind::step)
     refuse_inversion(time, read.in_time);

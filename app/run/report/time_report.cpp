@@ -70,15 +70,29 @@ std::string steps_text(const StepsInTime& steps, const std::string& unit) {
              steps.sweeps, error, imbalance);
 }
 
+std::string flight_times_text(const TimeResult& time, const std::string& unit) {
+  if (time.flight_times.empty()) return "";
+  if (time.quantities.size() > longest_report_table)
+    return fmt::format("\ntimes of flight: of {} numbers, see flight_times.csv\n", time.quantities.size());
+  TextTable table(
+      {"of", "quantity", "band", fmt::format("mean [{}]", unit), fmt::format("deviation [{}]", unit)},
+      {Align::left, Align::left, Align::left, Align::right, Align::right});
+  for (std::size_t q = 0; q < time.quantities.size(); ++q)
+    table.add_row({time.quantities[q].name, time.quantities[q].quantity, time.quantities[q].band,
+                   number(time.flight_times[q].mean), number(time.flight_times[q].deviation)});
+  return titled("times of flight", table);
+}
+
 }  // namespace
 
 std::string time_text(const RunResult& result) {
   if (!result.time) return "";
   const TimeResult& time = *result.time;
-  std::string text = modulated_text(time, result.input.time->unit) + histories_text(time);
+  std::string text = modulated_text(time, result.input.time->unit) + histories_text(time) +
+                     flight_times_text(time, result.input.time->unit);
   if (time.rates > 0) text += fmt::format("  {} rates, at most {} sweeps each\n", time.rates, time.sweeps);
   if (time.steps) text += steps_text(*time.steps, result.input.time->unit);
-  if (time.rates == 0 && !time.steps) return text;
+  if (time.rates == 0 && !time.steps && time.flight_times.empty()) return text;
   return text + fmt::format("  estimated relative error of the iteration {:.2g}{}\n", time.residual,
                             time.converged ? "" : ", NOT converged");
 }

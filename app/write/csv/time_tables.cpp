@@ -56,4 +56,15 @@ std::string steps_csv(const RunResult& result) {
   return table;
 }
 
+std::string flight_times_csv(const RunResult& result) {
+  const TimeResult& time = *result.time;
+  std::string table = "quantity,name,band,mean,deviation,unit\n";
+  for (std::size_t q = 0; q < time.flight_times.size(); ++q) {
+    table += labels_of(time.quantities[q]);
+    fmt::format_to(std::back_inserter(table), "{},{},{}\n", time.flight_times[q].mean,
+                   time.flight_times[q].deviation, csv_field(result.input.time->unit));
+  }
+  return table;
+}
+
 }  // namespace etendue

@@ -19,4 +19,7 @@ std::string times_csv(const RunResult& result);
 /// with a step of first order.
 std::string steps_csv(const RunResult& result);
 
+/// quantity,name,band,mean,deviation,unit: of the time of flight.
+std::string flight_times_csv(const RunResult& result);
+
 }  // namespace etendue

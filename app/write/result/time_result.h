@@ -49,6 +49,12 @@ struct FrameInTime {
   std::vector<double> fluence;  ///< [cell][4][band] [power/length^2]
 };
 
+/// When light comes.
+struct FlightTime {
+  double mean = 0;       ///< [time]
+  double deviation = 0;  ///< square root of the variance [time]
+};
+
 struct StepsInTime {
   std::vector<TimeQuantity> quantities;
   std::vector<StepInTime> steps;
@@ -61,6 +67,7 @@ struct TimeResult {
   std::vector<TimeQuantity> quantities;
   std::vector<ModulatedLight> modulated;            ///< the first that of frequency 0; empty: not asked
   std::vector<std::vector<ValueInTime>> histories;  ///< [quantity][time]; empty: not asked
+  std::vector<FlightTime> flight_times;             ///< [quantity]; empty: not asked
   std::optional<StepsInTime> steps;                 ///< empty: not asked
   int rates = 0;                                    ///< that were solved for
   int sweeps = 0;                                   ///< of the rate that took most

@@ -193,6 +193,23 @@ TEST(StepsOfARun, AreComparedWithPhotons) {
     EXPECT_TRUE(has(table, row)) << table;
 }
 
+/// Mean and deviation of a decay as e^(-sigma_a c t/n) are n/(c sigma_a).
+TEST(StepsOfARun, HaveTimesOfFlightBesideThem) {
+  const CaseFolder folder(between_mirrors("flight_times = true\n"));
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  ASSERT_EQ(outcome.code, ExitCode::done) << outcome.out << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "times of flight\n")) << outcome.out;
+  const test::CsvTable table(text_of(std::filesystem::path(folder.results()) / "flight_times.csv"));
+  const std::vector<double> means = table.numbers("mean"), deviations = table.numbers("deviation");
+  // A probe with two quantities, six walls, a region with two.
+  ASSERT_EQ(means.size(), 10U);
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    EXPECT_NEAR(means[i], slowness / absorption, 1e-6) << i;
+    EXPECT_NEAR(deviations[i], slowness / absorption, 1e-6) << i;
+  }
+  EXPECT_EQ(table.column("unit").front(), "ns");
+}
+
 struct Refusal {
   const char* time;
   const char* medium;

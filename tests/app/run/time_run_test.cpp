@@ -219,7 +219,7 @@ struct Fault {
 
 TEST(Time, RefusesWhatItCannotDo) {
   const Fault faults[] = {
-      {"", "time: asks for nothing; give modulation, times or until"},
+      {"", "time: asks for nothing; give modulation, times, until or flight_times"},
       {"times = [1, 1]\n", "time.times = [1, 1]: must rise throughout"},
       {"modulation = []\n", "time.modulation = []: is empty; use a list of numbers, each above 0"},
       {"times = [-1]\n", "time.times"},

@@ -19,14 +19,6 @@ constexpr double pi = std::numbers::pi;
 
 Slowness alike(const Problem& problem, double slowness) { return Slowness(problem.media().size(), slowness); }
 
-/// All that emits follows the same course.
-EmissionCourses one_course(const Problem& problem, const Course& course) {
-  return {{course},
-          std::vector<std::size_t>(problem.media().size(), 0),
-          std::vector<std::size_t>(problem.walls().size(), 0),
-          std::vector<std::size_t>(problem.lights().size(), 0)};
-}
-
 const Course pulse{true, {}};
 const Course switched_on{false, [](double) { return 1.0; }};
 
@@ -224,13 +216,13 @@ std::vector<std::vector<double>> by_inversion(const Problem& problem, const Dire
 }
 
 void expect_both_ways_agree(const Problem& problem, const Course& course, double tolerance) {
-  const std::vector<double> times = {0.25, 0.5, 1, 2};
+  const std::vector<double> times = {0.25, 0.5, 1};
   SolveOptions options = tight_options();
   options.tolerance = 1e-7;
   const std::vector<std::vector<double>> expected =
       by_inversion(problem, directions_product(4), 1.3, course, times, options);
-  StepOptions steps = even_steps(StepMethod::sdirk2, 2, 0.02);
-  steps.stops = {0.25, 0.5, 1};
+  StepOptions steps = even_steps(StepMethod::sdirk2, 1, 0.02);
+  steps.stops = {0.25, 0.5};
   const std::vector<Kept> kept = march(problem, directions_product(4), 1.3, course, steps, options);
   std::size_t compared = 0;
   for (const Kept& step : kept)
