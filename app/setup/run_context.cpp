@@ -99,7 +99,9 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) 
   err << balance_warning(result);
   if (result.solution.converged()) {
     const bool in_time = !result.time || result.time->converged;
-    if (!in_time)
+    if (!in_time && result.time->steps && !result.time->steps->fault.empty())
+      err << "steps in time ended early: " << result.time->steps->fault << '\n';
+    else if (!in_time)
       err << fmt::format(
           "light in time is not converged: an estimated relative error of {:.2g} is left; raise "
           "solve.max_sweeps\n",

@@ -16,14 +16,15 @@
 namespace etendue {
 namespace {
 
-/// The factor of a formula, which has to be finite.
+/// The factor of a formula, which has to be finite and not below 0.
 std::function<double(double)> formula_factor(const InTime& in_time) {
   const auto formula = std::make_shared<Expression>(Formula{in_time.text}, std::vector<std::string>{"t"});
   return [formula, in_time](double t) {
     const double factor = (*formula)(std::array{t});
-    if (!std::isfinite(factor))
-      throw InputError(fault_at(in_time.origin, "\"" + in_time.text + "\"",
-                                fmt::format("is {} at t = {:.6g}; use a formula that is finite", factor, t)));
+    if (!(factor >= 0) || !std::isfinite(factor))
+      throw InputError(fault_at(
+          in_time.origin, "\"" + in_time.text + "\"",
+          fmt::format("is {} at t = {:.6g}; use a formula that is finite and not below 0", factor, t)));
     return factor;
   };
 }
@@ -78,7 +79,9 @@ class Courses {
 /// A light that comes in by some walls has its name and theirs.
 std::optional<InTime> course_of_light(const Case& input, const std::string& name) {
   for (const LightCase& light : input.lights)
-    if (light.name == name || name.starts_with(light.name + " through ")) return light.in_time;
+    if (light.name == name) return light.in_time;
+  for (const LightCase& light : input.lights)
+    if (name.starts_with(light.name + " through ")) return light.in_time;
   return std::nullopt;
 }
 

@@ -18,11 +18,13 @@ namespace etendue {
 namespace {
 
 constexpr double usual_steps = 100;
+/// Ends of steps at which factors are looked at before the march.
+constexpr double most_checked = 1e4;
+/// Of a step, so that rounding makes no step more.
+constexpr double even_enough = 1e-9;
 
-/// Root mean square of the steady fluence over the volume, of the values at the vertices, all bands together;
-/// 0 where a pulse says what is large.
-double usual_fluence(const TimeSetup& setup, const EmissionCourses& courses, const Solution& steady) {
-  if (std::ranges::any_of(courses.courses, &Course::is_pulse)) return 0;
+/// Root mean square of the steady fluence over the volume, of the values at the vertices, all bands together.
+double usual_fluence(const TimeSetup& setup, const Solution& steady) {
   const TetrahedralMesh& mesh = setup.problem.mesh();
   const auto bands = static_cast<std::size_t>(setup.problem.band_count());
   const ConstCellField fluence(steady.fluence, bands);
@@ -43,10 +45,11 @@ std::vector<double> frame_times(const TimeCase& time) {
   return times;
 }
 
-std::size_t frame_bytes(const TimeSetup& setup) {
-  return static_cast<std::size_t>(setup.input.time->frames) * 4 * sizeof(double) *
-         static_cast<std::size_t>(setup.problem.mesh().cell_count()) *
-         static_cast<std::size_t>(setup.problem.band_count());
+/// Throws InputError where a factor is not finite, or below 0, at the end of an even step.
+void check_factors(const EmissionCourses& courses, double until, double steps) {
+  const double count = std::min(steps, most_checked);
+  for (const Course& course : courses.courses)
+    for (double k = 1; k <= count && !course.is_pulse; ++k) course.factor(until * k / count);
 }
 
 }  // namespace
@@ -55,8 +58,13 @@ double longest_step(const TimeCase& time) { return time.step.value_or(*time.unti
 
 RunMemory steps_memory(const TimeSetup& setup) {
   RunMemory memory;
-  memory.solving =
-      estimate_march_memory(setup.problem, setup.sets.front(), setup.options) + frame_bytes(setup);
+  // Beside it are the steady solution, fluence, flux and state, and the fluence at frequencies, complex.
+  const TimeCase& time = *setup.input.time;
+  const std::size_t field = 4 * sizeof(double) * static_cast<std::size_t>(setup.problem.mesh().cell_count()) *
+                            static_cast<std::size_t>(setup.problem.band_count());
+  const std::size_t fields = 6 + setup.options.keep_ordinates.size() + static_cast<std::size_t>(time.frames) +
+                             (time.modulation.empty() ? 0 : 2 * (time.modulation.size() + 1));
+  memory.solving = estimate_march_memory(setup.problem, setup.sets.front(), setup.options) + fields * field;
   memory.expected = memory.solving;
   return memory;
 }
@@ -64,15 +72,18 @@ RunMemory steps_memory(const TimeSetup& setup) {
 std::string steps_plan_text(const TimeSetup& setup) {
   const TimeCase& time = *setup.input.time;
   if (setup.sets.size() > 1)
-    throw InputError(fault_at(time.origin, "until",
-                              "takes steps along one set of directions; leave directions.rotations out"));
-  refuse_pulses_through_walls(setup.problem, emission_courses(setup.input, setup.problem));
-  const RunMemory memory = steps_memory(setup);
-  const double step = longest_step(time);
+    throw InputError(
+        fault_at(time.origin, "", "takes steps along one set of directions; leave directions.rotations out"));
+  const EmissionCourses courses = emission_courses(setup.input, setup.problem);
+  refuse_pulses_through_walls(setup.problem, courses);
+  const double step = longest_step(time), frames = std::max(1, time.frames);
+  const double count = frames * std::ceil(*time.until / frames / step - even_enough);
+  check_factors(courses, *time.until, count);
   return fmt::format(
-      "steps in time: {}of {:.4g} {}, to {:.4g} {}; the radiance of all directions is kept ({:.2g} GiB)\n",
-      time.tolerance ? "at most " : fmt::format("{:.0f} ", std::ceil(*time.until / step)), step, time.unit,
-      *time.until, time.unit, static_cast<double>(memory.solving) / 1073741824.0);
+      "steps in time: {}{:.0f} of {:.4g} {}, to {:.4g} {}; the radiance of all directions is kept ({:.2g} "
+      "GiB)\n",
+      time.tolerance ? "at least " : "", count, *time.until / count, time.unit, *time.until, time.unit,
+      static_cast<double>(steps_memory(setup).solving) / 1073741824.0);
 }
 
 void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Solution& steady,
@@ -85,7 +96,7 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
   steps.until = *time.until;
   steps.step = longest_step(time);
   steps.tolerance = time.tolerance.value_or(0);
-  steps.scale = usual_fluence(setup, courses, steady);
+  steps.scale = usual_fluence(setup, steady);
   steps.stops = frame_times(time);
   steps.read = [&](const Problem& problem, const Solution& solution) {
     return numbers.values(problem, solution);
@@ -122,10 +133,14 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
   } catch (const SolveStopped&) {
     result.interrupted = true;
   } catch (const std::domain_error&) {
-    throw InputError(fault_at(time.origin, "tolerance",
-                              "asks for steps below a billionth of until; give a larger one, or even steps"));
+    taken.fault =
+        "time.tolerance asks for steps below a billionth of until; give a larger one, or even steps";
+  } catch (const InputError& fault) {
+    taken.fault = fault.what();
   }
+  if (!taken.fault.empty()) result.converged = false;
   result.interrupted = result.interrupted || interrupted();
+  if (taken.steps.empty() && taken.fault.empty()) result.steps.reset();
 }
 
 }  // namespace etendue

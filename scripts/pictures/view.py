@@ -17,7 +17,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
-                                         vtkRenderWindowInteractor, vtkWindowToImageFilter)
+                                         vtkRenderWindowInteractor, vtkTextActor, vtkWindowToImageFilter)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  registers what writes text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  registers what draws
 
@@ -48,6 +48,8 @@ class View:
         else:
             self.add_cells()
         self.aim()
+        if getattr(self.options, "label", None):
+            self.add_label(self.options.label)
         if self.options.output:
             self.write()
         else:
@@ -136,7 +138,7 @@ class View:
             self.fail(f"no band {band}; there are {', '.join(bands)}")
         component = bands.index(band) if band in bands and values.shape[1] == len(bands) else 0
         column = values[:, component]
-        table = lookup_table(column, self.options.log)
+        table = lookup_table(column, self.options.log, self.options.range)
         table.SetVectorModeToComponent()
         table.SetVectorComponent(component)
         mapper.SetLookupTable(table)
@@ -254,6 +256,14 @@ class View:
             camera.SetWindowCenter(0.12, 0)  # room for the bar at the right
         self.renderer.ResetCameraClippingRange()
 
+    def add_label(self, text):
+        label = vtkTextActor()
+        label.SetInput(text)
+        label.GetTextProperty().SetColor(0, 0, 0)
+        label.GetTextProperty().SetFontSize(18)
+        label.SetPosition(20, 20)
+        self.renderer.AddActor2D(label)
+
     def write(self):
         self.window.SetOffScreenRendering(1)
         self.window.Render()
@@ -285,17 +295,19 @@ def named(name, values):
     return found
 
 
-def lookup_table(values, logarithmic):
+def lookup_table(values, logarithmic, asked=None):
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
-    low, high = float(values.min()), float(values.max())
-    if logarithmic:
+    low, high = asked or (float(values.min()), float(values.max()))
+    if logarithmic and asked:
+        table.SetScaleToLog10()
+    elif logarithmic:
         positive = values[values > 0]
         if len(positive) == 0:
             raise SystemExit("view: --log: no value is positive")
         low = max(float(positive.min()), high * 10.0 ** -DECADES)
         table.SetScaleToLog10()
-    if low < 0 < high:
+    if low < 0 < high and not asked:
         low, high = -max(-low, high), max(-low, high)
     colors = colormaps["RdBu_r" if low == -high else "inferno"]
     for i in range(256):

@@ -15,7 +15,7 @@ namespace etendue {
 using MomentReader = std::function<void(int k, const Problem& problem, const Solution& moment)>;
 
 /// The moments M_k, the integral of t^k u over time, k = 0 … `highest`: (-1)^k times the derivatives of the
-/// transform at s = 0, (L9) of docs/theory/time.md,
+/// transform at s = 0, (L6) and (L7) of docs/theory/time.md,
 ///
 ///     w.grad M_k + sigma_t M_k = integral of sigma_s p(w.w') M_k(w') dw' + k n/c M_(k-1),
 ///

@@ -46,7 +46,7 @@ void check(const StepOptions& steps) {
     throw std::invalid_argument("steps that lead nowhere");
 }
 
-/// What a solution says of the energy, [band].
+/// Energy of a solution, [band].
 struct Powers {
   std::vector<double> energy;  ///< of all light [power time]
   std::vector<double> net;     ///< emitted less absorbed less what leaves [power]
@@ -84,7 +84,7 @@ class March {
     last_.fluence = history_.begin(directions);
     last_.powers.energy = energy_of(last_.fluence);
     largest_energy_ = largest_of(last_.powers.energy);
-    largest_fluence_ = std::max(steps.scale, norm(last_.fluence));
+    largest_fluence_ = norm(last_.fluence) > 0 ? norm(last_.fluence) : steps.scale;
     if (steps.read) {
       Solution dark = empty_solution();
       dark.fluence = last_.fluence;
@@ -134,25 +134,25 @@ class March {
     converged_ = true;
     const bool by_differences = steps_.method == StepMethod::bdf2 && before_ && step == last_step_;
     const Taken taken = by_differences ? differences(step, end) : stages(begin, step, end);
-    const double error = norm(taken.error) / std::max(largest_fluence_, norm(taken.now.fluence));
-    const double relative = std::isfinite(error) ? error : 0;
+    const double largest = std::max(largest_fluence_, norm(taken.now.fluence));
+    const double relative = largest > 0 ? norm(taken.error) / largest : 0;
     if (!is_accepted(relative)) return relative;
     history_.accept(std::move(solution_.radiance), steps_.method == StepMethod::bdf2);
     largest_fluence_ = std::max(largest_fluence_, norm(taken.now.fluence));
     largest_energy_ = std::max(largest_energy_, largest_of(taken.now.powers.energy));
-    const TimeStep told{begin,
-                        end,
-                        relative,
-                        taken.now.values,
-                        taken.errors,
-                        taken.now.powers.energy,
-                        largest_energy_ > 0 ? taken.imbalance / largest_energy_ : 0,
-                        sweeps_,
-                        residual_,
-                        converged_,
-                        dark_,
-                        solution_};
-    const bool goes_on = reader(told);
+    const TimeStep reached{begin,
+                           end,
+                           relative,
+                           taken.now.values,
+                           taken.errors,
+                           taken.now.powers.energy,
+                           largest_energy_ > 0 ? taken.imbalance / largest_energy_ : 0,
+                           sweeps_,
+                           residual_,
+                           converged_,
+                           dark_,
+                           solution_};
+    const bool goes_on = reader(reached);
     before_ = std::exchange(last_, taken.now);
     last_step_ = step;
     return goes_on ? std::optional<double>(relative) : std::nullopt;

@@ -21,8 +21,8 @@ struct StepOptions {
   StepMethod method = StepMethod::sdirk2;
   double until = 0;  ///< [time]
   double step = 0;   ///< [time], at most
-  /// Of the change of the fluence by which a step would differ in first order, relative to its largest value
-  /// so far, both as root mean squares over the volume; steps adapt to it. 0: they are even. Not with bdf2.
+  /// Steps adapt so that in first order they would change the fluence by no more, relative to its largest
+  /// value so far, both as root mean squares over the volume. 0: they are even. Not with bdf2.
   double tolerance = 0;
   /// Root mean square of a fluence that counts as one of those so far [power/length^2]: from darkness the
   /// first steps have nothing that they could be compared with.
@@ -52,7 +52,7 @@ struct TimeStep {
 /// Takes steps while they last. Returns false where no more are wanted.
 using TimeStepReader = std::function<bool(const TimeStep&)>;
 
-/// Marches in time from darkness:
+/// Marches in time from darkness, by (L8) to (L10) of docs/theory/time.md:
 ///
 ///     n/c du/dt + w.grad u + sigma_t u = integral of sigma_s p(w.w') u(w') dw' + f(t) q,  u(0) = pulses c/n
 ///

@@ -63,6 +63,15 @@ std::vector<InTime> own_courses(const Case& input) {
   return courses;
 }
 
+/// Frequencies and times of flight do not ask when sources emit.
+void refuse_courses(Section& time, const TimeCase& read, const Case& input) {
+  const char* why = "it is for `times` and `until`";
+  if (read.in_time.kind != InTime::Kind::pulse) time.unused("in_time", why);
+  for (const InTime& own : own_courses(input))
+    time.faults().push_back(
+        fault_at(own.origin, "\"" + own.text + "\"", std::string("is of no use: ") + why));
+}
+
 /// Inversion knows pulses and steps, and one of them alone.
 void refuse_inversion(Section& time, const InTime& in_time) {
   if (!time.has("times")) return;
@@ -83,6 +92,9 @@ void read_time(Section time, const std::filesystem::path& case_folder, Case& res
   if (!time.has("modulation") && !time.has("times") && !time.has("until") && !read.flight_times)
     time.fault("asks for nothing; give modulation, times, until or flight_times");
   check_steps(time, read);
+  if (read.times.empty() && !read.until) refuse_courses(time, read, result);
+  if (read.window != TimeCase{}.window && !(result.photons && read.in_time.kind == InTime::Kind::pulse))
+    time.unused("window", "it is for photons after a pulse");
   if (read.in_time.kind != InTime::Kind::pulse && read.in_time.kind != InTime::Kind::step)
     refuse_inversion(time, read.in_time);
   for (const InTime& own : own_courses(result))

@@ -16,7 +16,10 @@ InTime of_table(const TomlNode& node, const std::filesystem::path& case_folder) 
   auto columns = read_columns(resolve_path(node, case_folder), {"t", "factor"});
   if (columns[0].empty() ||
       std::ranges::adjacent_find(columns[0], std::greater_equal<>()) != columns[0].end())
-    throw InputError(fault_at(node.origin, "\"" + node.text() + "\"", "needs times that rise throughout"));
+    throw InputError(fault_at(node.origin, "\"" + node.text() + "\"",
+                              "needs lines of t and factor, and times that rise throughout"));
+  if (std::ranges::any_of(columns[1], [](double factor) { return factor < 0; }))
+    throw InputError(fault_at(node.origin, "\"" + node.text() + "\"", "has a factor below 0"));
   read.times = std::move(columns[0]);
   read.factors = std::move(columns[1]);
   return read;

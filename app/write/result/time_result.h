@@ -59,7 +59,8 @@ struct StepsInTime {
   std::vector<TimeQuantity> quantities;
   std::vector<StepInTime> steps;
   std::vector<FrameInTime> frames;
-  int sweeps = 0;  ///< of the step that took most
+  int sweeps = 0;     ///< of the step that took most
+  std::string fault;  ///< why they ended before their time; empty: they did not
 };
 
 /// What a run found about light that changes with time.

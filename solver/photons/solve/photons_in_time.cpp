@@ -86,8 +86,8 @@ class TimedSums {
     return sum;
   }
 
-  /// Of the linear field in the cells of a point, of whose mass matrix V/20 (1 + delta_ij) the inverse is
-  /// 20/V (delta_ij - 1/5).
+  /// Fluence of the linear field in the cells of a point, of whose mass matrix V/20 (1 + delta_ij) the
+  /// inverse is 20/V (delta_ij - 1/5).
   double fluence(const std::vector<CellPoint>& points, const TimeWindow& window) const {
     double total = 0, volume = 0;
     for (const CellPoint& point : points) {
@@ -112,10 +112,22 @@ class TimedSums {
 
 }  // namespace
 
+std::size_t estimate_timed_photon_memory(const Problem& problem, std::size_t points, std::size_t windows,
+                                         int threads) {
+  const std::size_t bins = 2 * windows, cells = 4 * points;  // a point may lie in some cells
+  const std::size_t sums =
+      (4 * cells + 2 * problem.media().size() + problem.walls().size()) * bins * sizeof(double) +
+      (static_cast<std::size_t>(problem.mesh().cell_count()) +
+       static_cast<std::size_t>(problem.mesh().boundary_face_count())) *
+          sizeof(std::int32_t);
+  return static_cast<std::size_t>(threads) * sums;
+}
+
 std::vector<TimedNumbers> photons_in_time(const Problem& problem, const CellLocator& locator,
                                           const TimedPlaces& places, const std::vector<TimeWindow>& windows,
                                           const TimedPhotonOptions& options, const StageObserver& observer) {
   refuse_for_photons(problem);
+  if (windows.empty()) return {};
   const PhotonBatches batches(problem, locator, options.seed);
   const auto bands = static_cast<std::size_t>(problem.band_count());
   const double wanted = std::max(1.0, std::floor(options.photons)),
@@ -151,7 +163,7 @@ std::vector<TimedNumbers> photons_in_time(const Problem& problem, const CellLoca
     }
   }
   std::vector<TimedNumbers> results;
-  if (counter.stopped() || windows.empty()) return results;
+  if (counter.stopped()) return results;
   const std::size_t of_band = statistics.size() / bands, of_window = of_band / windows.size();
   for (std::size_t k = 0; k < windows.size(); ++k) {
     std::size_t number = 0;

@@ -37,11 +37,15 @@ struct TimedNumbers {
   std::vector<std::vector<Estimate>> fluence_mean;  ///< [region] [power/length^2]
 };
 
+/// Bytes that photons_in_time() takes beside the meshes of solve_photons().
+std::size_t estimate_timed_photon_memory(const Problem& problem, std::size_t points, std::size_t windows,
+                                         int threads);
+
 /// Light in time by Monte Carlo: everything that emits sends all its light, as much as in one unit of time,
 /// at t = 0, and histories carry the time that they take. Of a source that is switched on at t = 0 the light
 /// at t is the sum from 0 to t. The fluence at a point is that of the linear field in its cell, as in
 /// solve_photons(), with which the histories are shared. Returns a result for each window; none where the
-/// observer stops it. The sums of all bins, two windows for each, are kept for each thread. Throws InputError
+/// observer stops it. Throws InputError
 /// where photons do not know what the problem asks.
 std::vector<TimedNumbers> photons_in_time(const Problem& problem, const CellLocator& locator,
                                           const TimedPlaces& places, const std::vector<TimeWindow>& windows,

@@ -122,7 +122,7 @@ TEST(StepsOfARun, AdaptAndLeaveFrames) {
       between_mirrors("in_time = \"step\"\nuntil = 1\nstep = 1\ntolerance = 1e-3\nframes = 4\n"));
   const Outcome outcome = etendue_says({"run", folder.file()});
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.out << outcome.err;
-  EXPECT_TRUE(has(outcome.out, "steps in time: at most of 1 ns, to 1 ns")) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "steps in time: at least 4 of 0.25 ns, to 1 ns")) << outcome.out;
   EXPECT_TRUE(has(outcome.out, "4 frames in fluence.pvd")) << outcome.out;
   EXPECT_EQ(ScratchFolder::names_in(folder.results()),
             (std::vector<std::string>{"fields.vtu", "fluence.pvd", "fluence_0001.vtu", "fluence_0002.vtu",
@@ -154,7 +154,8 @@ TEST(StepsOfARun, StandBesideTransforms) {
 
 /// Photons find the same histories, with errors that hold.
 void expect_histories_by_photons(const std::string& in_time, const std::function<double(double)>& fluence) {
-  const CaseFolder folder(between_mirrors("in_time = \"" + in_time + "\"\ntimes = [0.3, 1]\nwindow = 0.1\n"));
+  const CaseFolder folder(between_mirrors("in_time = \"" + in_time + "\"\ntimes = [0.3, 1]\n" +
+                                          (in_time == "pulse" ? "window = 0.1\n" : "")));
   const Outcome outcome =
       etendue_says({"run", folder.file(), "--set", "solve={photons=2e5,method=\"photons\"}"});
   ASSERT_EQ(outcome.code, ExitCode::done) << outcome.out << outcome.err;
@@ -210,6 +211,27 @@ TEST(StepsOfARun, HaveTimesOfFlightBesideThem) {
   EXPECT_EQ(table.column("unit").front(), "ns");
 }
 
+/// The formula has no value between the ends of even steps, where the first stage of a step is.
+TEST(StepsOfARun, KeepWhatWasFoundBeforeAFault) {
+  const CaseFolder folder(between_mirrors(
+      "in_time = \"t > 0.55 && t < 0.6 ? 1/0 : 1\"\nuntil = 1\nstep = 0.25\nflight_times = true\n"));
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  EXPECT_EQ(outcome.code, ExitCode::not_converged) << outcome.out;
+  EXPECT_TRUE(has(outcome.err, "steps in time ended early: ")) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "use a formula that is finite")) << outcome.err;
+  EXPECT_EQ(steps_of(folder).numbers("t").size() / 11, 2U);  // numbers of 11 quantities at 0.25 and 0.5
+  EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(folder.results()) / "flight_times.csv"));
+}
+
+/// A medium that emits nothing follows the default, a pulse, which is nothing to compare steps with.
+TEST(StepsOfARun, AdaptToARampFromDarkness) {
+  const CaseFolder folder(between_mirrors("until = 1\nstep = 0.1\ntolerance = 0.01\n"));
+  const Outcome outcome = etendue_says({"run", folder.file(), "--set", "media.gas.emission=0", "--set",
+                                        "walls.\"*\"={specular=0.5,radiance=1,in_time=\"t\"}"});
+  EXPECT_EQ(outcome.code, ExitCode::done) << outcome.err;
+  EXPECT_GE(summary_of(folder)["time"]["march"]["steps"], 10);
+}
+
 struct Refusal {
   const char* time;
   const char* medium;
@@ -219,6 +241,8 @@ struct Refusal {
 TEST(StepsOfARun, AreRefusedWithTheReason) {
   const Refusal refusals[] = {
       {"times = [1]\nstep = 0.1\n", "", "there are no steps without `until`"},
+      {"flight_times = true\nin_time = \"step\"\n", "", "it is for `times` and `until`"},
+      {"times = [1]\nwindow = 0.2\n", "", "it is for photons after a pulse"},
       {"until = 1\nstep = 2\n", "", "time.step = 2: is longer than until"},
       {"until = 1\nmethod = \"bdf2\"\ntolerance = 1e-3\n", "", "takes even steps"},
       {"until = 1\nin_time = \"sine\"\n", "", "is neither \"pulse\", \"step\", a formula in t nor"},
@@ -238,18 +262,16 @@ TEST(StepsOfARun, AreRefusedWithTheReason) {
                   "in_time = \"step\": is of no use in a case without [time]"));
 }
 
-TEST(StepsOfARun, RefuseWhatIsKnownOnceTheyBegin) {
-  const Refusal refusals[] = {
-      {"until = 1\nin_time = \"1/(t-1)\"\nstep = 0.25\n", "", "is inf at t = 1"},
-  };
-  for (const Refusal& refusal : refusals) {
-    const CaseFolder folder(between_mirrors(refusal.time, refusal.medium));
-    const Outcome outcome = etendue_says({"run", folder.file()});
-    EXPECT_EQ(outcome.code, ExitCode::input_error) << refusal.time;
-    EXPECT_TRUE(has(outcome.err, refusal.message)) << outcome.err;
+/// Known before anything is solved, and to a check too.
+TEST(StepsOfARun, RefuseWhatTheyCannotFollow) {
+  for (const char* command : {"check", "run"}) {
+    const CaseFolder endless(between_mirrors("until = 1\nin_time = \"1/(t-1)\"\nstep = 0.25\n"));
+    const Outcome outcome = etendue_says({command, endless.file()});
+    EXPECT_EQ(outcome.code, ExitCode::input_error) << command;
+    EXPECT_TRUE(has(outcome.err, "use a formula that is finite and not below 0")) << outcome.err;
   }
   const CaseFolder folder(between_mirrors("until = 1\n"));
-  const Outcome outcome = etendue_says({"run", folder.file(), "--set", "walls.\"*\".radiance=1"});
+  const Outcome outcome = etendue_says({"check", folder.file(), "--set", "walls.\"*\".radiance=1"});
   EXPECT_EQ(outcome.code, ExitCode::input_error);
   EXPECT_TRUE(has(outcome.err, "sends a pulse in, which would last as long as a step")) << outcome.err;
   const Outcome rotated = etendue_says({"run", folder.file(), "--set", "directions.set=\"ldfe-sq\"", "--set",

@@ -14,25 +14,28 @@ WALLS = {"R": "wall lit", "T": "wall dark"}
 def compare(runs):
     found = []
     for name, result in runs.items():
-        thickness = name.split(",")[0].split()[1]
-        found += compare_times(result, thickness)
-        if not name.endswith("early"):
+        thickness, *way = name.removeprefix("thickness ").split(", ")
+        found += compare_times(result, thickness, ", ".join(way))
+        if not way:
             found += compare_modulated(result, thickness)
     return found
 
 
-def compare_times(result, thickness):
-    values = {(row["name"], row["band"], float(row["t"])): row for row in result.table("times.csv")
-              if row["quantity"] == "incoming"}
+def compare_times(result, thickness, way):
+    by_steps = way == "by steps"
+    # Ends of steps are sums of their lengths.
+    values = {(row["name"], row["band"], round(float(row["t"]), 9)): row
+              for row in result.table("steps.csv" if by_steps else "times.csv") if row["quantity"] == "incoming"}
     found = []
-    times = sorted({t for _, _, t in values})
+    times = {round(float(row["t"]), 9) for row in read_reference("slab_switched_on.csv")} & {t for _, _, t in values}
     for row in read_reference("slab_switched_on.csv"):
         computed = values.get((WALLS[row["part"]], row["albedo"], float(row["t"])))
         if row["thickness"] != thickness or computed is None:
             continue
-        found.append(Row(f"{row['part']}, thickness {thickness}, albedo {row['albedo']}, t {row['t']}",
+        ending = f", {way}" if way.startswith("by") else ""
+        found.append(Row(f"{row['part']}, thickness {thickness}, albedo {row['albedo']}, t {row['t']}{ending}",
                          float(computed["value"]), float(row["value"]), float(row["uncertainty"]),
-                         plot=f"thickness {thickness}", curve=f"{row['part']}, albedo {row['albedo']}", x=float(row["t"])))
+                         plot=f"thickness {thickness}", curve=f"{row['part']}, albedo {row['albedo']}{ending}", x=float(row["t"])))
     if not found or len(found) < 2 * len(times):
         raise ValueError(f"times.csv of {result.name} has values of {len(found)} references at {len(times)} times")
     return found
