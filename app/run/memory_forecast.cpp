@@ -10,7 +10,7 @@
 #include "app/run/ordinates_setup.h"
 #include "app/setup/memory.h"
 #include "app/setup/run_context.h"
-#include "solver/photons/solve/photons_in_time.h"
+#include "app/time/photon_times.h"
 #include "solver/photons/solve/solve_photons.h"
 
 namespace etendue {
@@ -30,13 +30,9 @@ RunMemory run_memory(const Case& input, const Problem& problem) {
 
 RunMemory photon_run_memory(const Case& input, const Problem& problem) {
   const int threads = thread_count(input);
-  std::size_t bytes =
-      estimate_photon_memory(problem, threads) + estimate_photon_map_memory(input, problem, threads);
-  if (input.time) {
-    std::size_t points = input.sensors.size();
-    for (const Probe& probe : input.probes) points += probe.points.size();
-    bytes += estimate_timed_photon_memory(problem, points, input.time->times.size(), threads);
-  }
+  const std::size_t bytes = estimate_photon_memory(problem, threads) +
+                            estimate_photon_map_memory(input, problem, threads) +
+                            photon_times_memory(input, problem, threads);
   return {bytes, bytes};
 }
 

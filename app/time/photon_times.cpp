@@ -41,6 +41,13 @@ std::vector<Estimate> in_order(const TimedNumbers& numbers) {
 
 }  // namespace
 
+std::size_t photon_times_memory(const Case& input, const Problem& problem, int threads) {
+  if (!input.time) return 0;
+  std::size_t points = input.sensors.size();
+  for (const Probe& probe : input.probes) points += probe.points.size();
+  return estimate_timed_photon_memory(problem, points, input.time->times.size(), threads);
+}
+
 TimeResult photon_times(const Case& input, const Problem& problem, const CellLocator& locator, int threads,
                         const StageDisplay& stages) {
   const WallClock::time_point start = WallClock::now();
