@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "app/case/build/build.h"
@@ -60,6 +62,12 @@ void write_comparison(const Comparison& comparison, const Case& input, const Pro
 ExitCode compare_case(const CompareRequest& request, std::ostream& out, std::ostream& err) {
   const Case input = read_case(request.run.file, request.run.overrides);
   write_deprecations(input, err);
+  // What a method refuses is known before another one has run.
+  for (const std::string& method : request.methods) {
+    std::vector<std::string> overrides = request.run.overrides;
+    overrides.push_back(fmt::format("solve.method=\"{}\"", method == "ordinates" ? "auto" : method));
+    read_case(request.run.file, overrides);
+  }
   const std::filesystem::path directory = std::filesystem::absolute(input.output.directory);
   check_output_directory(directory);
   const TetrahedralMesh mesh = mesh_visibly(input, verbose_log(request.run, err),

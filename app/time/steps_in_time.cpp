@@ -117,7 +117,8 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
   const auto reader = [&](const TimeStep& step) {
     StepInTime row{step.end, step.error, step.imbalance, step.values, step.errors};
     row.values.insert(row.values.end(), step.energy.begin(), step.energy.end());
-    row.errors.insert(row.errors.end(), step.energy.size(), 0);
+    row.errors.insert(row.errors.end(), step.energy_errors.begin(), step.energy_errors.end());
+    taken.largest_energy = std::max(taken.largest_energy, *std::ranges::max_element(step.energy));
     taken.steps.push_back(std::move(row));
     taken.sweeps = std::max(taken.sweeps, step.sweeps);
     result.residual = std::max(result.residual, step.residual);

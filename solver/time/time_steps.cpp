@@ -83,7 +83,6 @@ class March {
     options_.initial = nullptr;
     last_.fluence = history_.begin(directions);
     last_.powers.energy = energy_of(last_.fluence);
-    largest_energy_ = largest_of(last_.powers.energy);
     largest_fluence_ = norm(last_.fluence) > 0 ? norm(last_.fluence) : steps.scale;
     if (steps.read) {
       Solution dark = empty_solution();
@@ -136,17 +135,22 @@ class March {
     const Taken taken = by_differences ? differences(step, end) : stages(begin, step, end);
     const double largest = std::max(largest_fluence_, norm(taken.now.fluence));
     const double relative = largest > 0 ? norm(taken.error) / largest : 0;
-    if (!is_accepted(relative)) return relative;
+    if (!is_accepted(relative)) {
+      // What is too much may be far too much to begin from where there is hardly any light yet.
+      solution_.state = accepted_;
+      return relative;
+    }
+    accepted_ = solution_.state;
     history_.accept(std::move(solution_.radiance), steps_.method == StepMethod::bdf2);
     largest_fluence_ = std::max(largest_fluence_, norm(taken.now.fluence));
-    largest_energy_ = std::max(largest_energy_, largest_of(taken.now.powers.energy));
     const TimeStep reached{begin,
                            end,
                            relative,
                            taken.now.values,
                            taken.errors,
                            taken.now.powers.energy,
-                           largest_energy_ > 0 ? taken.imbalance / largest_energy_ : 0,
+                           taken.energy_errors,
+                           taken.imbalance,
                            sweeps_,
                            residual_,
                            converged_,
@@ -163,7 +167,8 @@ class March {
     Reading now;
     std::vector<double> error;   ///< of the fluence
     std::vector<double> errors;  ///< of the values
-    double imbalance = 0;        ///< of the energy, of the worst band [power time]
+    std::vector<double> energy_errors;
+    double imbalance = 0;  ///< of the energy, of the worst band [power time]
   };
 
   /// k_1 at begin + gamma step and k_2 at the end; in first order it would be u + step k_1.
@@ -172,9 +177,11 @@ class March {
     const Reading first = solve(sdirk_gamma * step, begin + sdirk_gamma * step);
     history_.keep_stage(std::move(solution_.radiance));
     history_.mix(1 - (1 - sdirk_gamma) / sdirk_gamma, (1 - sdirk_gamma) / sdirk_gamma);
-    Taken taken{solve(sdirk_gamma * step, end), {}, {}, 0};
+    Taken taken{solve(sdirk_gamma * step, end), {}, {}, {}, 0};
     taken.error = differences_of(taken.now.fluence, mixed(last_.fluence, first.fluence, 1 / sdirk_gamma));
     taken.errors = differences_of(taken.now.values, mixed(last_.values, first.values, 1 / sdirk_gamma));
+    taken.energy_errors = differences_of(taken.now.powers.energy,
+                                         mixed(last_.powers.energy, first.powers.energy, 1 / sdirk_gamma));
     for (std::size_t b = 0; b < first.powers.net.size(); ++b) {
       const double gained =
           step * ((1 - sdirk_gamma) * first.powers.net[b] + sdirk_gamma * taken.now.powers.net[b]);
@@ -186,7 +193,7 @@ class March {
 
   Taken differences(double step, double end) {
     history_.mix(4.0 / 3, -1.0 / 3);
-    Taken taken{solve(bdf2_part * step, end), {}, {}, 0};
+    Taken taken{solve(bdf2_part * step, end), {}, {}, {}, 0};
     const auto second = [](const std::vector<double>& now, const std::vector<double>& last,
                            const std::vector<double>& before) {
       std::vector<double> result(now.size());
@@ -195,6 +202,7 @@ class March {
     };
     taken.error = second(taken.now.fluence, last_.fluence, before_->fluence);
     taken.errors = second(taken.now.values, last_.values, before_->values);
+    taken.energy_errors = second(taken.now.powers.energy, last_.powers.energy, before_->powers.energy);
     for (std::size_t b = 0; b < taken.now.powers.net.size(); ++b) {
       const double change =
           1.5 * taken.now.powers.energy[b] - 2 * last_.powers.energy[b] + 0.5 * before_->powers.energy[b];
@@ -235,7 +243,7 @@ class March {
     if (solver_) {
       orders = solver_->orders();
       initial_ = solution_.state;
-      options_.initial = &initial_;
+      options_.initial = initial_.fluence.empty() ? nullptr : &initial_;
     }
     solver_.reset();
     const TetrahedralMesh& mesh = dark_.mesh();
@@ -269,10 +277,6 @@ class March {
         energy[b] += slow * mesh.volume(cell) * ConstCellField(fluence, bands).mean(cell, b);
     }
     return energy;
-  }
-
-  static double largest_of(const std::vector<double>& values) {
-    return values.empty() ? 0 : *std::ranges::max_element(values);
   }
 
   /// Root mean square over the volume, of the values at the vertices, all bands together.
@@ -313,7 +317,8 @@ class March {
   SolveOptions options_;
   SolveObserver observer_;
   AddedExtinction added_;
-  SavedState initial_;
+  SavedState initial_;   ///< of the solver
+  SavedState accepted_;  ///< at the end of the last step; empty before
   std::unique_ptr<TransportSolver> solver_;
   double stage_ = 0;
   Solution solution_;
@@ -321,7 +326,6 @@ class March {
   std::optional<Reading> before_;  ///< of the step before
   double last_step_ = 0;
   double largest_fluence_ = 0;
-  double largest_energy_ = 0;
   int sweeps_ = 0;  ///< of the step that is taken
   double residual_ = 0;
   bool converged_ = true;

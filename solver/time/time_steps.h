@@ -34,13 +34,14 @@ struct StepOptions {
 
 /// A step that was taken.
 struct TimeStep {
-  double begin = 0, end = 0;   ///< [time]
-  double error = 0;            ///< what StepOptions::tolerance bounds
-  std::vector<double> values;  ///< at its end, as StepOptions::read made them
-  std::vector<double> errors;  ///< by how much they would differ in first order
-  std::vector<double> energy;  ///< [band] of all light at its end [power time]
-  /// What is emitted less what is absorbed and what leaves in the step, less the change of the energy,
-  /// relative to the largest energy so far: of the worst band. The iteration leaves it.
+  double begin = 0, end = 0;          ///< [time]
+  double error = 0;                   ///< what StepOptions::tolerance bounds
+  std::vector<double> values;         ///< at its end, as StepOptions::read made them
+  std::vector<double> errors;         ///< by how much they would differ in first order
+  std::vector<double> energy;         ///< [band] of all light at its end [power time]
+  std::vector<double> energy_errors;  ///< [band] by how much it would differ in first order
+  /// Emitted less absorbed energy and outflow in the step, less the change of the energy: of the worst band
+  /// [power time]. The iteration leaves it.
   double imbalance = 0;
   int sweeps = 0;            ///< of all its solutions
   double residual = 0;       ///< the largest of them

@@ -11,6 +11,9 @@
 namespace etendue {
 namespace {
 
+/// Factors below are 0: squares of such light would leave the range of numbers.
+constexpr double darkness = 1e-30;
+
 template <class Values>
 bool any_positive(const Values& values) {
   return std::ranges::any_of(values, [](double value) { return value > 0; });
@@ -143,7 +146,10 @@ void TimedSources::add_power(std::size_t course) {
 
 std::vector<double> TimedSources::factors_at(double t) const {
   std::vector<double> factors;
-  for (const Course& course : courses_.courses) factors.push_back(course.is_pulse ? 0 : course.factor(t));
+  for (const Course& course : courses_.courses) {
+    const double factor = course.is_pulse ? 0 : course.factor(t);
+    factors.push_back(std::abs(factor) < darkness ? 0 : factor);
+  }
   return factors;
 }
 

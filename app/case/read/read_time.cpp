@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/read/read_time.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 
 #include "app/case/keys/case_tables.h"
 #include "app/case/temperatures.h"
 #include "app/case/values/in_time_value.h"
+#include "base/expression/expression.h"
 
 namespace etendue {
 namespace {
+
+/// More would take years.
+constexpr double most_steps = 1e7;
+/// Times at which a formula is looked at.
+constexpr int looks_at_formula = 1000;
 
 /// Why light in time is not solved for beside something else in the case; empty where it is.
 std::string conflict_of(const Case& input, const TimeCase& read) {
   if (input.radiosity) return "not by radiosity in this version; use solve.method = \"auto\"";
   if (input.photons && (!read.modulation.empty() || read.until || read.flight_times))
-    return "photons know `times` alone; leave the others out, or use solve.method = \"auto\"";
+    return "photons know `times` alone; leave modulation, until and flight_times out";
   if (input.exact) return "not beside [exact]";
   if (input.accuracy) return "not beside [accuracy] in this version";
   if (has_temperatures(input)) return "not beside temperatures, which would change with time too";
@@ -46,6 +56,9 @@ void check_steps(Section& time, const TimeCase& read) {
   unused("frames", read.frames > 0);
   if (read.until && read.step && *read.step > *read.until)
     time.fault("step", "is longer than until; use at most that");
+  if (read.until && read.step && *read.until / *read.step > most_steps)
+    time.fault("step",
+               fmt::format("asks for {:.3g} steps up to until; use a longer one", *read.until / *read.step));
   if (read.tolerance && read.method == StepMethod::bdf2)
     time.fault("method", "takes even steps; leave tolerance out, or use sdirk2");
 }
@@ -70,6 +83,20 @@ void refuse_courses(Section& time, const TimeCase& read, const Case& input) {
   for (const InTime& own : own_courses(input))
     time.faults().push_back(
         fault_at(own.origin, "\"" + own.text + "\"", std::string("is of no use: ") + why));
+}
+
+/// Refuses a formula that is not finite, or below 0, at one of some times up to `until`.
+void check_formula(const InTime& in_time, double until, Faults& faults) {
+  if (in_time.kind != InTime::Kind::formula) return;
+  const Expression factor(Formula{in_time.text}, {"t"});
+  for (int k = 1; k <= looks_at_formula; ++k) {
+    const double t = until * k / looks_at_formula, value = factor(std::array{t});
+    if (value >= 0 && std::isfinite(value)) continue;
+    faults.push_back(fault_at(
+        in_time.origin, "\"" + in_time.text + "\"",
+        fmt::format("is {:.6g} at t = {:.6g}; use a formula that is finite and not below 0", value, t)));
+    return;
+  }
 }
 
 /// Inversion knows pulses and steps, and one of them alone.
@@ -97,6 +124,10 @@ void read_time(Section time, const std::filesystem::path& case_folder, Case& res
     time.unused("window", "it is for photons after a pulse");
   if (read.in_time.kind != InTime::Kind::pulse && read.in_time.kind != InTime::Kind::step)
     refuse_inversion(time, read.in_time);
+  if (read.until) {
+    check_formula(read.in_time, *read.until, time.faults());
+    for (const InTime& own : own_courses(result)) check_formula(own, *read.until, time.faults());
+  }
   for (const InTime& own : own_courses(result))
     if (own.text != read.in_time.text) refuse_inversion(time, own);
   if (const std::string conflict = conflict_of(result, read); !conflict.empty()) time.fault(conflict);

@@ -48,13 +48,12 @@ std::string histories_text(const TimeResult& time) {
 }
 
 std::string steps_text(const StepsInTime& steps, const std::string& unit) {
-  double shortest = 0, longest = 0, error = 0, imbalance = 0, last = 0;
+  double shortest = 0, longest = 0, error = 0, last = 0;
   for (const StepInTime& step : steps.steps) {
     const double length = step.end - std::exchange(last, step.end);
     shortest = shortest > 0 ? std::min(shortest, length) : length;
     longest = std::max(longest, length);
     error = std::max(error, step.error);
-    imbalance = std::max(imbalance, step.imbalance);
   }
   const std::string lengths = longest - shortest > 1e-6 * longest
                                   ? fmt::format("{:.4g} to {:.4g} {}", shortest, longest, unit)
@@ -67,7 +66,7 @@ std::string steps_text(const StepsInTime& steps, const std::string& unit) {
              "  at most {} sweeps each; a step of first order would change the fluence by up to {:.2g} of "
              "its "
              "largest\n  energy kept to {:.2g}\n",
-             steps.sweeps, error, imbalance);
+             steps.sweeps, error, steps.imbalance());
 }
 
 std::string flight_times_text(const TimeResult& time, const std::string& unit) {

@@ -50,8 +50,8 @@ std::string steps_csv(const RunResult& result) {
   for (std::size_t q = 0; q < steps.quantities.size(); ++q)
     for (const StepInTime& step : steps.steps) {
       table += labels_of(steps.quantities[q]);
-      fmt::format_to(std::back_inserter(table), "{},{},{},{}\n", step.end, step.values[q], step.errors[q],
-                     csv_field(steps.quantities[q].unit));
+      fmt::format_to(std::back_inserter(table), "{:.12g},{},{},{}\n", step.end, step.values[q],
+                     step.errors[q], csv_field(steps.quantities[q].unit));
     }
   return table;
 }

@@ -86,14 +86,13 @@ Json as_json(const RadiosityReport& report) {
 }
 
 Json as_json(const StepsInTime& steps) {
-  double error = 0, imbalance = 0;
+  double error = 0;
   for (const StepInTime& step : steps.steps) {
     error = std::max(error, step.error);
-    imbalance = std::max(imbalance, step.imbalance);
   }
-  return {{"steps", steps.steps.size()}, {"until", steps.steps.empty() ? 0 : steps.steps.back().end},
-          {"sweeps", steps.sweeps},      {"error", error},
-          {"imbalance", imbalance},      {"frames", steps.frames.size()}};
+  return {{"steps", steps.steps.size()},    {"until", steps.steps.empty() ? 0 : steps.steps.back().end},
+          {"sweeps", steps.sweeps},         {"error", error},
+          {"imbalance", steps.imbalance()}, {"frames", steps.frames.size()}};
 }
 
 Json as_json(const TimeResult& time) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <numbers>
 #include <optional>
@@ -38,7 +39,7 @@ struct ModulatedLight {
 struct StepInTime {
   double end = 0;              ///< [time]
   double error = 0;            ///< of the fluence, relative, as that of one step (TimeStep::error)
-  double imbalance = 0;        ///< of the energy, relative
+  double imbalance = 0;        ///< of the energy [power time]
   std::vector<double> values;  ///< [quantity] at its end
   std::vector<double> errors;  ///< [quantity] of this step
 };
@@ -59,6 +60,14 @@ struct StepsInTime {
   std::vector<TimeQuantity> quantities;
   std::vector<StepInTime> steps;
   std::vector<FrameInTime> frames;
+  double largest_energy = 0;  ///< of all steps and bands [power time]
+
+  /// The largest imbalance of the energy, relative to the largest energy.
+  double imbalance() const {
+    double largest = 0;
+    for (const StepInTime& step : steps) largest = std::max(largest, step.imbalance);
+    return largest_energy > 0 ? largest / largest_energy : 0;
+  }
   int sweeps = 0;     ///< of the step that took most
   std::string fault;  ///< why they ended before their time; empty: they did not
 };

@@ -214,7 +214,7 @@ TEST(StepsOfARun, HaveTimesOfFlightBesideThem) {
 /// The formula has no value between the ends of even steps, where the first stage of a step is.
 TEST(StepsOfARun, KeepWhatWasFoundBeforeAFault) {
   const CaseFolder folder(between_mirrors(
-      "in_time = \"t > 0.55 && t < 0.6 ? 1/0 : 1\"\nuntil = 1\nstep = 0.25\nflight_times = true\n"));
+      "in_time = \"t > 0.5732 && t < 0.5733 ? 1/0 : 1\"\nuntil = 1\nstep = 0.25\nflight_times = true\n"));
   const Outcome outcome = etendue_says({"run", folder.file()});
   EXPECT_EQ(outcome.code, ExitCode::not_converged) << outcome.out;
   EXPECT_TRUE(has(outcome.err, "steps in time ended early: ")) << outcome.err;

@@ -135,7 +135,7 @@ Problem lively(const TetrahedralMesh& mesh, const PhaseFunction& phase) {
 
 TEST(TimeSteps, KeepTheEnergy) {
   const TetrahedralMesh mesh = cube_with_ball(2e-2);
-  const Problem problem = lively(mesh, PhaseHenyeyGreenstein{0.5});
+  const Problem problem = lively(mesh, PhaseHenyeyGreenstein{0.2});
   for (const Lumping lumping : {Lumping::none, Lumping::automatic}) {
     SolveOptions options = tight_options(lumping);
     options.tolerance = 1e-13;
@@ -143,7 +143,8 @@ TEST(TimeSteps, KeepTheEnergy) {
       const std::vector<Kept> kept =
           march(problem, directions_product(4), 1, switched_on, even_steps(method, 1, 0.2), options);
       ASSERT_EQ(kept.size(), 5U);
-      for (const Kept& step : kept) EXPECT_LT(step.imbalance, 1e-10);
+      const double energy = kept.back().energy[0] + kept.back().energy[1];
+      for (const Kept& step : kept) EXPECT_LT(step.imbalance, 1e-10 * energy);
     }
   }
 }
@@ -185,6 +186,20 @@ TEST(TimeSteps, AdaptToTheirTolerance) {
     EXPECT_LT(error, last);
     last = error;
   }
+}
+
+/// Hardly any light comes before the pulse, and steps that miss it are taken back.
+TEST(TimeSteps, FindAPulseThatIsShorterThanTheFirstSteps) {
+  const TetrahedralMesh mesh = cube_mesh(8e-2);
+  const Course late{false, [](double t) { return std::exp(-std::pow((t - 2.53) / 0.05, 2)); }};
+  StepOptions steps = even_steps(StepMethod::sdirk2, 4, 0.5);
+  steps.tolerance = 1e-3;
+  steps.scale = 1;
+  const std::vector<Kept> kept =
+      march(mirrored(mesh, 1), directions_product(2), slow, late, steps, tight_options());
+  const double energy = 4 * pi * emission * 0.05 * std::sqrt(pi);
+  const double expected = energy / slow * std::exp(-absorption * (4 - 2.53) / slow);
+  EXPECT_NEAR(kept.back().values.front(), expected, 5e-3 * expected);
 }
 
 /// By transforms, without steps: an independent way to the same light.
@@ -236,7 +251,7 @@ void expect_both_ways_agree(const Problem& problem, const Course& course, double
 
 TEST(TimeSteps, AgreeWithTheInversionOfTransforms) {
   const TetrahedralMesh mesh = cube_with_ball(8e-2);
-  expect_both_ways_agree(lively(mesh, PhaseHenyeyGreenstein{0.5}), switched_on, 5e-4);
+  expect_both_ways_agree(lively(mesh, PhaseHenyeyGreenstein{0.1}), switched_on, 5e-4);
 }
 
 TEST(TimeSteps, AgreeWithTheInversionAfterAPulse) {
