@@ -1,35 +1,24 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/time/emission_courses.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
 
 #include "app/case/build/entry_of.h"
-#include "base/expression/expression.h"
+#include "app/case/values/in_time_value.h"
 #include "solver/time/timed_sources.h"
 
 namespace etendue {
 namespace {
 
-/// The factor of a formula, which has to be finite and not below 0.
-std::function<double(double)> formula_factor(const InTime& in_time) {
+std::function<double(double)> factor_by_formula(const InTime& in_time) {
   const auto formula = std::make_shared<Expression>(Formula{in_time.text}, std::vector<std::string>{"t"});
-  return [formula, in_time](double t) {
-    const double factor = (*formula)(std::array{t});
-    if (!(factor >= 0) || !std::isfinite(factor))
-      throw InputError(fault_at(
-          in_time.origin, "\"" + in_time.text + "\"",
-          fmt::format("is {} at t = {:.6g}; use a formula that is finite and not below 0", factor, t)));
-    return factor;
-  };
+  return [formula, in_time](double t) { return formula_factor(in_time, *formula, t); };
 }
 
-std::function<double(double)> table_factor(const InTime& in_time) {
+std::function<double(double)> factor_by_table(const InTime& in_time) {
   return [in_time](double t) {
     const std::vector<double>& times = in_time.times;
     const std::vector<double>& factors = in_time.factors;
@@ -48,11 +37,11 @@ Course course_of(const InTime& in_time) {
     case InTime::Kind::step:
       return {false, [](double) { return 1.0; }};
     case InTime::Kind::formula:
-      return {false, formula_factor(in_time)};
+      return {false, factor_by_formula(in_time)};
     case InTime::Kind::table:
       break;
   }
-  return {false, table_factor(in_time)};
+  return {false, factor_by_table(in_time)};
 }
 
 /// The courses, each once.

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "app/case/build/entry_of.h"
 #include "app/time/time_numbers.h"
+#include "app/time/time_setup.h"
 #include "base/wall_clock.h"
 #include "solver/photons/solve/photons_in_time.h"
 
@@ -54,8 +54,7 @@ TimeResult photon_times(const Case& input, const Problem& problem, const CellLoc
   const TimeNumbers numbers(input, problem, locator);
   TimedPlaces places;
   for (const Vec3& point : numbers.fluence_points()) places.fluence.push_back(locator.find(point));
-  for (const std::string& region : problem.mesh().region_names())
-    places.slowness.push_back(entry_of(input.media, region).refractive_index / input.time->speed);
+  places.slowness = slowness_of(input, problem);
   ShownStage stage(stages, "photons in time");
   const std::vector<TimedNumbers> found = photons_in_time(
       problem, locator, places, windows_of(*input.time),

@@ -50,7 +50,7 @@ class SolverInTime {
       : time_(*setup.input.time),
         setup_(setup),
         steady_(steady),
-        slowness_(slowness_of(setup)),
+        slowness_(slowness_of(setup.input, setup.problem)),
         numbers_(setup.input, setup.problem, setup.locator),
         interrupted_(std::move(interrupted)),
         stage_(stages, "light in time") {

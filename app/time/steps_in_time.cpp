@@ -11,7 +11,6 @@
 #include "app/setup/memory.h"
 #include "app/time/emission_courses.h"
 #include "app/write/result/unit_labels.h"
-#include "base/field_view.h"
 #include "solver/time/time_steps.h"
 
 namespace etendue {
@@ -22,22 +21,6 @@ constexpr double usual_steps = 100;
 constexpr double most_checked = 1e4;
 /// Of a step, so that rounding makes no step more.
 constexpr double even_enough = 1e-9;
-
-/// Root mean square of the steady fluence over the volume, of the values at the vertices, all bands together.
-double usual_fluence(const TimeSetup& setup, const Solution& steady) {
-  const TetrahedralMesh& mesh = setup.problem.mesh();
-  const auto bands = static_cast<std::size_t>(setup.problem.band_count());
-  const ConstCellField fluence(steady.fluence, bands);
-  double sum = 0, volume = 0;
-  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t b = 0; b < bands; ++b)
-        sum += std::pow(fluence(CellIndex(c), i, b), 2) * mesh.volume(CellIndex(c)) /
-               static_cast<double>(4 * bands);
-    volume += mesh.volume(CellIndex(c));
-  }
-  return std::sqrt(sum / volume);
-}
 
 std::vector<double> frame_times(const TimeCase& time) {
   std::vector<double> times;
@@ -96,7 +79,7 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
   steps.until = *time.until;
   steps.step = longest_step(time);
   steps.tolerance = time.tolerance.value_or(0);
-  steps.scale = usual_fluence(setup, steady);
+  steps.scale = rms_fluence(setup.problem, steady.fluence);
   steps.stops = frame_times(time);
   steps.read = [&](const Problem& problem, const Solution& solution) {
     return numbers.values(problem, solution);
@@ -129,8 +112,8 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
     return !interrupted();
   };
   try {
-    march_in_time(setup.problem, setup.sets.front(), slowness_of(setup), courses, steps, options, reader,
-                  observe);
+    march_in_time(setup.problem, setup.sets.front(), slowness_of(setup.input, setup.problem), courses, steps,
+                  options, reader, observe);
   } catch (const SolveStopped&) {
     result.interrupted = true;
   } catch (const std::domain_error&) {

@@ -21,7 +21,7 @@ std::string steps_plan_text(const TimeSetup& setup);
 RunMemory steps_memory(const TimeSetup& setup);
 
 /// Takes the steps of a case with `until`, and adds them to the result; `steady` is its steady solution.
-/// `share` is told the part of the time that is marched through.
+/// `share` is called with the part of the time that is marched through.
 void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Solution& steady,
                 const std::function<bool()>& interrupted, const std::function<void(double)>& share,
                 TimeResult& result);

@@ -25,10 +25,10 @@ struct TimeSetup {
 };
 
 /// Slowness of light in each region [time/length].
-inline Slowness slowness_of(const TimeSetup& setup) {
+inline Slowness slowness_of(const Case& input, const Problem& problem) {
   Slowness slowness;
-  for (const std::string& region : setup.problem.mesh().region_names())
-    slowness.push_back(entry_of(setup.input.media, region).refractive_index / setup.input.time->speed);
+  for (const std::string& region : problem.mesh().region_names())
+    slowness.push_back(entry_of(input.media, region).refractive_index / input.time->speed);
   return slowness;
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "solver/adjoint/darkened.h"
+#include "solver/problem/darkened.h"
 #include "solver/transport/source/directional_emission.h"
 
 namespace etendue {

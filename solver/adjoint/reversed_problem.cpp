@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "solver/adjoint/darkened.h"
+#include "solver/problem/darkened.h"
 
 namespace etendue {
 namespace {

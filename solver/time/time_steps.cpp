@@ -279,20 +279,7 @@ class March {
     return energy;
   }
 
-  /// Root mean square over the volume, of the values at the vertices, all bands together.
-  double norm(const std::vector<double>& fluence) const {
-    const TetrahedralMesh& mesh = dark_.mesh();
-    const std::size_t length = 4 * static_cast<std::size_t>(dark_.band_count());
-    double sum = 0, volume = 0;
-    for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
-      double squares = 0;
-      for (std::size_t i = 0; i < length; ++i)
-        squares += std::pow(fluence[static_cast<std::size_t>(c) * length + i], 2);
-      sum += squares * mesh.volume(CellIndex(c)) / static_cast<double>(length);
-      volume += mesh.volume(CellIndex(c));
-    }
-    return std::sqrt(sum / volume);
-  }
+  double norm(const std::vector<double>& fluence) const { return rms_fluence(dark_, fluence); }
 
   /// With zeros where the fields of a solution are.
   Solution empty_solution() const {
@@ -333,6 +320,20 @@ class March {
 
 }  // namespace
 
+double rms_fluence(const Problem& problem, std::span<const double> fluence) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  const std::size_t length = 4 * static_cast<std::size_t>(problem.band_count());
+  double sum = 0, volume = 0;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    double squares = 0;
+    for (std::size_t i = 0; i < length; ++i)
+      squares += std::pow(fluence[static_cast<std::size_t>(c) * length + i], 2);
+    sum += squares * mesh.volume(CellIndex(c)) / static_cast<double>(length);
+    volume += mesh.volume(CellIndex(c));
+  }
+  return std::sqrt(sum / volume);
+}
+
 void march_in_time(const Problem& problem, const DirectionSet& directions, const Slowness& slowness,
                    const EmissionCourses& courses, const StepOptions& steps, const SolveOptions& options,
                    const TimeStepReader& reader, const SolveObserver& observer) {
@@ -349,7 +350,7 @@ std::size_t estimate_march_memory(const Problem& problem, const DirectionSet& di
   const std::size_t angular = static_cast<std::size_t>(problem.mesh().cell_count()) * 4 *
                               static_cast<std::size_t>(problem.band_count()) *
                               static_cast<std::size_t>(directions.count()) * sizeof(double);
-  return estimate_memory(darkened(problem), directions, own) + 2 * angular;
+  return estimate_memory(problem, directions, own) + 2 * angular;
 }
 
 }  // namespace etendue

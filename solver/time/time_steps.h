@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "solver/angular/sets/direction_set.h"
@@ -49,6 +50,10 @@ struct TimeStep {
   const Problem& problem;    ///< with the emission at its end
   const Solution& solution;  ///< at its end
 };
+
+/// Root mean square of a fluence [cell][4][band] over the volume, of the values at the vertices, all bands
+/// together [power/length^2].
+double rms_fluence(const Problem& problem, std::span<const double> fluence);
 
 /// Takes steps while they last. Returns false where no more are wanted.
 using TimeStepReader = std::function<bool(const TimeStep&)>;

@@ -8,6 +8,8 @@
 #include <utility>
 #include <variant>
 
+#include "solver/problem/darkened.h"
+
 namespace etendue {
 namespace {
 
@@ -32,7 +34,6 @@ Medium without_isotropic_emission(Medium medium) {
 }
 
 Wall without_isotropic_radiance(Wall wall) {
-  wall.emission_follows = any_positive(wall.radiance);
   wall.radiance.assign(wall.radiance.size(), 0.0);
   wall.uncollided = Uncollided::no;
   return wall;
@@ -74,15 +75,16 @@ bool emits(const Wall& wall) {
 }
 
 Problem darkened(const Problem& problem) {
-  std::vector<Medium> media;
-  for (const Medium& medium : problem.media()) {
-    media.push_back(without_isotropic_emission(medium));
-    media.back().emission_by_direction.clear();
+  std::vector<Medium> media(problem.media().begin(), problem.media().end());
+  for (Medium& medium : media) {
+    darken(medium);
+    medium.uncollided = Uncollided::no;
   }
-  std::vector<Wall> walls;
-  for (const Wall& wall : problem.walls()) {
-    walls.push_back(without_isotropic_radiance(wall));
-    walls.back().radiance_by_direction.clear();
+  std::vector<Wall> walls(problem.walls().begin(), problem.walls().end());
+  for (Wall& wall : walls) {
+    wall.emission_follows = any_positive(wall.radiance);
+    darken(wall);
+    wall.uncollided = Uncollided::no;
   }
   return Problem(problem.mesh(), problem.bands(), std::move(media), std::move(walls), problem.space());
 }
@@ -181,26 +183,27 @@ FollowingSources TimedSources::isotropic_at(double t) const {
   return sources;
 }
 
-void TimedSources::add_source(std::span<const double> factors, OrdinateIndex m, CellIndex cell,
-                              std::span<double> values) const {
+template <class Add>
+void TimedSources::add_scaled(std::span<const double> factors, std::span<double> values,
+                              const Add& add) const {
   for (std::size_t course = 0; course < directional_.size(); ++course) {
-    const Directional& own = directional_[course];
-    if (own.problem == nullptr || factors[course] == 0) continue;
+    if (directional_[course].problem == nullptr || factors[course] == 0) continue;
     std::vector<double> part(values.size(), 0);
-    own.emission->add_source(m, cell, part);
+    add(*directional_[course].emission, part);
     for (std::size_t i = 0; i < part.size(); ++i) values[i] += factors[course] * part[i];
   }
 }
 
+void TimedSources::add_source(std::span<const double> factors, OrdinateIndex m, CellIndex cell,
+                              std::span<double> values) const {
+  add_scaled(factors, values,
+             [&](const AngularInput& of, std::span<double> to) { of.add_source(m, cell, to); });
+}
+
 void TimedSources::add_inflow(std::span<const double> factors, OrdinateIndex m, FaceIndex face,
                               std::span<double> values) const {
-  for (std::size_t course = 0; course < directional_.size(); ++course) {
-    const Directional& own = directional_[course];
-    if (own.problem == nullptr || factors[course] == 0) continue;
-    std::vector<double> part(values.size(), 0);
-    own.emission->add_inflow(m, face, part);
-    for (std::size_t i = 0; i < part.size(); ++i) values[i] += factors[course] * part[i];
-  }
+  add_scaled(factors, values,
+             [&](const AngularInput& of, std::span<double> to) { of.add_inflow(m, face, to); });
 }
 
 void TimedSources::add_pulses(OrdinateIndex m, CellIndex cell, std::span<double> values) const {

@@ -51,6 +51,9 @@ class TimedSources {
     std::unique_ptr<DirectionalEmission> emission;
   };
   void check(const EmissionCourses& courses) const;
+  /// Adds what `add` says of the sources of each course, times its factor.
+  template <class Add>
+  void add_scaled(std::span<const double> factors, std::span<double> values, const Add& add) const;
   void add_directional(std::size_t course, const DirectionSet& directions);
   void add_power(std::size_t course);
 

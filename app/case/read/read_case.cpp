@@ -97,15 +97,8 @@ void check_slow_media(const Case& input, Faults& faults) {
 /// Without light in time nothing has a course.
 void check_courses(const Case& input, Faults& faults) {
   if (input.time) return;
-  const auto check = [&](const std::optional<InTime>& in_time) {
-    if (in_time)
-      faults.push_back(
-          fault_at(in_time->origin, "\"" + in_time->text + "\"", "is of no use in a case without [time]"));
-  };
-  for (const auto& [name, medium] : input.media) check(medium.in_time);
-  for (const auto& [name, wall] : input.walls) check(wall.in_time);
-  for (const LightCase& light : input.lights)
-    if (!light.of_wall) check(light.in_time);
+  for (const InTime& own : own_courses(input))
+    faults.push_back(fault_at(own.origin, "\"" + own.text + "\"", "is of no use in a case without [time]"));
 }
 
 /// Adds the files of the mesh that are not there to other faults, unless those are of the mesh too.

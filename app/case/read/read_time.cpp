@@ -4,21 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
 
 #include "app/case/keys/case_tables.h"
 #include "app/case/temperatures.h"
 #include "app/case/values/in_time_value.h"
-#include "base/expression/expression.h"
 
 namespace etendue {
 namespace {
 
 /// More would take years.
 constexpr double most_steps = 1e7;
-/// Times at which a formula is looked at.
+/// Times at which a formula is evaluated.
 constexpr int looks_at_formula = 1000;
 
 /// Why light in time is not solved for beside something else in the case; empty where it is.
@@ -63,19 +60,6 @@ void check_steps(Section& time, const TimeCase& read) {
     time.fault("method", "takes even steps; leave tolerance out, or use sdirk2");
 }
 
-/// What sources say themselves.
-std::vector<InTime> own_courses(const Case& input) {
-  std::vector<InTime> courses;
-  const auto add = [&](const std::optional<InTime>& in_time) {
-    if (in_time) courses.push_back(*in_time);
-  };
-  for (const auto& [name, medium] : input.media) add(medium.in_time);
-  for (const auto& [name, wall] : input.walls) add(wall.in_time);
-  for (const LightCase& light : input.lights)
-    if (!light.of_wall) add(light.in_time);
-  return courses;
-}
-
 /// Frequencies and times of flight do not ask when sources emit.
 void refuse_courses(Section& time, const TimeCase& read, const Case& input) {
   const char* why = "it is for `times` and `until`";
@@ -88,14 +72,12 @@ void refuse_courses(Section& time, const TimeCase& read, const Case& input) {
 /// Refuses a formula that is not finite, or below 0, at one of some times up to `until`.
 void check_formula(const InTime& in_time, double until, Faults& faults) {
   if (in_time.kind != InTime::Kind::formula) return;
-  const Expression factor(Formula{in_time.text}, {"t"});
-  for (int k = 1; k <= looks_at_formula; ++k) {
-    const double t = until * k / looks_at_formula, value = factor(std::array{t});
-    if (value >= 0 && std::isfinite(value)) continue;
-    faults.push_back(fault_at(
-        in_time.origin, "\"" + in_time.text + "\"",
-        fmt::format("is {:.6g} at t = {:.6g}; use a formula that is finite and not below 0", value, t)));
-    return;
+  const Expression formula(Formula{in_time.text}, {"t"});
+  try {
+    for (int k = 1; k <= looks_at_formula; ++k)
+      formula_factor(in_time, formula, until * k / looks_at_formula);
+  } catch (const InputError& error) {
+    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
   }
 }
 
@@ -108,6 +90,18 @@ void refuse_inversion(Section& time, const InTime& in_time) {
 }
 
 }  // namespace
+
+std::vector<InTime> own_courses(const Case& input) {
+  std::vector<InTime> courses;
+  const auto add = [&](const std::optional<InTime>& in_time) {
+    if (in_time) courses.push_back(*in_time);
+  };
+  for (const auto& [name, medium] : input.media) add(medium.in_time);
+  for (const auto& [name, wall] : input.walls) add(wall.in_time);
+  for (const LightCase& light : input.lights)
+    if (!light.of_wall) add(light.in_time);
+  return courses;
+}
 
 void read_time(Section time, const std::filesystem::path& case_folder, Case& result) {
   TimeCase read;

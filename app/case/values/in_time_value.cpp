@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/values/in_time_value.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 
 #include "app/case/keys/resolve_path.h"
-#include "base/expression/expression.h"
 #include "base/text/number_columns.h"
 
 namespace etendue {
@@ -37,6 +40,15 @@ InTime of_formula(const TomlNode& node) {
 }
 
 }  // namespace
+
+double formula_factor(const InTime& in_time, const Expression& formula, double t) {
+  const double factor = formula(std::array{t});
+  if (!(factor >= 0) || !std::isfinite(factor))
+    throw InputError(fault_at(
+        in_time.origin, "\"" + in_time.text + "\"",
+        fmt::format("is {:.6g} at t = {:.6g}; use a formula that is finite and not below 0", factor, t)));
+  return factor;
+}
 
 std::optional<InTime> read_in_time(Section& section, const std::filesystem::path& case_folder) {
   const TomlNode* node = section.find_or_default("in_time");

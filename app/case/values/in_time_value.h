@@ -6,8 +6,12 @@
 
 #include "app/case/in_time.h"
 #include "app/case/keys/section.h"
+#include "base/expression/expression.h"
 
 namespace etendue {
+
+/// The factor of a formula of a source at a time. Throws InputError where it is not finite, or below 0.
+double formula_factor(const InTime& in_time, const Expression& formula, double t);
 
 /// Reads "in_time" of a table; empty where it is absent or faulty.
 std::optional<InTime> read_in_time(Section& section, const std::filesystem::path& case_folder);

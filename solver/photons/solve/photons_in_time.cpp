@@ -27,8 +27,9 @@ std::vector<double> edges_of(const std::vector<TimeWindow>& windows) {
 /// Sums of histories of one band, and what they are sums of.
 class TimedSums {
  public:
+  /// The problem and the places must outlive it.
   TimedSums(const Problem& problem, const TimedPlaces& places, const std::vector<TimeWindow>& windows)
-      : problem_(problem), places_(places), windows_(windows), edges_(edges_of(windows)) {
+      : problem_(problem), places_(places), edges_(edges_of(windows)) {
     const TetrahedralMesh& mesh = problem.mesh();
     place_of_cell_.assign(static_cast<std::size_t>(mesh.cell_count()), -1);
     std::int32_t cells = 0;
@@ -102,7 +103,6 @@ class TimedSums {
 
   const Problem& problem_;
   const TimedPlaces& places_;
-  const std::vector<TimeWindow>& windows_;
   std::vector<double> edges_;
   std::vector<std::int32_t> place_of_cell_, wall_of_face_;
   std::vector<double> of_cells_, of_regions_, of_walls_;
@@ -134,7 +134,7 @@ std::vector<TimedNumbers> photons_in_time(const Problem& problem, const CellLoca
                size = std::ceil(wanted / batches_in_time);
   const int count = static_cast<int>(std::ceil(wanted / size));
   StageCounter counter(static_cast<std::size_t>(wanted) * bands, observer);
-  BatchStatistics statistics;  // [window][band][number]
+  BatchStatistics statistics;  // [band][window][number]
   const int threads = thread_count(options.threads);
 #pragma omp parallel num_threads(threads)
   {

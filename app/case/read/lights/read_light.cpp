@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/read/lights/read_light.h"
-#include "app/case/values/in_time_value.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +12,7 @@
 #include "app/case/lamps/light_table.h"
 #include "app/case/read/lights/read_daylight.h"
 #include "app/case/read/lights/read_light_strength.h"
+#include "app/case/values/in_time_value.h"
 
 namespace etendue {
 namespace {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/read/materials/read_matter.h"
-#include "app/case/values/in_time_value.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +16,7 @@
 #include "app/case/read/materials/read_reduced_scattering.h"
 #include "app/case/read/materials/read_temperature.h"
 #include "app/case/values/band_values.h"
+#include "app/case/values/in_time_value.h"
 #include "app/case/values/medium_coefficients.h"
 #include "solver/materials/media/angular_formula.h"
 
