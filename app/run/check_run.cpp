@@ -35,7 +35,7 @@ CheckedRun check_directions_run(const Case& input, const Problem& problem) {
   }
   RunMemory memory = run.memory();
   if (input.time) {
-    const TimeSetup in_time{input, problem, run.directions.sets, run.options, run.locator};
+    const TimeSetup in_time{input, problem, run.directions.sets, run.options, run.locator, run.lights};
     time_plan_text(in_time);  // refuses what it cannot do
     if (RunMemory more = time_memory(in_time); more.solving > memory.solving) memory = std::move(more);
   }

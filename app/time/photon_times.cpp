@@ -15,11 +15,11 @@ namespace {
 std::vector<TimeWindow> windows_of(const TimeCase& time) {
   std::vector<TimeWindow> windows;
   for (const double t : time.times) {
-    const double half = t * time.window / 2;
+    const TimeInterval window = window_about(t, time);
     if (time.in_time.kind == InTime::Kind::step)
       windows.push_back({0, t, 1});
     else
-      windows.push_back({t - half, t + half, 2 * half});
+      windows.push_back({window.begin, window.end, window.end - window.begin});
   }
   return windows;
 }

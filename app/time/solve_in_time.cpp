@@ -12,7 +12,9 @@
 #include "app/setup/memory.h"
 #include "app/time/steps_in_time.h"
 #include "app/time/time_numbers.h"
+#include "base/vector_sums.h"
 #include "base/wall_clock.h"
+#include "solver/time/delayed_courses.h"
 #include "solver/time/flight_moments.h"
 
 namespace etendue {
@@ -52,14 +54,20 @@ class SolverInTime {
         steady_(steady),
         slowness_(slowness_of(setup.input, setup.problem)),
         numbers_(setup.input, setup.problem, setup.locator),
-        interrupted_(std::move(interrupted)),
-        stage_(stages, "light in time") {
+        interrupted_(std::move(interrupted)) {
     result_.quantities = numbers_.quantities();
+    if (!setup.lights.empty()) {
+      ShownStage stage(stages, "light in time along rays");
+      uncollided_.emplace(setup.lights, slowness_, numbers_.timed_places(), setup.options.threads,
+                          stage.observer());
+    }
+    stage_.emplace(stages, "light in time");
+    result_.interrupted = interrupted_();
   }
 
   TimeResult result() {
     const auto start = WallClock::now();
-    if (!time_.modulation.empty()) find_modulated();
+    if (!time_.modulation.empty() && !result_.interrupted) find_modulated();
     if (!time_.times.empty() && !result_.interrupted) find_histories();
     if (time_.flight_times && !result_.interrupted) find_flight_times();
     if (time_.until && !result_.interrupted) march();
@@ -80,13 +88,13 @@ class SolverInTime {
       for (const DirectionSet& directions : setup_.sets)
         solve_flight_moments(
             setup_.problem, directions, slowness_, highest, options,
-            [&](int k, const Problem& problem, const Solution& moment) {
+            [&](int k, const Problem& problem, const Solution& moment, const UncollidedValues* uncollided) {
               note(moment);
-              const std::vector<double> values = numbers_.values(problem, moment);
-              for (std::size_t q = 0; q < values.size(); ++q)
-                moments[static_cast<std::size_t>(k)][q] += values[q];
+              std::vector<double>& sums = moments[static_cast<std::size_t>(k)];
+              add_to(sums, numbers_.values(problem, moment));
+              if (uncollided != nullptr) add_to(sums, numbers_.uncollided(*uncollided));
             },
-            observe());
+            observe(), uncollided());
     } catch (const SolveStopped&) {
       result_.interrupted = true;
       return;
@@ -102,14 +110,19 @@ class SolverInTime {
   void march() {
     const double before = rate_count(time_) > 0 ? share_of_rates : 0;
     take_steps(
-        setup_, numbers_, steady_, interrupted_,
-        [&](double share) { stage_.observer()(before + (1 - before) * share); }, result_);
+        setup_, numbers_, steady_, uncollided(), interrupted_,
+        [&](double share) { stage_->observer()(before + (1 - before) * share); }, result_);
   }
 
   void find_modulated() {
     const std::vector<Complex> rates = rates_of_frequencies(time_.modulation);
     solve(rates, setup_.options.tolerance, [&](const SolvedRates& solved) {
       std::vector<std::vector<Complex>> values = numbers_.read(solved);
+      if (solved.uncollided != nullptr) {
+        const std::vector<std::vector<Complex>> more = numbers_.uncollided(solved);
+        for (std::size_t i = 0; i < values.size(); ++i)
+          for (std::size_t q = 0; q < values[i].size(); ++q) values[i][q] += more[i][q];
+      }
       for (std::size_t i = 0; i < solved.count; ++i) {
         const std::size_t place = solved.first + i;
         const double frequency = place == 0 ? 0 : time_.modulation[place - 1];
@@ -122,7 +135,8 @@ class SolverInTime {
   /// The fluence at one of the rates [cell][4][band][part].
   std::vector<double> fluence_of(const SolvedRates& solved, std::size_t rate) const {
     const std::size_t parts = 2 * static_cast<std::size_t>(setup_.problem.band_count());
-    const std::vector<double>& all = solved.solution.fluence;
+    std::vector<double> all = solved.solution.fluence;
+    if (solved.uncollided != nullptr) add_to(all, solved.uncollided->field.fluence);
     std::vector<double> fluence;
     for (std::size_t first = rate * parts; first < all.size(); first += solved.count * parts)
       fluence.insert(fluence.end(), all.begin() + static_cast<std::ptrdiff_t>(first),
@@ -163,6 +177,21 @@ class SolverInTime {
       const std::vector<ValueInTime> values = inversion.at(times, transforms[q], tolerance);
       std::ranges::copy(values, result_.histories[q].begin() + static_cast<std::ptrdiff_t>(first));
     }
+    if (uncollided_) add_uncollided(times, first);
+  }
+
+  /// What arrives along rays at some times; after a pulse its mean over a window about each.
+  void add_uncollided(std::span<const double> times, std::size_t first) {
+    const EmissionCourses courses =
+        one_course(setup_.problem, {time_.in_time.kind == InTime::Kind::pulse, [](double) { return 1.0; }});
+    const DelayedCourses delayed(*uncollided_, courses);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const TimeInterval window = window_about(times[i], time_);
+      const bool is_pulse = courses.courses.front().is_pulse;
+      const std::vector<double> values = numbers_.uncollided(
+          uncollided_->at(is_pulse ? delayed.mean(window.begin, window.end) : delayed.at(0, times[i])));
+      for (std::size_t q = 0; q < values.size(); ++q) result_.histories[q][first + i].value += values[q];
+    }
   }
 
   void solve(const std::vector<Complex>& rates, double tolerance,
@@ -179,11 +208,13 @@ class SolverInTime {
             if (!result_.interrupted) take(solved);
             return !result_.interrupted;
           },
-          observe());
+          observe(), uncollided());
     } catch (const SolveStopped&) {
       result_.interrupted = true;
     }
   }
+
+  const UncollidedInTime* uncollided() const { return uncollided_ ? &*uncollided_ : nullptr; }
 
   SolveObserver observe() const {
     return
@@ -202,8 +233,8 @@ class SolverInTime {
     note(solved.solution);
     result_.interrupted = solved.solution.interrupted || interrupted_();
     result_.rates += static_cast<int>(solved.count);
-    stage_.observer()((time_.until ? share_of_rates : 1) * static_cast<double>(result_.rates) /
-                      static_cast<double>(rate_count(time_)));
+    stage_->observer()((time_.until ? share_of_rates : 1) * static_cast<double>(result_.rates) /
+                       static_cast<double>(rate_count(time_)));
   }
 
   const TimeCase& time_;
@@ -212,7 +243,8 @@ class SolverInTime {
   Slowness slowness_;
   TimeNumbers numbers_;
   std::function<bool()> interrupted_;
-  ShownStage stage_;
+  std::optional<UncollidedInTime> uncollided_;
+  std::optional<ShownStage> stage_;
   TimeResult result_;
 };
 
@@ -230,8 +262,7 @@ RunMemory memory_of_rates(const TimeSetup& setup, std::size_t together) {
   const std::size_t more = fluences * 4 * sizeof(double) *
                            static_cast<std::size_t>(setup.problem.mesh().cell_count()) *
                            static_cast<std::size_t>(setup.problem.band_count());
-  memory.solving += more;
-  memory.expected += more;
+  for (std::size_t* const of : {&memory.solving, &memory.expected}) *of += more + memory_of_rays(setup);
   return memory;
 }
 
@@ -261,7 +292,7 @@ std::string time_plan_text(const TimeSetup& setup) {
   const TimeNumbers numbers(setup.input, setup.problem, setup.locator);
   if (!numbers.left_out().empty())
     text += fmt::format("  sensors that do not read it: {}\n", fmt::join(numbers.left_out(), ", "));
-  if (setup.follows_rays) text += "  all of it is left to the directions, as with uncollided = false\n";
+  if (!setup.lights.empty()) text += "  light before its first collision is followed along rays\n";
   return text;
 }
 

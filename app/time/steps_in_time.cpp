@@ -11,6 +11,7 @@
 #include "app/setup/memory.h"
 #include "app/time/emission_courses.h"
 #include "app/write/result/unit_labels.h"
+#include "base/vector_sums.h"
 #include "solver/time/time_steps.h"
 
 namespace etendue {
@@ -47,7 +48,8 @@ RunMemory steps_memory(const TimeSetup& setup) {
                             static_cast<std::size_t>(setup.problem.band_count());
   const std::size_t fields = 6 + setup.options.keep_ordinates.size() + static_cast<std::size_t>(time.frames) +
                              (time.modulation.empty() ? 0 : 2 * (time.modulation.size() + 1));
-  memory.solving = estimate_march_memory(setup.problem, setup.sets.front(), setup.options) + fields * field;
+  memory.solving = estimate_march_memory(setup.problem, setup.sets.front(), setup.options) + fields * field +
+                   memory_of_rays(setup);
   memory.expected = memory.solving;
   return memory;
 }
@@ -58,7 +60,7 @@ std::string steps_plan_text(const TimeSetup& setup) {
     throw InputError(
         fault_at(time.origin, "", "takes steps along one set of directions; leave directions.rotations out"));
   const EmissionCourses courses = emission_courses(setup.input, setup.problem);
-  refuse_pulses_through_walls(setup.problem, courses);
+  refuse_pulses_through_walls(setup.lights.remaining(), remaining_courses(setup.lights, courses));
   const double step = longest_step(time), frames = std::max(1, time.frames);
   const double count = frames * std::ceil(*time.until / frames / step - even_enough);
   check_factors(courses, *time.until, count);
@@ -70,8 +72,8 @@ std::string steps_plan_text(const TimeSetup& setup) {
 }
 
 void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Solution& steady,
-                const std::function<bool()>& interrupted, const std::function<void(double)>& share,
-                TimeResult& result) {
+                const UncollidedInTime* uncollided, const std::function<bool()>& interrupted,
+                const std::function<void(double)>& share, TimeResult& result) {
   const TimeCase& time = *setup.input.time;
   const EmissionCourses courses = emission_courses(setup.input, setup.problem);
   StepOptions steps;
@@ -84,6 +86,7 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
   steps.read = [&](const Problem& problem, const Solution& solution) {
     return numbers.values(problem, solution);
   };
+  steps.read_uncollided = [&](const UncollidedValues& values) { return numbers.uncollided(values); };
   SolveOptions options = setup.options;
   options.meters = numbers.meters();
   options.stops = interrupted;
@@ -106,14 +109,16 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
     taken.sweeps = std::max(taken.sweeps, step.sweeps);
     result.residual = std::max(result.residual, step.residual);
     result.converged = result.converged && step.converged;
-    if (time.frames > 0 && std::ranges::find(frames, step.end) != frames.end())
+    if (time.frames > 0 && std::ranges::find(frames, step.end) != frames.end()) {
       taken.frames.push_back({step.end, step.solution.fluence});
+      if (step.uncollided != nullptr) add_to(taken.frames.back().fluence, step.uncollided->field.fluence);
+    }
     share(step.end / *time.until);
     return !interrupted();
   };
   try {
     march_in_time(setup.problem, setup.sets.front(), slowness_of(setup.input, setup.problem), courses, steps,
-                  options, reader, observe);
+                  options, reader, observe, uncollided);
   } catch (const SolveStopped&) {
     result.interrupted = true;
   } catch (const std::domain_error&) {

@@ -29,8 +29,14 @@ class TimeNumbers {
   std::vector<Vec3> fluence_points() const;
   /// The numbers of a solution of the problem itself [quantity].
   std::vector<double> values(const Problem& problem, const Solution& solution) const;
-  /// The numbers of each solved rate [rate][quantity].
+  /// The numbers of each solved rate, of its solution alone [rate][quantity].
   std::vector<std::vector<std::complex<double>>> read(const SolvedRates& solved) const;
+  /// Where light along rays has to be known.
+  std::vector<TimedPlace> timed_places() const;
+  /// The numbers of light along rays in the problem's own bands [quantity].
+  std::vector<double> uncollided(const UncollidedValues& values) const;
+  /// Of each solved rate [rate][quantity].
+  std::vector<std::vector<std::complex<double>>> uncollided(const SolvedRates& solved) const;
 
  private:
   /// A place whose fluence or irradiance is read.
@@ -42,8 +48,13 @@ class TimeNumbers {
 
   void add_place(const std::string& name, const Vec3& point, const std::optional<Vec3>& normal);
   void add_sensor(const SensorCase& sensor);
-  /// The numbers of a solution in each of the bands of `problem`, which may be others [what is read][band].
-  std::vector<std::vector<double>> by_bands(const Problem& problem, const Solution& solution) const;
+  /// Numbers in each of the bands of a problem [what is read][band].
+  using ByBands = std::vector<std::vector<double>>;
+  /// The numbers of a solution; the bands of `problem` may be others.
+  ByBands by_bands(const Problem& problem, const Solution& solution) const;
+  ByBands by_bands(const Problem& problem, const UncollidedValues& values) const;
+  void add_powers(const Problem& problem, const Solution& solution, ByBands& numbers) const;
+  std::vector<std::vector<std::complex<double>>> of_rates(const ByBands& numbers, std::size_t rates) const;
 
   const Problem& problem_;
   const CellLocator& locator_;

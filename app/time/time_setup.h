@@ -10,7 +10,9 @@
 #include "solver/angular/sets/direction_set.h"
 #include "solver/problem/problem.h"
 #include "solver/solution/solve_options.h"
-#include "solver/time/laplace_problem.h"
+#include "solver/time/slowness.h"
+#include "solver/time/uncollided_in_time.h"
+#include "solver/uncollided/lights/light_setup.h"
 
 namespace etendue {
 
@@ -21,7 +23,7 @@ struct TimeSetup {
   const std::vector<DirectionSet>& sets;
   const SolveOptions& options;
   const CellLocator& locator;
-  bool follows_rays = false;  ///< whether the steady solution has light along rays
+  const LightSetup& lights;
 };
 
 /// Slowness of light in each region [time/length].
@@ -30,6 +32,19 @@ inline Slowness slowness_of(const Case& input, const Problem& problem) {
   for (const std::string& region : problem.mesh().region_names())
     slowness.push_back(entry_of(input.media, region).refractive_index / input.time->speed);
   return slowness;
+}
+
+/// What light along rays takes [byte]: an upper estimate.
+inline std::size_t memory_of_rays(const TimeSetup& setup) {
+  return setup.lights.empty() ? 0 : UncollidedInTime::memory(setup.lights);
+}
+
+/// After a pulse the mean over this is what is told of a time.
+struct TimeInterval {
+  double begin, end;  ///< [time]
+};
+inline TimeInterval window_about(double t, const TimeCase& time) {
+  return {t * (1 - time.window / 2), t * (1 + time.window / 2)};
 }
 
 }  // namespace etendue

@@ -16,16 +16,18 @@ namespace etendue {
 /// The numbers of all ordinates of a set.
 std::vector<int> all_ordinates(const DirectionSet& directions);
 
-/// What a step adds to the source along each direction: the radiance that was, times n / (c stage), and
-/// sources that depend on the direction.
+/// What a step adds to the source along each direction: the radiance that was, times n / (c stage), sources
+/// that depend on the direction, and the first collisions of light along rays.
 class AngularHistory : public AngularInput {
  public:
-  /// The sources and the slowness must outlive it.
-  AngularHistory(const Problem& problem, const TimedSources& sources, const Slowness& slowness)
+  /// The arguments must outlive it; `collisions` is null where all is left to the directions.
+  AngularHistory(const Problem& problem, const TimedSources& sources, const Slowness& slowness,
+                 const AngularInput* collisions = nullptr)
       : bands_(static_cast<std::size_t>(problem.band_count())),
         mesh_(problem.mesh()),
         sources_(sources),
-        slowness_(slowness) {}
+        slowness_(slowness),
+        collisions_(collisions) {}
 
   /// Sets the radiance at t = 0: c/n times what pulses emit. Returns its fluence [cell][4][band].
   std::vector<double> begin(const DirectionSet& directions);
@@ -45,8 +47,12 @@ class AngularHistory : public AngularInput {
   void accept(std::vector<OrdinateRadiance> radiance, bool keeps_before);
 
   void add_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const override;
+  void add_projected_source(OrdinateIndex m, CellIndex cell, std::span<double> values) const override {
+    if (collisions_ != nullptr) collisions_->add_projected_source(m, cell, values);
+  }
   void add_inflow(OrdinateIndex m, FaceIndex face, std::span<double> values) const override {
     sources_.add_inflow(factors_, m, face, values);
+    if (collisions_ != nullptr) collisions_->add_inflow(m, face, values);
   }
 
  private:
@@ -54,6 +60,7 @@ class AngularHistory : public AngularInput {
   const TetrahedralMesh& mesh_;
   const TimedSources& sources_;
   const Slowness& slowness_;
+  const AngularInput* collisions_;
   std::vector<OrdinateRadiance> last_;  ///< values [cell][4][band]; empty: darkness
   std::vector<OrdinateRadiance> other_;
   double of_last_ = 1, of_other_ = 0;

@@ -6,11 +6,9 @@
 
 #include "solver/problem/problem.h"
 #include "solver/solution/added_extinction.h"
+#include "solver/time/slowness.h"
 
 namespace etendue {
-
-/// Slowness n / c of light in the regions of a problem [time/length].
-using Slowness = std::vector<double>;
 
 /// The transport equation of light that changes as e^(s t), (L2) of docs/theory/time.md, for several rates s
 /// side by side:

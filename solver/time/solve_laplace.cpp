@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
+#include "base/parallel/thread_count.h"
 #include "solver/solution/mean_solution.h"
 #include "solver/transport/solve/solve.h"
 #include "solver/transport/solve/transport_solver.h"
+#include "solver/uncollided/first_collision/first_collision.h"
 
 namespace etendue {
 namespace {
@@ -38,12 +41,17 @@ std::size_t rates_side_by_side(const Problem& problem, const DirectionSet& direc
 void solve_laplace(const Problem& problem, const std::vector<DirectionSet>& sets,
                    std::span<const std::complex<double>> rates, const Slowness& slowness,
                    const SolveOptions& options, const SolvedRatesReader& reader,
-                   const SolveObserver& observer) {
+                   const SolveObserver& observer, const UncollidedInTime* uncollided) {
+  const Problem& swept = uncollided != nullptr ? uncollided->remaining() : problem;
   const std::size_t together = rates_side_by_side(problem, sets.front(), rates.size(), options);
   std::vector<std::shared_ptr<const SweepOrders>> orders(sets.size());
   for (std::size_t first = 0; first < rates.size(); first += together) {
     const std::size_t count = std::min(together, rates.size() - first);
-    const LaplaceProblem laplace = laplace_problem(problem, rates.subspan(first, count), slowness);
+    const std::span<const std::complex<double>> own_rates = rates.subspan(first, count);
+    const LaplaceProblem laplace = laplace_problem(swept, own_rates, slowness);
+    std::optional<UncollidedValues> unswept;
+    if (uncollided != nullptr) unswept = uncollided->at(delay_factors(own_rates));
+    const RayMatter matter(laplace.problem);
     SolveOptions own = options;
     own.added_extinction = &laplace.extinction;
     own.angular_input = nullptr;
@@ -51,6 +59,10 @@ void solve_laplace(const Problem& problem, const std::vector<DirectionSet>& sets
     own.keep_ordinates.clear();
     MeanSolution mean;
     for (std::size_t i = 0; i < sets.size(); ++i) {
+      std::optional<FirstCollision> first_collision;
+      if (unswept)
+        own.angular_input = &first_collision.emplace(laplace.problem, matter, unswept->field, sets[i],
+                                                     thread_count(options.threads));
       // The last few rates have fewer bands.
       TransportSolver solver(laplace.problem, sets[i], own, count == together ? orders[i] : nullptr);
       if (count == together) orders[i] = solver.orders();
@@ -59,7 +71,7 @@ void solve_laplace(const Problem& problem, const std::vector<DirectionSet>& sets
       if (on_set.interrupted) break;
     }
     const Solution solution = std::move(mean).take();
-    if (!reader({first, count, laplace.problem, solution})) return;
+    if (!reader({first, count, laplace.problem, solution, unswept ? &*unswept : nullptr})) return;
   }
 }
 

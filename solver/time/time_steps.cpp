@@ -10,9 +10,13 @@
 #include <utility>
 
 #include "base/field_view.h"
+#include "base/parallel/thread_count.h"
+#include "base/vector_sums.h"
 #include "solver/solution/added_extinction.h"
 #include "solver/solution/balance.h"
 #include "solver/time/angular_history.h"
+#include "solver/time/collisions_in_time.h"
+#include "solver/time/delayed_courses.h"
 #include "solver/time/timed_sources.h"
 #include "solver/transport/solve/solve.h"
 #include "solver/transport/solve/transport_solver.h"
@@ -69,14 +73,18 @@ std::vector<double> mixed(const std::vector<double>& x, const std::vector<double
 /// One march.
 class March {
  public:
+  /// `problem` and `courses` are of what is swept from its emission on.
   March(const Problem& problem, const DirectionSet& directions, const Slowness& slowness,
-        const EmissionCourses& courses, const StepOptions& steps, const SolveOptions& options)
+        const EmissionCourses& courses, const StepOptions& steps, const SolveOptions& options,
+        CollisionsInTime* collisions, const DelayedCourses* delayed)
       : steps_(steps),
         directions_(directions),
         slowness_(slowness),
         sources_(problem, directions, courses),
+        collisions_(collisions),
+        delayed_(delayed),
         dark_(darkened(problem)),
-        history_(problem, sources_, slowness),
+        history_(problem, sources_, slowness, collisions != nullptr ? &collisions->input() : nullptr),
         options_(options) {
     options_.keep_ordinates = all_ordinates(directions);
     options_.angular_input = &history_;
@@ -132,7 +140,7 @@ class March {
     residual_ = 0;
     converged_ = true;
     const bool by_differences = steps_.method == StepMethod::bdf2 && before_ && step == last_step_;
-    const Taken taken = by_differences ? differences(step, end) : stages(begin, step, end);
+    const Taken taken = by_differences ? differences(begin, step, end) : stages(begin, step, end);
     const double largest = std::max(largest_fluence_, norm(taken.now.fluence));
     const double relative = largest > 0 ? norm(taken.error) / largest : 0;
     if (!is_accepted(relative)) {
@@ -143,22 +151,30 @@ class March {
     accepted_ = solution_.state;
     history_.accept(std::move(solution_.radiance), steps_.method == StepMethod::bdf2);
     largest_fluence_ = std::max(largest_fluence_, norm(taken.now.fluence));
+    std::vector<double> values = taken.now.values, energy = taken.now.powers.energy;
+    if (collisions_ != nullptr) {
+      collisions_->set(delayed_->at(begin, end));
+      add_to(energy, energy_of(collisions_->values().field.fluence));
+      if (steps_.read_uncollided) add_to(values, steps_.read_uncollided(collisions_->values()));
+    }
     const TimeStep reached{begin,
                            end,
                            relative,
-                           taken.now.values,
+                           std::move(values),
                            taken.errors,
-                           taken.now.powers.energy,
+                           std::move(energy),
                            taken.energy_errors,
                            taken.imbalance,
                            sweeps_,
                            residual_,
                            converged_,
                            dark_,
-                           solution_};
+                           solution_,
+                           collisions_ != nullptr ? &collisions_->values() : nullptr};
     const bool goes_on = reader(reached);
     before_ = std::exchange(last_, taken.now);
     last_step_ = step;
+    last_begin_ = begin;
     return goes_on ? std::optional<double>(relative) : std::nullopt;
   }
 
@@ -173,6 +189,7 @@ class March {
 
   /// k_1 at begin + gamma step and k_2 at the end; in first order it would be u + step k_1.
   Taken stages(double begin, double step, double end) {
+    if (collisions_ != nullptr) collisions_->set(delayed_->mean(begin, end));
     history_.mix(1, 0);
     const Reading first = solve(sdirk_gamma * step, begin + sdirk_gamma * step);
     history_.keep_stage(std::move(solution_.radiance));
@@ -191,7 +208,8 @@ class March {
     return taken;
   }
 
-  Taken differences(double step, double end) {
+  Taken differences(double begin, double step, double end) {
+    if (collisions_ != nullptr) collisions_->set(delayed_->extrapolated(last_begin_, begin, end));
     history_.mix(4.0 / 3, -1.0 / 3);
     Taken taken{solve(bdf2_part * step, end), {}, {}, {}, 0};
     const auto second = [](const std::vector<double>& now, const std::vector<double>& last,
@@ -258,12 +276,25 @@ class March {
 
   Powers powers_of(double t) const {
     Powers powers{energy_of(solution_.fluence), sources_.power_inside(t)};
+    if (collisions_ != nullptr) add_to(powers.net, first_scattered());
     for (const std::vector<RegionPower>& region : region_powers(dark_, solution_))
       for (std::size_t b = 0; b < powers.net.size(); ++b) powers.net[b] -= region[b].absorbed;
     for (const std::vector<WallPower>& wall : wall_powers(dark_, solution_))
       for (std::size_t b = 0; b < powers.net.size(); ++b)
         powers.net[b] += wall[b].outgoing - wall[b].incoming;
     return powers;
+  }
+
+  /// [band] What scatters in the domain for the first time [power].
+  std::vector<double> first_scattered() const {
+    const TetrahedralMesh& mesh = dark_.mesh();
+    const auto bands = static_cast<std::size_t>(dark_.band_count());
+    std::vector<double> power(bands, 0);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c)
+      for (std::size_t i = 0; i < 4 * bands; ++i)
+        power[i % bands] += scattered_density(dark_, collisions_->values().field, c * 4 * bands + i) *
+                            mesh.volume(CellIndex(static_cast<std::int64_t>(c))) / 4;
+    return power;
   }
 
   std::vector<double> energy_of(const std::vector<double>& fluence) const {
@@ -299,6 +330,8 @@ class March {
   const DirectionSet& directions_;
   const Slowness& slowness_;
   TimedSources sources_;
+  CollisionsInTime* collisions_;   ///< null: none
+  const DelayedCourses* delayed_;  ///< of their light
   Problem dark_;
   AngularHistory history_;
   SolveOptions options_;
@@ -311,7 +344,7 @@ class March {
   Solution solution_;
   Reading last_;                   ///< at the end of the last step
   std::optional<Reading> before_;  ///< of the step before
-  double last_step_ = 0;
+  double last_step_ = 0, last_begin_ = 0;
   double largest_fluence_ = 0;
   int sweeps_ = 0;  ///< of the step that is taken
   double residual_ = 0;
@@ -336,9 +369,18 @@ double rms_fluence(const Problem& problem, std::span<const double> fluence) {
 
 void march_in_time(const Problem& problem, const DirectionSet& directions, const Slowness& slowness,
                    const EmissionCourses& courses, const StepOptions& steps, const SolveOptions& options,
-                   const TimeStepReader& reader, const SolveObserver& observer) {
+                   const TimeStepReader& reader, const SolveObserver& observer,
+                   const UncollidedInTime* uncollided) {
   check(steps);
-  March(problem, directions, slowness, courses, steps, options).run(reader, observer);
+  if (uncollided == nullptr) {
+    March(problem, directions, slowness, courses, steps, options, nullptr, nullptr).run(reader, observer);
+    return;
+  }
+  CollisionsInTime collisions(*uncollided, directions, thread_count(options.threads));
+  const DelayedCourses delayed(*uncollided, courses);
+  March(uncollided->remaining(), directions, slowness, remaining_courses(uncollided->lights(), courses),
+        steps, options, &collisions, &delayed)
+      .run(reader, observer);
 }
 
 std::size_t estimate_march_memory(const Problem& problem, const DirectionSet& directions,

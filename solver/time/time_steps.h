@@ -10,8 +10,9 @@
 #include "solver/solution/solve_observer.h"
 #include "solver/solution/solve_options.h"
 #include "solver/time/emission_course.h"
-#include "solver/time/laplace_problem.h"
+#include "solver/time/slowness.h"
 #include "solver/time/step_method.h"
+#include "solver/time/uncollided_in_time.h"
 
 namespace etendue {
 
@@ -31,6 +32,8 @@ struct StepOptions {
   /// Rising times in (0, until) at which a step ends.
   std::vector<double> stops = {};
   NumbersReader read = {};
+  /// The same numbers of light along rays.
+  std::function<std::vector<double>(const UncollidedValues& values)> read_uncollided = {};
 };
 
 /// A step that was taken.
@@ -49,6 +52,9 @@ struct TimeStep {
   bool converged = true;     ///< all of them
   const Problem& problem;    ///< with the emission at its end
   const Solution& solution;  ///< at its end
+  /// At its end light along rays, which is not in the solution; of pulses the mean over the step. Null where
+  /// all light is.
+  const UncollidedValues* uncollided;
 };
 
 /// Root mean square of a fluence [cell][4][band] over the volume, of the values at the vertices, all bands
@@ -62,13 +68,16 @@ using TimeStepReader = std::function<bool(const TimeStep&)>;
 ///
 ///     n/c du/dt + w.grad u + sigma_t u = integral of sigma_s p(w.w') u(w') dw' + f(t) q,  u(0) = pulses c/n
 ///
-/// The radiance is kept for all directions, twice. Light is left to the directions; options are those of a
-/// steady solution, an angular input, a state to start from and ordinates to keep are not used. Throws as
-/// solve() and TimedSources do, std::invalid_argument where the options make no sense, and std::domain_error
-/// where steps that adapt become too short.
+/// The radiance is kept for all directions, twice. Light that `uncollided` knows is not swept until it has
+/// collided, and what it emits counts where and when it scatters and is reflected: as its mean over each
+/// step, so that none is lost. Null: all is left to the directions. Options are those of a steady solution;
+/// an angular input, a state to start from and ordinates to keep are not used. Throws as solve() and
+/// TimedSources do, std::invalid_argument where the options make no sense, and std::domain_error where steps
+/// that adapt become too short.
 void march_in_time(const Problem& problem, const DirectionSet& directions, const Slowness& slowness,
                    const EmissionCourses& courses, const StepOptions& steps, const SolveOptions& options,
-                   const TimeStepReader& reader, const SolveObserver& observer = {});
+                   const TimeStepReader& reader, const SolveObserver& observer = {},
+                   const UncollidedInTime* uncollided = nullptr);
 
 /// Bytes that march_in_time() takes at its peak: an upper estimate.
 std::size_t estimate_march_memory(const Problem& problem, const DirectionSet& directions,

@@ -16,13 +16,13 @@ namespace {
 constexpr double per_sphere = 1 / (4 * std::numbers::pi);
 }  // namespace
 
-FirstCollision::FirstCollision(const LightSetup& lights, const UncollidedField& field,
+FirstCollision::FirstCollision(const Problem& problem, const RayMatter& matter, const UncollidedField& field,
                                const DirectionSet& directions, int threads)
-    : problem_(lights.problem()),
+    : problem_(problem),
       field_(field),
       directions_(directions),
       phases_(problem_),
-      matter_(lights.paths().matter()),
+      matter_(matter),
       behind_(faces_behind(problem_.mesh())),
       glossy_(problem_, field, directions, threads) {
   const TetrahedralMesh& mesh = problem_.mesh();

@@ -25,9 +25,13 @@ namespace etendue {
 /// (GlossyReflection).
 class FirstCollision : public AngularInput {
  public:
-  /// The arguments must outlive it.
+  /// The arguments must outlive it. Values of the field may change between sweeps, but not the directions
+  /// that its collisions have.
+  FirstCollision(const Problem& problem, const RayMatter& matter, const UncollidedField& field,
+                 const DirectionSet& directions, int threads);
   FirstCollision(const LightSetup& lights, const UncollidedField& field, const DirectionSet& directions,
-                 int threads);
+                 int threads)
+      : FirstCollision(lights.problem(), lights.paths().matter(), field, directions, threads) {}
 
   bool depends_on_direction(CellIndex cell) const override;
   void add_source(OrdinateIndex, CellIndex, std::span<double>) const override {}

@@ -92,9 +92,9 @@ std::vector<EmitterPart> parts_of(const SurfaceLight& light) {
 
 }  // namespace
 
-LightSetup::LightSetup(const Problem& problem)
+LightSetup::LightSetup(const Problem& problem, std::vector<double> added)
     : problem_(problem),
-      paths_(problem),
+      paths_(problem, std::move(added)),
       region_is_light_(problem.media().size(), 0),
       wall_is_light_(problem.walls().size(), 0) {
   if (problem.space() == AngularSpace::plane) {
@@ -194,6 +194,7 @@ void LightSetup::add_lights() {
           std::make_unique<ExtendedSource>(light.name, std::move(power), std::move(tree), paths_));
     }
     origins_.push_back(light.origin);
+    emitters_.push_back({Emitter::Kind::light, i});
     // A fibre has many beams.
     const std::string note = fmt::format("light {}: uncollided part exact", light.name);
     if (notes_.empty() || notes_.back() != note) notes_.push_back(note);
@@ -244,6 +245,7 @@ void LightSetup::add_regions() {
     sources_.push_back(
         std::make_unique<ExtendedSource>(medium.name, std::move(power), std::move(tree), paths_));
     origins_.push_back(medium.origin);
+    emitters_.push_back({Emitter::Kind::region, region});
   }
 }
 
@@ -269,6 +271,7 @@ void LightSetup::add_walls() {
     sources_.push_back(
         std::make_unique<ExtendedSource>(wall.name, std::move(power), std::move(tree), paths_));
     origins_.push_back(wall.origin);
+    emitters_.push_back({Emitter::Kind::wall, w});
   }
 }
 

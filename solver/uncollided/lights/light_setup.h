@@ -23,13 +23,21 @@ struct LightAtPoint {
 /// small (below 5 % of the volume, or of the boundary). Light along rays ends at walls that refract.
 class LightSetup {
  public:
-  /// The problem must outlive it. Throws InputError where a mirror does not allow what is asked.
-  explicit LightSetup(const Problem& problem);
+  /// The problem must outlive it; `added` is as of LightPaths. Throws InputError where a mirror does not
+  /// allow what is asked.
+  explicit LightSetup(const Problem& problem, std::vector<double> added = {});
 
   bool empty() const { return sources_.empty(); }
   const Problem& problem() const { return problem_; }
   const LightPaths& paths() const { return paths_; }
   const LightSources& sources() const { return sources_; }
+  /// What a source is, and its number among those of its kind in the problem; of the beams of a sky the
+  /// first.
+  struct Emitter {
+    enum class Kind { light, region, wall } kind;
+    std::size_t number;
+  };
+  const std::vector<Emitter>& emitters() const { return emitters_; }  ///< [source]
   bool has_wall(int wall) const { return wall_is_light_[static_cast<std::size_t>(wall)] != 0; }
   bool has_region(int region) const { return region_is_light_[static_cast<std::size_t>(region)] != 0; }
   /// The problem without what these lights emit; lights that are left to the directions are in it.
@@ -56,6 +64,7 @@ class LightSetup {
   std::vector<ShadowEdge> shadow_edges_;
   LightSources sources_;
   std::vector<Origin> origins_;  ///< [source]
+  std::vector<Emitter> emitters_;
   std::vector<char> region_is_light_;
   std::vector<char> wall_is_light_;
   bool refracting_ = false;  ///< some wall does

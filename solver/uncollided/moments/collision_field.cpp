@@ -69,6 +69,15 @@ void CollisionField::add(CellIndex cell, double volume, const DirectionalMoments
   old = std::move(sum);
 }
 
+CollisionField CollisionField::with_bands(std::size_t bands) const {
+  CollisionField other(directions_, cells_.size(), bands);
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    other.cells_[c].direction = cells_[c].direction;
+    other.cells_[c].values.assign(cells_[c].direction.size() * 4 * bands, 0);
+  }
+  return other;
+}
+
 // A point comes to a cell from some twelve directions of the grid, the sun from one; the light of a lamp, a
 // wall or a medium from as many as it seems wide, a sky from half of the coarse grid.
 CollisionField::Size CollisionField::estimate(const LightPaths& paths, const LightSources& sources) {

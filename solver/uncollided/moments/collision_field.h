@@ -40,6 +40,11 @@ class CollisionField {
   std::span<const double> values(CellIndex cell, std::size_t k) const {
     return std::span(cells_[cell.at()].values).subspan(k * 4 * bands_, 4 * bands_);
   }
+  std::span<double> values(CellIndex cell, std::size_t k) {
+    return std::span(cells_[cell.at()].values).subspan(k * 4 * bands_, 4 * bands_);
+  }
+  /// The same directions in the same cells, with as many values of other bands, all 0.
+  CollisionField with_bands(std::size_t bands) const;
   /// Upper estimate for lights of a problem.
   struct Size {
     std::size_t directions;  ///< in use

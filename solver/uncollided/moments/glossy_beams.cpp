@@ -83,6 +83,20 @@ GlossyBeams::GlossyBeams(const LightPaths& paths, const std::vector<std::unique_
   }
 }
 
+GlossyBeams GlossyBeams::of_bands(std::span<const int> bands) const {
+  GlossyBeams other = *this;
+  for (LightBeams& corner : other.corners_) {
+    LightBeams beams(bands.size());
+    for (std::size_t k = 0; k < corner.size(); ++k) {
+      const std::span<double> irradiance = beams.add(corner.direction(k), corner.interval(k));
+      for (std::size_t b = 0; b < bands.size(); ++b)
+        irradiance[b] = corner.fluence(k)[static_cast<std::size_t>(bands[b])];
+    }
+    corner = std::move(beams);
+  }
+  return other;
+}
+
 double GlossyBeams::albedo(const Problem& problem, std::size_t place, std::size_t corner,
                            std::size_t band) const {
   const FaceIndex face(faces_[place]);

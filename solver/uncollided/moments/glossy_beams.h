@@ -17,6 +17,8 @@ class GlossyBeams {
   GlossyBeams(const LightPaths& paths, const std::vector<std::unique_ptr<LightSource>>& sources, int threads);
 
   bool empty() const { return corners_.empty(); }
+  /// The same beams in other bands, each as the one of these whose number it has.
+  GlossyBeams of_bands(std::span<const int> bands) const;
   const std::vector<std::int32_t>& faces() const { return faces_; }  ///< boundary faces that are glossy
   /// The place of a face among faces(), -1 where it is not glossy.
   std::int32_t place_of(FaceIndex face) const { return corners_.empty() ? -1 : place_of_[face.at()]; }

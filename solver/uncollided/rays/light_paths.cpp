@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "base/vector_sums.h"
 
 namespace etendue {
 namespace {
@@ -13,21 +16,23 @@ constexpr double end_of_path = 1e-9;
 /// Mirrors on one path after which it is given up: nothing that counts comes from there.
 constexpr int most_reflections = 10000;
 
-std::vector<double> extinction_of(const Problem& problem) {
+std::vector<double> extinction_of(const Problem& problem, std::span<const double> added) {
   std::vector<double> extinction(problem.absorption().begin(), problem.absorption().end());
-  for (std::size_t i = 0; i < extinction.size(); ++i) extinction[i] += problem.scattering()[i];
+  add_to(extinction, problem.scattering());
+  if (!added.empty()) add_to(extinction, added);
   return extinction;
 }
 
 }  // namespace
 
-LightPaths::LightPaths(const Problem& problem)
+LightPaths::LightPaths(const Problem& problem, std::vector<double> added)
     : problem_(problem),
       bands_(static_cast<std::size_t>(problem.band_count())),
       rays_(problem.mesh()),
       mirrors_(problem),
       matter_(problem),
-      extinction_(extinction_of(problem)) {}
+      added_(std::move(added)),
+      extinction_(extinction_of(problem, added_)) {}
 
 double LightPaths::largest_extinction(CellIndex cell) const {
   const auto first = extinction_.begin() + static_cast<std::ptrdiff_t>(cell.at() * bands_);
@@ -47,7 +52,7 @@ RayEnd LightPaths::walk(const PointInCell& from, const Vec3& direction, double l
         // What is linear has its mean in the middle.
         const Vec3 middle = from.position + (reached + part / 2) * direction;
         for (std::size_t b = 0; b < bands_; ++b)
-          depth[b] += matter_.at(cell, b, light, middle).extinction() * part;
+          depth[b] += (matter_.at(cell, b, light, middle).extinction() + added(cell, b)) * part;
       }
       reached += part;
     });

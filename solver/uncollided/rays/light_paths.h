@@ -29,8 +29,8 @@ struct WayOut {
 /// several threads at a time.
 class LightPaths {
  public:
-  /// The problem must outlive it.
-  explicit LightPaths(const Problem& problem);
+  /// The problem must outlive it. `added` is extinction beside its own [cell][band] [1/length]; empty: none.
+  explicit LightPaths(const Problem& problem, std::vector<double> added = {});
 
   const Problem& problem() const { return problem_; }
   const MirrorPlanes& mirrors() const { return mirrors_; }
@@ -43,7 +43,8 @@ class LightPaths {
   double largest_extinction(CellIndex cell) const;
   /// Extinction for light that travels along a view of matter() [1/length].
   double extinction(CellIndex cell, std::size_t band, const RayMatter::View& light) const {
-    return matter_.empty() ? extinction(cell, band) : matter_.at(cell, band, light).extinction();
+    return matter_.empty() ? extinction(cell, band)
+                           : matter_.at(cell, band, light).extinction() + added(cell, band);
   }
 
   /// Transmittance [band] of the path from a point along a unit direction of this length, reflected by
@@ -57,6 +58,9 @@ class LightPaths {
                               std::span<double> transmittance) const;
 
  private:
+  double added(CellIndex cell, std::size_t band) const {
+    return added_.empty() ? 0 : added_[cell.at() * bands_ + band];
+  }
   RayEnd walk(const PointInCell& from, const Vec3& direction, double length, std::span<double> depth) const;
   void reflect(FaceIndex face, std::span<double> factor) const;
 
@@ -65,7 +69,8 @@ class LightPaths {
   RayMesh rays_;
   MirrorPlanes mirrors_;
   RayMatter matter_;
-  std::vector<double> extinction_;  ///< [cell][band] [1/length]
+  std::vector<double> added_;       ///< [cell][band] [1/length]; empty: none
+  std::vector<double> extinction_;  ///< [cell][band] with what is added [1/length]
 };
 
 }  // namespace etendue

@@ -19,7 +19,7 @@ Fluences moments_of(const Problem& problem, const DirectionSet& directions, cons
                     const SolveOptions& options) {
   Fluences moments;
   solve_flight_moments(problem, directions, slowness, 2, options,
-                       [&](int k, const Problem&, const Solution& moment) {
+                       [&](int k, const Problem&, const Solution& moment, const UncollidedValues*) {
                          EXPECT_TRUE(moment.converged());
                          EXPECT_EQ(static_cast<std::size_t>(k), moments.size());
                          moments.push_back(moment.fluence);

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/time/delayed_field.h"
+#include "solver/time/emission_course.h"
+
+namespace etendue {
+
+/// Where light is read: the fluence, or the irradiance on the side of a plane that its unit normal points to.
+struct TimedPlace {
+  PointInCell at;
+  std::optional<Vec3> normal = {};
+};
+
+/// Uncollided light of all bands of some DelayFactors.
+struct UncollidedValues {
+  UncollidedField field;       ///< as DelayedField has it
+  std::vector<double> places;  ///< [place][band] [power/length^2]
+};
+
+/// The light of a problem's lights before its first collision, as time goes on: by rays, with the time that
+/// each takes.
+class UncollidedInTime {
+ public:
+  /// The lights, of which there must be some, must outlive it. An observer that stops it leaves it
+  /// incomplete.
+  UncollidedInTime(const LightSetup& lights, const Slowness& slowness, const std::vector<TimedPlace>& places,
+                   int threads, const StageObserver& observer = {});
+
+  const LightSetup& lights() const { return times_.lights(); }
+  /// The problem without these lights.
+  const Problem& remaining() const { return remaining_; }
+  /// The course of a source.
+  std::size_t course_of(std::size_t source, const EmissionCourses& courses) const;
+
+  UncollidedValues at(const DelayFactors& factors) const;
+  /// Changes values that at() has made of as many factors.
+  void set(const DelayFactors& factors, UncollidedValues& values) const;
+  /// Upper estimate of the bytes that one will take.
+  static std::size_t memory(const LightSetup& lights);
+
+ private:
+  struct Beam {
+    std::size_t source;
+    double time;
+    std::vector<double> light;  ///< [band] of the fluence or irradiance
+  };
+  std::vector<Beam> beams_at(const TimedPlace& place) const;
+  void set_places(const DelayFactors& factors, std::vector<double>& places) const;
+
+  int threads_;
+  PathTimes times_;
+  Problem remaining_;
+  UncollidedField steady_;
+  DelayedField field_;
+  std::vector<std::vector<Beam>> places_;
+};
+
+/// When what these lights leave emits does, of the courses of all.
+EmissionCourses remaining_courses(const LightSetup& lights, const EmissionCourses& courses);
+
+}  // namespace etendue
