@@ -274,7 +274,7 @@ struct TimeCase {
   std::vector<double> modulation;          ///< frequencies of all that emits [1/time]
   bool flight_times = false;               ///< mean and spread of the time of flight
   std::vector<double> times;               ///< rising, by inversion [time]
-  double window = 0.05;                    ///< of photons about each of `times`, relative
+  double window = 0.05;                    ///< about each of `times` after a pulse, relative
   std::optional<double> until;             ///< steps to here [time]
   std::optional<double> step;              ///< at most [time]
   std::optional<double> tolerance;         ///< to which steps adapt

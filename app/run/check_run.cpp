@@ -33,13 +33,10 @@ CheckedRun check_directions_run(const Case& input, const Problem& problem) {
     solve(problem, run.set(), options);
     if (collides_once) solve(problem, run.directions.first_collided.front(), options);
   }
-  RunMemory memory = run.memory();
-  if (input.time) {
-    const TimeSetup in_time{input, problem, run.directions.sets, run.options, run.locator, run.lights};
-    time_plan_text(in_time);  // refuses what it cannot do
-    if (RunMemory more = time_memory(in_time); more.solving > memory.solving) memory = std::move(more);
-  }
-  return {std::move(memory), run.resolution(problem), plan_texts(problem, run.set())};
+  // It refuses what it cannot do.
+  if (input.time) time_plan_text({input, problem, run.directions.sets, run.options, run.locator, run.lights});
+  return {directions_run_memory(input, problem, run), run.resolution(problem),
+          plan_texts(problem, run.set())};
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include "app/case/volume_bounds.h"
 #include "app/render/photon_pictures.h"
 #include "app/run/check_run.h"
-#include "app/run/ordinates_setup.h"
 #include "app/setup/memory.h"
 #include "app/setup/run_context.h"
 #include "app/time/photon_times.h"
+#include "app/time/solve_in_time.h"
 #include "solver/photons/solve/solve_photons.h"
 
 namespace etendue {
@@ -23,7 +23,8 @@ constexpr double bound_in_means = 2;
 constexpr int many_cells = 20000;
 
 RunMemory run_memory(const Case& input, const Problem& problem) {
-  return input.photons ? photon_run_memory(input, problem) : OrdinatesSetup(input, problem).memory();
+  return input.photons ? photon_run_memory(input, problem)
+                       : directions_run_memory(input, problem, OrdinatesSetup(input, problem));
 }
 
 }  // namespace
@@ -34,6 +35,14 @@ RunMemory photon_run_memory(const Case& input, const Problem& problem) {
                             estimate_photon_map_memory(input, problem, threads) +
                             photon_times_memory(input, problem, threads);
   return {bytes, bytes};
+}
+
+RunMemory directions_run_memory(const Case& input, const Problem& problem, const OrdinatesSetup& setup) {
+  RunMemory memory = setup.memory();
+  if (!input.time) return memory;
+  RunMemory in_time =
+      time_memory({input, problem, setup.directions.sets, setup.options, setup.locator, setup.lights});
+  return in_time.solving > memory.solving ? in_time : memory;
 }
 
 std::string memory_text(const RunMemory& memory, const Problem& problem) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/case/case.h"
+#include "app/run/ordinates_setup.h"
 #include "app/setup/run_options.h"
 #include "base/log.h"
 #include "solver/problem/problem.h"
@@ -11,6 +12,8 @@
 namespace etendue {
 
 RunMemory photon_run_memory(const Case& input, const Problem& problem);
+/// Of a run by discrete ordinates, with light in time.
+RunMemory directions_run_memory(const Case& input, const Problem& problem, const OrdinatesSetup& setup);
 
 /// Memory of a run on this very mesh as a line. Throws InputError as the run does where this machine has not
 /// so much.

@@ -139,7 +139,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   for (const std::string& plan : plan_texts(problem, directions))
     out << "scattering in " << plan << std::endl;
 
-  const TimeSetup in_time{input, problem, all_directions.sets, options, locator, lights};
+  TimeSetup in_time{input, problem, all_directions.sets, options, locator, lights};
   const bool asks_time = input.time && request.traces == RunTraces::all;
   if (asks_time) out << time_plan_text(in_time) << std::flush;
 
@@ -151,6 +151,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
     ShownStage stage(stages, "light before its first collision");
     uncollided.emplace(lights, options, stage.observer());
   }
+  if (asks_time) in_time.uncollided = std::make_shared<const UncollidedField>(uncollided->field());
   const std::optional<Solution> solved = solve_visibly(
       *uncollided,
       {input, problem, all_directions, options, stages, err, interruption, request.traces == RunTraces::all},

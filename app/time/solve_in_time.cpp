@@ -54,24 +54,24 @@ class SolverInTime {
         steady_(steady),
         slowness_(slowness_of(setup.input, setup.problem)),
         numbers_(setup.input, setup.problem, setup.locator),
-        interrupted_(std::move(interrupted)) {
+        interrupted_(std::move(interrupted)),
+        start_(WallClock::now()) {
     result_.quantities = numbers_.quantities();
     if (!setup.lights.empty()) {
       ShownStage stage(stages, "light in time along rays");
-      uncollided_.emplace(setup.lights, slowness_, numbers_.timed_places(), setup.options.threads,
-                          stage.observer());
+      uncollided_.emplace(setup.lights, slowness_, setup.uncollided, numbers_.timed_places(),
+                          setup.options.threads, stage.observer());
     }
     stage_.emplace(stages, "light in time");
     result_.interrupted = interrupted_();
   }
 
   TimeResult result() {
-    const auto start = WallClock::now();
     if (!time_.modulation.empty() && !result_.interrupted) find_modulated();
     if (!time_.times.empty() && !result_.interrupted) find_histories();
     if (time_.flight_times && !result_.interrupted) find_flight_times();
     if (time_.until && !result_.interrupted) march();
-    result_.seconds = seconds_since(start);
+    result_.seconds = seconds_since(start_);
     return std::move(result_);
   }
 
@@ -243,6 +243,7 @@ class SolverInTime {
   Slowness slowness_;
   TimeNumbers numbers_;
   std::function<bool()> interrupted_;
+  WallClock::time_point start_;
   std::optional<UncollidedInTime> uncollided_;
   std::optional<ShownStage> stage_;
   TimeResult result_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "app/case/build/entry_of.h"
@@ -24,6 +25,7 @@ struct TimeSetup {
   const SolveOptions& options;
   const CellLocator& locator;
   const LightSetup& lights;
+  std::shared_ptr<const UncollidedField> uncollided = nullptr;  ///< of these lights; null in a forecast
 };
 
 /// Slowness of light in each region [time/length].

@@ -15,6 +15,9 @@ namespace {
 /// one.
 constexpr double same_time = 1e-6;
 
+/// Of light with an extent that lights up or goes out part by part.
+constexpr LightDetail finest_light{0.2, 0.01, 0.15, 0.04, TriangleRule::seven_points};
+
 /// How often each band is there.
 constexpr std::size_t copies = 3;
 
@@ -95,9 +98,9 @@ PathTimes::Times PathTimes::times_of(std::span<const double> copied, std::size_t
   return {mean, variance > 1e-10 * mean * mean ? std::sqrt(variance) : 0};
 }
 
-void PathTimes::fine_beams_at(const PointInCell& at, std::size_t source, LightBeams& room,
-                              const TimedBeamReader& reader) const {
-  LightDetail detail = fine_light;
+void PathTimes::finest_beams_at(const PointInCell& at, std::size_t source, LightBeams& room,
+                                const TimedBeamReader& reader) const {
+  LightDetail detail = finest_light;
   detail.shadow_edges = &timed_.shadow_edges();
   beams_at(at, source, detail, room, reader);
 }

@@ -38,10 +38,10 @@ class PathTimes {
   const Slowness& slowness() const { return slowness_; }
   /// For beams of one point at a time.
   LightBeams room() const { return LightBeams(timed_.paths().bands()); }
-  /// Hands over the beams of one source at a point, or at the finer detail, cut along shadow edges.
+  /// Hands over the beams of one source at a point, or those at the finest detail, cut along shadow edges.
   void beams_at(const PointInCell& at, std::size_t source, LightDetail detail, LightBeams& room,
                 const TimedBeamReader& reader) const;
-  void fine_beams_at(const PointInCell& at, std::size_t source, LightBeams& room,
+  void finest_beams_at(const PointInCell& at, std::size_t source, LightBeams& room,
                      const TimedBeamReader& reader) const;
 
  private:

@@ -2,45 +2,54 @@
 #include "solver/time/uncollided_in_time.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/parallel/parallel_for.h"
+#include "base/vector_sums.h"
 
 namespace etendue {
 namespace {
 
-/// Of the progress: what steady light takes of it.
-constexpr double share_of_steady = 0.5;
-
-StageObserver part_of(const StageObserver& observer, double begin, double end) {
-  if (!observer) return {};
-  return [=](double share) { return observer(begin + (end - begin) * share); };
-}
+/// Beams whose times differ by less than this part of them are one.
+constexpr double together = 1e-4;
 
 }  // namespace
 
 UncollidedInTime::UncollidedInTime(const LightSetup& lights, const Slowness& slowness,
+                                   std::shared_ptr<const UncollidedField> steady,
                                    const std::vector<TimedPlace>& places, int threads,
                                    const StageObserver& observer)
     : threads_(threads),
       times_(lights, slowness),
       remaining_(lights.remaining()),
-      steady_(
-          uncollided_field(lights.paths(), lights.sources(), threads, part_of(observer, 0, share_of_steady))),
-      field_(times_, steady_, threads, part_of(observer, share_of_steady, 1)) {
-  for (const TimedPlace& place : places) places_.push_back(beams_at(place));
+      steady_(std::move(steady)),
+      field_(times_, *steady_, threads, observer),
+      places_(places.size()) {
+  parallel_for(places.size(), threads, 1, [&](std::size_t i) {
+    places_[i] = beams_at(places[i]);
+    return true;
+  });
 }
 
 std::vector<UncollidedInTime::Beam> UncollidedInTime::beams_at(const TimedPlace& place) const {
   std::vector<Beam> beams;
   LightBeams room = times_.room();
-  for (std::size_t source = 0; source < times_.source_count(); ++source)
-    times_.fine_beams_at(place.at, source, room, [&](const TimedBeam& beam) {
+  for (std::size_t source = 0; source < times_.source_count(); ++source) {
+    std::vector<Beam> own;
+    times_.finest_beams_at(place.at, source, room, [&](const TimedBeam& beam) {
       const double seen = place.normal ? -place.normal->dot(beam.direction) : 1;
       if (seen <= 0) return;
       std::vector<double> light(beam.fluence.begin(), beam.fluence.end());
       for (double& value : light) value *= seen;
-      beams.push_back({source, beam.time, std::move(light)});
+      own.push_back({source, beam.time, std::move(light)});
     });
+    std::ranges::stable_sort(own, {}, &Beam::time);
+    for (const Beam& beam : own)
+      if (beams.empty() || beams.back().source != source || beam.time > beams.back().time * (1 + together))
+        beams.push_back(beam);
+      else
+        add_to(beams.back().light, beam.light);
+  }
   return beams;
 }
 

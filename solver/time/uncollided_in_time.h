@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,9 +26,10 @@ struct UncollidedValues {
 /// each takes.
 class UncollidedInTime {
  public:
-  /// The lights, of which there must be some, must outlive it. An observer that stops it leaves it
-  /// incomplete.
-  UncollidedInTime(const LightSetup& lights, const Slowness& slowness, const std::vector<TimedPlace>& places,
+  /// The lights, of which there must be some, must outlive it; `steady` is their uncollided_field(). An
+  /// observer that stops it leaves it incomplete.
+  UncollidedInTime(const LightSetup& lights, const Slowness& slowness,
+                   std::shared_ptr<const UncollidedField> steady, const std::vector<TimedPlace>& places,
                    int threads, const StageObserver& observer = {});
 
   const LightSetup& lights() const { return times_.lights(); }
@@ -54,7 +56,7 @@ class UncollidedInTime {
   int threads_;
   PathTimes times_;
   Problem remaining_;
-  UncollidedField steady_;
+  std::shared_ptr<const UncollidedField> steady_;
   DelayedField field_;
   std::vector<std::vector<Beam>> places_;
 };

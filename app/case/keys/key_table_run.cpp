@@ -284,10 +284,10 @@ const BoundTable<TimeCase>& time_table() {
     t.key("flight_times", &TimeCase::flight_times, {},
           "Mean and standard deviation of the time that light is under way until it is read, in "
           "`flight_times.csv`.");
-    t.key(
-        "window", &TimeCase::window, {.range = open_fraction},
-        "Of photons after a pulse: each of `times` is the middle of a window of this width, as a part of the "
-        "time.");
+    t.key("window", &TimeCase::window, {.range = open_fraction},
+          "After a pulse each of `times` is the middle of a window of this width, as a part of the time: "
+          "values of "
+          "photons, and of light before its first collision, are means over it.");
     t.key("until", &TimeCase::until, {.unit = "time", .range = positive},
           "Steps in time, from darkness at t = 0 to here: what is read at their ends goes into `steps.csv`.");
     t.key("step", &TimeCase::step,

@@ -114,8 +114,8 @@ void read_time(Section time, const std::filesystem::path& case_folder, Case& res
     time.fault("asks for nothing; give modulation, times, until or flight_times");
   check_steps(time, read);
   if (read.times.empty() && !read.until) refuse_courses(time, read, result);
-  if (read.window != TimeCase{}.window && !(result.photons && read.in_time.kind == InTime::Kind::pulse))
-    time.unused("window", "it is for photons after a pulse");
+  if (read.window != TimeCase{}.window && (read.times.empty() || read.in_time.kind != InTime::Kind::pulse))
+    time.unused("window", "it is for `times` after a pulse");
   if (read.in_time.kind != InTime::Kind::pulse && read.in_time.kind != InTime::Kind::step)
     refuse_inversion(time, read.in_time);
   if (read.until) {

@@ -29,6 +29,8 @@ class UncollidedLight {
                       const SolveOptions& options, const SolveObserver& observer,
                       const DirectionSetObserver& reader = {}) const;
   const LightSetup& lights() const { return lights_; }
+  /// Of all sources; until finish().
+  const UncollidedField& field() const { return field_; }
   /// Hands the uncollided part over to a solution. Of the field only first_collisions() are left.
   void finish(Solution& solution);
   /// After finish(): for pictures and sensors of the same problem.

@@ -76,6 +76,14 @@ std::vector<Light> two_lamps() {
 
 Slowness alike(const Problem& problem, double slowness) { return Slowness(problem.media().size(), slowness); }
 
+UncollidedInTime in_time(const LightSetup& lights, const Slowness& slowness,
+                         const std::vector<TimedPlace>& places, int threads) {
+  return {
+      lights, slowness,
+      std::make_shared<const UncollidedField>(uncollided_field(lights.paths(), lights.sources(), threads)),
+      places, threads};
+}
+
 double largest_of(std::span<const double> values) {
   double largest = 0;
   for (const double value : values) largest = std::max(largest, std::abs(value));
@@ -114,8 +122,8 @@ TEST(PathTimes, AreThoseOfThePaths) {
   const Vec3 behind(0.9, 0.5, 0.5);
   std::vector<double> found;
   LightBeams room_of_beams = times.room();
-  times.fine_beams_at({locator.find(behind).front().cell, behind}, 0, room_of_beams,
-                      [&](const TimedBeam& beam) { found.push_back(beam.time); });
+  times.finest_beams_at({locator.find(behind).front().cell, behind}, 0, room_of_beams,
+                        [&](const TimedBeam& beam) { found.push_back(beam.time); });
   std::ranges::sort(found);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_NEAR(found[0], 0.8 + 0.5 * 0.5, 1e-9);
@@ -134,7 +142,8 @@ TEST(UncollidedInTime, IsTheSteadyLightWithoutDelay) {
   const UncollidedField steady = uncollided_field(lights.paths(), lights.sources(), 2);
   const Vec3 point(0.45, 0.3, 0.8);
   const PointInCell at{CellLocator(mesh).find(point).front().cell, point};
-  const UncollidedInTime uncollided(lights, alike(problem, 1.3), {{at, {}}, {at, Vec3::UnitX()}}, 2);
+  const UncollidedInTime uncollided =
+      in_time(lights, alike(problem, 1.3), {{at, {}}, {at, Vec3::UnitX()}}, 2);
   UncollidedValues values = uncollided.at(constant(1));
   expect_near(values.field.fluence, steady.fluence, 1e-12);
   expect_near(values.field.irradiance, steady.irradiance, 1e-12);
@@ -186,7 +195,7 @@ void expect_that_of_more_absorption(const Room& is, double points, double cells,
   const UncollidedField field = uncollided_field(expected_lights.paths(), expected_lights.sources(), 2);
   const Vec3 point(0.4, 0.3, 0.15);
   const PointInCell at{CellLocator(mesh).find(point).front().cell, point};
-  const UncollidedInTime uncollided(lights, alike(problem, slow), {{at, {}}}, 2);
+  const UncollidedInTime uncollided = in_time(lights, alike(problem, slow), {{at, {}}}, 2);
   const std::vector<std::complex<double>> rates = {rate};
   const UncollidedValues values = uncollided.at(delay_factors(rates));
   const auto real_of = [](const std::vector<double>& all) {
@@ -250,7 +259,7 @@ TEST(SolveLaplace, HasLightAlongRaysAsMoreAbsorption) {
   const DirectionSet directions = directions_product(4);
   const SolveOptions options = tight_options();
   const Solution whole = solve_split(expected_lights, directions, options);
-  const UncollidedInTime uncollided(lights, alike(problem, slow), {}, 2);
+  const UncollidedInTime uncollided = in_time(lights, alike(problem, slow), {}, 2);
   const std::vector<std::complex<double>> rates = {rate, {0, 0.3}};
   solve_laplace(
       problem, {directions}, rates, alike(problem, slow), options,
@@ -324,7 +333,7 @@ TEST(TimeSteps, EndInTheSteadyLightAlongRays) {
       const LightSetup lights(problem);
       const DirectionSet directions = directions_product(2);
       const Solution steady = solve_split(lights, directions, tight_options());
-      const UncollidedInTime uncollided(lights, alike(problem, 1.5), {}, 2);
+      const UncollidedInTime uncollided = in_time(lights, alike(problem, 1.5), {}, 2);
       const std::vector<Marched> marched =
           march(problem, uncollided, directions, 1.5, switched_on, method, 160, 10);
       expect_near(marched.back().whole(), steady.fluence, 1e-8);
@@ -343,8 +352,8 @@ TEST(TimeSteps, HaveFrontsAlongRays) {
   const LightSetup lights(problem);
   const Vec3 far(0.95, 0.5, 0.5);
   constexpr double slow = 1.2, arrives = 1.2 * 0.85;
-  const UncollidedInTime uncollided(lights, alike(problem, slow),
-                                    {{{CellLocator(mesh).find(far).front().cell, far}, {}}}, 2);
+  const UncollidedInTime uncollided =
+      in_time(lights, alike(problem, slow), {{{CellLocator(mesh).find(far).front().cell, far}, {}}}, 2);
   const double steady = std::exp(-0.85 * is.absorption) / (4 * pi * 0.85 * 0.85);
   const double step = 0.05;
   const auto on =
@@ -367,7 +376,7 @@ TEST(FlightMoments, AreThoseOfAPulseAlongRays) {
   const Problem problem = room(mesh, lit_room(PhaseIsotropic{}));
   const LightSetup lights(problem);
   const DirectionSet directions = directions_product(2);
-  const UncollidedInTime uncollided(lights, alike(problem, 1), {}, 2);
+  const UncollidedInTime uncollided = in_time(lights, alike(problem, 1), {}, 2);
   std::vector<std::vector<double>> moments;
   solve_flight_moments(
       problem, directions, alike(problem, 1), 1, tight_options(),
@@ -401,7 +410,7 @@ TEST(TimeSteps, GiveTheSameBitsAlongRaysForAnyNumberOfThreads) {
   const LightSetup lights(problem);
   std::vector<double> first;
   for (const int threads : {1, 3}) {
-    const UncollidedInTime uncollided(lights, alike(problem, 1), {}, threads);
+    const UncollidedInTime uncollided = in_time(lights, alike(problem, 1), {}, threads);
     const auto marched = march(problem, uncollided, directions_product(2), 1, switched_on, StepMethod::sdirk2,
                                0.6, 0.3, threads);
     if (threads == 1) first = marched.back().fluence;
