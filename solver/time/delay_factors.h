@@ -8,8 +8,8 @@
 
 namespace etendue {
 
-/// What becomes of light of a source, by its number among those of the lights, that has been under way for a
-/// time: one or several factors.
+/// One or several factors of light of a source, by its number among those of the lights, that has been under
+/// way for a time.
 struct DelayFactors {
   std::size_t groups = 1;  ///< such as rates
   std::size_t parts = 1;   ///< of each: 2 for complex factors

@@ -8,7 +8,7 @@
 
 namespace etendue {
 
-/// What arrives of light along rays whose sources follow courses.
+/// Factors of light along rays whose sources follow courses.
 class DelayedCourses {
  public:
   /// The courses must outlive it.

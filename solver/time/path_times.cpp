@@ -11,7 +11,7 @@
 namespace etendue {
 namespace {
 
-/// Times of the bands of a beam, or of what arrives of one, that differ by less than this part of them are
+/// Times of the bands of a beam, or within one, that differ by less than this part of them are
 /// one.
 constexpr double same_time = 1e-6;
 

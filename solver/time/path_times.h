@@ -19,12 +19,12 @@ struct TimedBeam {
 
 using TimedBeamReader = std::function<void(const TimedBeam&)>;
 
-/// How long uncollided light has been under way where it arrives, from lamps, emitting walls and media, or
-/// from where it enters the domain; mirrors included. Times are found as extinction is: each band is there
-/// three times, once without them and twice attenuated by its time too, by a and 2 a for each unit of it.
-/// From the logarithms of these come the mean time of a beam and the variance, where its source has a depth:
-/// then half of it comes a deviation earlier and half later. So all that finds a source's beams finds their
-/// times.
+/// Beams of uncollided light with the time that they have been under way, from lamps, emitting walls and
+/// media, or from where it enters the domain; mirrors included. Times are found as extinction is: each band
+/// is there three times, once without them and twice attenuated by its time too, by a and 2 a for each unit
+/// of it. From the logarithms of these come the mean time of a beam and the variance, where its source has a
+/// depth: then half of it comes a deviation earlier and half later. So all that finds a source's beams finds
+/// their times.
 class PathTimes {
  public:
   /// The lights must outlive it.
@@ -42,7 +42,7 @@ class PathTimes {
   void beams_at(const PointInCell& at, std::size_t source, LightDetail detail, LightBeams& room,
                 const TimedBeamReader& reader) const;
   void finest_beams_at(const PointInCell& at, std::size_t source, LightBeams& room,
-                     const TimedBeamReader& reader) const;
+                       const TimedBeamReader& reader) const;
 
  private:
   struct Times {

@@ -51,7 +51,7 @@ void solve_laplace(const Problem& problem, const std::vector<DirectionSet>& sets
     const LaplaceProblem laplace = laplace_problem(swept, own_rates, slowness);
     std::optional<UncollidedValues> unswept;
     if (uncollided != nullptr) unswept = uncollided->at(delay_factors(own_rates));
-    const RayMatter matter(laplace.problem);
+    const RayMatter by_direction(laplace.problem);
     SolveOptions own = options;
     own.added_extinction = &laplace.extinction;
     own.angular_input = nullptr;
@@ -61,7 +61,7 @@ void solve_laplace(const Problem& problem, const std::vector<DirectionSet>& sets
     for (std::size_t i = 0; i < sets.size(); ++i) {
       std::optional<FirstCollision> first_collision;
       if (unswept)
-        own.angular_input = &first_collision.emplace(laplace.problem, matter, unswept->field, sets[i],
+        own.angular_input = &first_collision.emplace(laplace.problem, by_direction, unswept->field, sets[i],
                                                      thread_count(options.threads));
       // The last few rates have fewer bands.
       TransportSolver solver(laplace.problem, sets[i], own, count == together ? orders[i] : nullptr);

@@ -22,8 +22,8 @@ struct UncollidedValues {
   std::vector<double> places;  ///< [place][band] [power/length^2]
 };
 
-/// The light of a problem's lights before its first collision, as time goes on: by rays, with the time that
-/// each takes.
+/// The light of a problem's lights before its first collision, in the course of time: by rays, with the time
+/// that each takes.
 class UncollidedInTime {
  public:
   /// The lights, of which there must be some, must outlive it; `steady` is their uncollided_field(). An

@@ -31,7 +31,7 @@ class LightSetup {
   const Problem& problem() const { return problem_; }
   const LightPaths& paths() const { return paths_; }
   const LightSources& sources() const { return sources_; }
-  /// What a source is, and its number among those of its kind in the problem; of the beams of a sky the
+  /// The kind of a source, and its number among those of its kind in the problem; of the beams of a sky the
   /// first.
   struct Emitter {
     enum class Kind { light, region, wall } kind;
