@@ -103,15 +103,18 @@ void FirstCollision::add_projected_source(OrdinateIndex m, CellIndex cell, std::
   if (field_.collisions.empty()) return;
   const std::span<const std::int32_t> incident = field_.collisions.directions_at(cell);
   const int region = problem_.mesh().region(cell);
-  for (std::size_t b = 0; b < bands && !incident.empty(); ++b) {
-    const int table = table_of(region, b);
+  // Neighbouring bands that scatter alike are added together.
+  for (std::size_t first = 0, end = 0; first < bands && !incident.empty(); first = end) {
+    const int table = table_of(region, first);
+    for (end = first + 1; end < bands && table_of(region, end) == table;) ++end;
     if (table < 0) continue;
     const auto t = static_cast<std::size_t>(table);
     const double* const row = tables_[t].data() + m.at() * length_[t];
     for (std::size_t k = 0; k < incident.size(); ++k) {
       const double share = row[number_[t][static_cast<std::size_t>(incident[k])]];
-      const double* const power = field_.collisions.values(cell, k).data() + b;
-      for (std::size_t i = 0; i < 4; ++i) values[i * bands + b] += share * power[i * bands];
+      const double* const power = field_.collisions.values(cell, k).data();
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t b = first; b < end; ++b) values[i * bands + b] += share * power[i * bands + b];
     }
   }
 }
