@@ -151,7 +151,11 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
     ShownStage stage(stages, "light before its first collision");
     uncollided.emplace(lights, options, stage.observer());
   }
-  if (asks_time) in_time.uncollided = std::make_shared<const UncollidedField>(uncollided->field());
+  if (asks_time) {
+    auto kept = std::make_shared<UncollidedField>(uncollided->field());
+    kept->net_flux = {};
+    in_time.uncollided = std::move(kept);
+  }
   const std::optional<Solution> solved = solve_visibly(
       *uncollided,
       {input, problem, all_directions, options, stages, err, interruption, request.traces == RunTraces::all},

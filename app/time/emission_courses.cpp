@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include "app/case/build/entry_of.h"
@@ -14,8 +15,16 @@ namespace etendue {
 namespace {
 
 std::function<double(double)> factor_by_formula(const InTime& in_time) {
-  const auto formula = std::make_shared<Expression>(Formula{in_time.text}, std::vector<std::string>{"t"});
-  return [formula, in_time](double t) { return formula_factor(in_time, *formula, t); };
+  struct Shared {
+    Expression formula;
+    std::mutex in_use;  // an expression serves one thread at a time
+  };
+  const auto shared =
+      std::make_shared<Shared>(Expression(Formula{in_time.text}, std::vector<std::string>{"t"}));
+  return [shared, in_time](double t) {
+    const std::lock_guard lock(shared->in_use);
+    return formula_factor(in_time, shared->formula, t);
+  };
 }
 
 std::function<double(double)> factor_by_table(const InTime& in_time) {

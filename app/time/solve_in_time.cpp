@@ -184,12 +184,14 @@ class SolverInTime {
   void add_uncollided(std::span<const double> times, std::size_t first) {
     const EmissionCourses courses =
         one_course(setup_.problem, {time_.in_time.kind == InTime::Kind::pulse, [](double) { return 1.0; }});
-    const DelayedCourses delayed(*uncollided_, courses);
+    const DelayedCourses delayed(*uncollided_, courses, time_.times.back());
+    UncollidedValues along_rays = uncollided_->at(delayed.at(0, 0));
     for (std::size_t i = 0; i < times.size(); ++i) {
       const TimeInterval window = window_about(times[i], time_);
       const bool is_pulse = courses.courses.front().is_pulse;
-      const std::vector<double> values = numbers_.uncollided(
-          uncollided_->at(is_pulse ? delayed.mean(window.begin, window.end) : delayed.at(0, times[i])));
+      uncollided_->set(is_pulse ? delayed.mean(window.begin, window.end) : delayed.at(0, times[i]),
+                       along_rays);
+      const std::vector<double> values = numbers_.uncollided(along_rays);
       for (std::size_t q = 0; q < values.size(); ++q) result_.histories[q][first + i].value += values[q];
     }
   }
@@ -263,7 +265,8 @@ RunMemory memory_of_rates(const TimeSetup& setup, std::size_t together) {
   const std::size_t more = fluences * 4 * sizeof(double) *
                            static_cast<std::size_t>(setup.problem.mesh().cell_count()) *
                            static_cast<std::size_t>(setup.problem.band_count());
-  for (std::size_t* const of : {&memory.solving, &memory.expected}) *of += more + memory_of_rays(setup);
+  for (std::size_t* const of : {&memory.solving, &memory.expected})
+    *of += more + memory_of_rays(setup, 2 * together);
   return memory;
 }
 

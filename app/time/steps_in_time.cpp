@@ -49,7 +49,7 @@ RunMemory steps_memory(const TimeSetup& setup) {
   const std::size_t fields = 6 + setup.options.keep_ordinates.size() + static_cast<std::size_t>(time.frames) +
                              (time.modulation.empty() ? 0 : 2 * (time.modulation.size() + 1));
   memory.solving = estimate_march_memory(setup.problem, setup.sets.front(), setup.options) + fields * field +
-                   memory_of_rays(setup);
+                   memory_of_rays(setup, 1);
   memory.expected = memory.solving;
   return memory;
 }
@@ -81,7 +81,9 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
   steps.until = *time.until;
   steps.step = longest_step(time);
   steps.tolerance = time.tolerance.value_or(0);
-  steps.scale = rms_fluence(setup.problem, steady.fluence);
+  std::vector<double> swept = steady.fluence;
+  if (uncollided != nullptr) add_to(swept, steady.lights.fluence, -1);
+  steps.scale = rms_fluence(setup.problem, swept);
   steps.stops = frame_times(time);
   steps.read = [&](const Problem& problem, const Solution& solution) {
     return numbers.values(problem, solution);

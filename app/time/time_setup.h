@@ -36,9 +36,9 @@ inline Slowness slowness_of(const Case& input, const Problem& problem) {
   return slowness;
 }
 
-/// What light along rays takes [byte]: an upper estimate.
-inline std::size_t memory_of_rays(const TimeSetup& setup) {
-  return setup.lights.empty() ? 0 : UncollidedInTime::memory(setup.lights);
+/// Bytes of light along rays, with values of so many factors: an estimate.
+inline std::size_t memory_of_rays(const TimeSetup& setup, std::size_t factors) {
+  return setup.lights.empty() ? 0 : UncollidedInTime::memory(setup.lights, factors);
 }
 
 /// After a pulse the mean over this is what is told of a time.

@@ -12,8 +12,7 @@ class CollisionsInTime {
   /// The arguments must outlive it.
   CollisionsInTime(const UncollidedInTime& uncollided, const DirectionSet& directions, int threads)
       : uncollided_(uncollided),
-        values_(
-            uncollided.at({1, 1, [](std::size_t, double, std::span<double> factors) { factors[0] = 0; }})),
+        values_(uncollided.at({1, 1, [](const PathTime&, std::span<double> factors) { factors[0] = 0; }})),
         input_(uncollided.lights(), values_.field, directions, threads) {}
   CollisionsInTime(const CollisionsInTime&) = delete;
   CollisionsInTime& operator=(const CollisionsInTime&) = delete;

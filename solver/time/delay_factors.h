@@ -8,13 +8,19 @@
 
 namespace etendue {
 
-/// One or several factors of light of a source, by its number among those of the lights, that has been under
-/// way for a time.
+/// Light of a source that has been under way for a time.
+struct PathTime {
+  std::size_t source;  ///< number among those of the lights
+  double time;         ///< mean [time]
+  double spread;       ///< of times about it that are alike, from the first to the last [time]
+};
+
+/// One or several factors of light by its path.
 struct DelayFactors {
   std::size_t groups = 1;  ///< such as rates
   std::size_t parts = 1;   ///< of each: 2 for complex factors
-  /// Sets [group][part].
-  std::function<void(std::size_t source, double time, std::span<double> factors)> set;
+  /// Sets [group][part]. Called by several threads at a time.
+  std::function<void(const PathTime& path, std::span<double> factors)> set;
 
   std::size_t count() const { return groups * parts; }
   /// Bands of what has been multiplied by all factors are [group][band][part].

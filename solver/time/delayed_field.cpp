@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "base/field_view.h"
@@ -34,8 +35,8 @@ double sum_of(const std::array<double, nodes>& values) {
 /// Points of a cell: near a point light, which is unlike anything that a rule integrates, those of its parts.
 const std::vector<CellRulePoint>& rule_for(const LightSource& source, const Vec3& centroid, double edge) {
   if (source.as_wide() != nullptr || !source.is_near(centroid, edge)) return composite_cell_rule(0);
-  const bool very_near = source.as_point() != nullptr && source.is_near(centroid, edge / 3);
-  return composite_cell_rule(very_near ? 2 : 1);
+  if (source.as_point() == nullptr) return composite_cell_rule(1);
+  return composite_cell_rule(source.is_near(centroid, edge / 3) ? 3 : 2);
 }
 
 /// Integrals with the functions of a simplex of so many corners and this measure, of nodal values, and back.
@@ -64,8 +65,8 @@ std::array<double, nodes> band_of(const double* values, std::size_t bands, std::
   return of_band;
 }
 template <std::size_t nodes>
-void set_band(double* values, std::size_t bands, std::size_t band, const std::array<double, nodes>& to) {
-  for (std::size_t i = 0; i < nodes; ++i) values[i * bands + band] = to[i];
+void add_band(double* values, std::size_t bands, std::size_t band, const std::array<double, nodes>& more) {
+  for (std::size_t i = 0; i < nodes; ++i) values[i * bands + band] += more[i];
 }
 
 bool any_positive(std::span<const double> values) {
@@ -77,9 +78,11 @@ bool any_positive(std::span<const double> values) {
 /// Gathers the beams of one cell or face; of one thread.
 class DelayedField::Collector {
  public:
-  Collector(const PathTimes& times, const UncollidedField& steady, std::size_t bands)
+  Collector(const PathTimes& times, const UncollidedField& steady, std::span<const std::size_t> sources,
+            std::size_t bands)
       : times_(times),
         steady_(steady),
+        sources_(sources),
         bands_(bands),
         phases_(times.lights().problem()),
         matter_(times.lights().paths().matter()),
@@ -95,16 +98,18 @@ class DelayedField::Collector {
     const bool by_direction =
         !steady_.collisions.empty() && scatters_by_direction(problem, phases_, matter_, cell);
     place_ = {};
-    for (std::size_t source = 0; source < times_.source_count(); ++source) {
+    for (const std::size_t source : sources_) {
       begin();
-      for (const CellRulePoint& point : rule_for(times_.source(source), mesh.centroid(cell), edge)) {
+      const auto& rule = rule_for(times_.source(source), mesh.centroid(cell), edge);
+      spread_ = slow * edge / std::cbrt(static_cast<double>(rule.size()));
+      for (const CellRulePoint& point : rule) {
         const Vec3 position = point_at(point.barycentric, corners);
         times_.beams_at({cell, position}, source, coarse_light, room_, [&](const TimedBeam& beam) {
           add(beam, point.barycentric, point.weight * volume);
           if (by_direction) add_scattering(cell, beam.direction, position);
         });
       }
-      bundle(source, slow * edge, by_direction);
+      bundle(source, slow * edge, by_direction ? &cell : nullptr);
     }
     return finished();
   }
@@ -117,8 +122,9 @@ class DelayedField::Collector {
     const Vec3 normal = mesh.area_normal(face) / area;
     const double slow = times_.slowness()[static_cast<std::size_t>(mesh.region(cell))];
     place_ = {};
-    for (std::size_t source = 0; source < times_.source_count(); ++source) {
+    for (const std::size_t source : sources_) {
       begin();
+      spread_ = slow * std::sqrt(2 * area / static_cast<double>(seven_point_rule().size()));
       for (const FacePointWeight& point : seven_point_rule()) {
         const auto& b = point.barycentric;
         const Vec3 position = b[0] * corners[0] + b[1] * corners[1] + b[2] * corners[2];
@@ -127,7 +133,7 @@ class DelayedField::Collector {
           if (cosine > 0) add(beam, b, point.weight * area * cosine);
         });
       }
-      bundle(source, slow * std::sqrt(2 * area), false);
+      bundle(source, slow * std::sqrt(2 * area), nullptr);
     }
     return finished();
   }
@@ -151,28 +157,40 @@ class DelayedField::Collector {
       scattering_.push_back(matter_.at(cell, b, view, position).scattering);
   }
 
-  /// Adds what has arrived of a source to the place, in intervals of its times.
-  void bundle(std::size_t source, double across, bool by_direction) {
+  /// Adds beams of a source to the place, in intervals of their times; by direction in a cell.
+  void bundle(std::size_t source, double across, const CellIndex* by_direction) {
     if (arrivals_.empty()) return;
     const auto [first, last] = std::ranges::minmax(arrivals_, {}, &Arrival::time);
     const double width = std::max(across * part_of_cell, part_of_all * (last.time - first.time));
     const std::size_t length = weights_.size() / arrivals_.size();
-    const AngularDetail detail =
-        times_.source(source).as_wide() == nullptr ? AngularDetail::fine : AngularDetail::medium;
     open_.clear();
     for (std::size_t k = 0; k < arrivals_.size(); ++k) {
       const auto interval = static_cast<std::int64_t>((arrivals_[k].time - first.time) / width);
       const std::span<const double> own(weights_.data() + k * length, length);
       const auto number = static_cast<std::int32_t>(source);
-      add_to(open({-1, interval}, number, length), own, arrivals_[k].time, 1, {});
-      if (!by_direction) continue;
-      const OctahedralGrid::Weights incident =
-          steady_.collisions.directions().weights(arrivals_[k].direction, detail);
-      for (std::size_t v = 0; v < 3; ++v)
-        if (incident.weight[v] != 0)
-          add_to(open({incident.point[v], interval}, number, length), own, arrivals_[k].time,
-                 incident.weight[v], std::span(scattering_).subspan(k * bands_, bands_));
+      add_weights(open({-1, interval}, number, length), own, arrivals_[k].time, 1, {});
+      if (by_direction == nullptr) continue;
+      const std::optional<OctahedralGrid::Weights> incident =
+          weights_of(arrivals_[k].direction, steady_.collisions.directions_at(*by_direction));
+      for (std::size_t v = 0; v < 3 && incident; ++v)
+        if (incident->weight[v] != 0)
+          add_weights(open({incident->point[v], interval}, number, length), own, arrivals_[k].time,
+                      incident->weight[v], std::span(scattering_).subspan(k * bands_, bands_));
     }
+  }
+
+  /// On the finest grid of which the cell has the directions around this one; empty where it has them of
+  /// none.
+  std::optional<OctahedralGrid::Weights> weights_of(const Vec3& direction,
+                                                    std::span<const std::int32_t> known) const {
+    for (const AngularDetail detail : {AngularDetail::fine, AngularDetail::medium, AngularDetail::coarse}) {
+      const OctahedralGrid::Weights weights = steady_.collisions.directions().weights(direction, detail);
+      bool all = true;
+      for (std::size_t v = 0; v < 3; ++v)
+        all = all && (weights.weight[v] == 0 || std::ranges::binary_search(known, weights.point[v]));
+      if (all) return weights;
+    }
+    return std::nullopt;
   }
 
   /// The bundle of an incident number and an interval of times of the source at hand.
@@ -180,7 +198,7 @@ class DelayedField::Collector {
                    std::size_t length) {
     const auto [at, is_new] = open_.try_emplace(key, place_.bundles.size());
     if (is_new) {
-      place_.bundles.push_back({source, key.first, 0});
+      place_.bundles.push_back({source, key.first, 0, spread_});
       place_.weights.resize(place_.weights.size() + length, 0);
       totals_.push_back(0);
     }
@@ -188,8 +206,8 @@ class DelayedField::Collector {
   }
 
   /// Adds weights, times a factor and another one [band]; the time is the sum until all are in.
-  void add_to(std::size_t bundle, std::span<const double> weights, double time, double factor,
-              std::span<const double> of_band) {
+  void add_weights(std::size_t bundle, std::span<const double> weights, double time, double factor,
+                   std::span<const double> of_band) {
     double* const to = place_.weights.data() + bundle * weights.size();
     double total = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -231,10 +249,12 @@ class DelayedField::Collector {
 
   const PathTimes& times_;
   const UncollidedField& steady_;
+  std::span<const std::size_t> sources_;
   std::size_t bands_;
   PhaseList phases_;
   const RayMatter& matter_;
   LightBeams room_;
+  double spread_ = 0;               ///< of times in the part of a place that a point has
   std::vector<Arrival> arrivals_;   ///< of one source
   std::vector<double> weights_;     ///< [arrival][node][band]
   std::vector<double> scattering_;  ///< [arrival][band]; empty where it does not matter by direction
@@ -278,35 +298,39 @@ class DelayedField::Sums {
   std::vector<double> multiplied_;  ///< [factor][node][band]
 };
 
-DelayedField::DelayedField(const PathTimes& times, const UncollidedField& steady, int threads,
-                           const StageObserver& observer)
+DelayedField::DelayedField(const PathTimes& times, std::shared_ptr<const UncollidedField> steady,
+                           std::vector<std::size_t> sources, int threads, const StageObserver& observer)
     : times_(times),
-      steady_(steady),
+      steady_(std::move(steady)),
+      sources_(std::move(sources)),
       bands_(static_cast<std::size_t>(times.lights().problem().band_count())) {
   const TetrahedralMesh& mesh = times.lights().problem().mesh();
   cells_.resize(static_cast<std::size_t>(mesh.cell_count()));
   faces_.resize(static_cast<std::size_t>(mesh.boundary_face_count()));
   StageCounter counter(cells_.size() + faces_.size(), observer);
-  const auto make = [&] { return Collector(times, steady, bands_); };
+  const auto make = [&] { return Collector(times, *steady_, sources_, bands_); };
   parallel_for(cells_.size(), threads, 64, make, [&](std::size_t c, Collector& collector) {
-    if (any_positive(std::span(steady.fluence).subspan(c * 4 * bands_, 4 * bands_)))
+    if (any_positive(std::span(steady_->fluence).subspan(c * 4 * bands_, 4 * bands_)))
       cells_[c] = collector.cell(CellIndex(static_cast<std::int64_t>(c)));
     return counter.add();
   });
   parallel_for(faces_.size(), threads, 64, make, [&](std::size_t f, Collector& collector) {
-    if (any_positive(std::span(steady.irradiance).subspan(f * 3 * bands_, 3 * bands_)))
+    if (any_positive(std::span(steady_->irradiance).subspan(f * 3 * bands_, 3 * bands_)))
       faces_[f] = collector.face(FaceIndex(static_cast<std::int64_t>(f)));
     return counter.add();
   });
-  if (!counter.stopped()) fill_gaps();
+  complete_ = !counter.stopped();
+  if (complete_) fill_gaps();
 }
 
 void DelayedField::fill_gaps() {
   const TetrahedralMesh& mesh = times_.lights().problem().mesh();
   const auto is_gap = [&](std::size_t c) {
     return cells_[c].bundles.empty() &&
-           any_positive(std::span(steady_.fluence).subspan(c * 4 * bands_, 4 * bands_));
+           any_positive(std::span(steady_->fluence).subspan(c * 4 * bands_, 4 * bands_));
   };
+  for (std::size_t c = 0; c < cells_.size(); ++c)
+    if (is_gap(c)) fill_from_beams(CellIndex(static_cast<std::int64_t>(c)));
   for (bool any = true; any;) {
     any = false;
     // Those that are filled in one round do not fill others in it: the order of cells does not matter.
@@ -330,40 +354,41 @@ void DelayedField::fill_gaps() {
   }
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     if (!faces_[f].bundles.empty() ||
-        !any_positive(std::span(steady_.irradiance).subspan(f * 3 * bands_, 3 * bands_)))
+        !any_positive(std::span(steady_->irradiance).subspan(f * 3 * bands_, 3 * bands_)))
       continue;
     const Place& cell = cells_[mesh.owner(FaceIndex(static_cast<std::int64_t>(f))).at()];
     for (std::size_t k = 0; k < cell.bundles.size(); ++k) {
       if (cell.bundles[k].incident >= 0) continue;
       faces_[f].bundles.push_back(cell.bundles[k]);
       const double* const own = cell.weights.data() + k * 4 * bands_;
-      faces_[f].weights.insert(faces_[f].weights.end(), own, own + 3 * bands_);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t b = 0; b < bands_; ++b)
+          faces_[f].weights.push_back(own[b] + own[bands_ + b] + own[2 * bands_ + b] + own[3 * bands_ + b]);
     }
   }
 }
 
-UncollidedField DelayedField::shaped(const DelayFactors& factors) const {
-  const std::size_t count = factors.count();
-  std::vector<int> bands(bands_ * count);
-  for (std::size_t f = 0; f < count; ++f)
-    for (std::size_t b = 0; b < bands_; ++b) bands[factors.band_of(f, b, bands_)] = static_cast<int>(b);
-  UncollidedField field;
-  field.fluence.assign(steady_.fluence.size() * count, 0);
-  field.irradiance.assign(steady_.irradiance.size() * count, 0);
-  field.collided.assign(steady_.collided.size() * count, 0);
-  field.absorbed.assign(steady_.absorbed.size() * count, 0);
-  if (!steady_.collisions.empty()) field.collisions = steady_.collisions.with_bands(bands.size());
-  field.glossy = steady_.glossy.of_bands(bands);
-  return field;
+void DelayedField::fill_from_beams(CellIndex cell) {
+  Place& place = cells_[cell.at()];
+  std::vector<double> one(bands_);
+  const TetrahedralMesh& mesh = times_.lights().problem().mesh();
+  const double spread =
+      std::cbrt(mesh.volume(cell)) * times_.slowness()[static_cast<std::size_t>(mesh.region(cell))];
+  for (const std::size_t source : sources_) {
+    const auto beam = times_.time_of_beam({cell, mesh.centroid(cell)}, source, one);
+    if (!beam) continue;
+    place.bundles.push_back({static_cast<std::int32_t>(source), -1, beam->time, spread});
+    place.weights.insert(place.weights.end(), 4 * bands_, 1.0);
+  }
 }
 
-void DelayedField::set(const DelayFactors& factors, int threads, UncollidedField& field) const {
+void DelayedField::add_to(const DelayFactors& factors, int threads, UncollidedField& field) const {
   parallel_for(cells_.size(), threads, 64, [&](std::size_t c) {
-    set_cell(CellIndex(static_cast<std::int64_t>(c)), factors, field);
+    add_cell(CellIndex(static_cast<std::int64_t>(c)), factors, field);
     return true;
   });
   parallel_for(faces_.size(), threads, 64, [&](std::size_t f) {
-    set_face(FaceIndex(static_cast<std::int64_t>(f)), factors, field);
+    add_face(FaceIndex(static_cast<std::int64_t>(f)), factors, field);
     return true;
   });
 }
@@ -371,12 +396,13 @@ void DelayedField::set(const DelayFactors& factors, int threads, UncollidedField
 std::vector<double> DelayedField::factors_of(const Place& place, const DelayFactors& factors) {
   std::vector<double> values(place.bundles.size() * factors.count());
   for (std::size_t k = 0; k < place.bundles.size(); ++k)
-    factors.set(static_cast<std::size_t>(place.bundles[k].source), place.bundles[k].time,
-                std::span(values).subspan(k * factors.count(), factors.count()));
+    factors.set(
+        {static_cast<std::size_t>(place.bundles[k].source), place.bundles[k].time, place.bundles[k].spread},
+        std::span(values).subspan(k * factors.count(), factors.count()));
   return values;
 }
 
-void DelayedField::set_cell(CellIndex cell, const DelayFactors& factors, UncollidedField& field) const {
+void DelayedField::add_cell(CellIndex cell, const DelayFactors& factors, UncollidedField& field) const {
   const Place& place = cells_[cell.at()];
   if (place.bundles.empty()) return;
   const std::size_t count = factors.count(), all = bands_ * count;
@@ -391,33 +417,36 @@ void DelayedField::set_cell(CellIndex cell, const DelayFactors& factors, Uncolli
   for (std::size_t f = 0; f < count; ++f)
     for (std::size_t b = 0; b < bands_; ++b) {
       const std::size_t band = factors.band_of(f, b, bands_), at = cell.at() * 4;
-      const double* const fluence = &steady_.fluence[at * bands_];
+      const double* const fluence = &steady_->fluence[at * bands_];
       const std::array<double, 4> moments = scaled(fluence, f, b);
-      set_band(&field.fluence[at * all], all, band, nodal_of(moments, volume));
-      if (steady_.collided.empty()) continue;
-      set_band(&field.collided[at * all], all, band,
-               nodal_of(scaled(&steady_.collided[at * bands_], f, b), volume));
+      add_band(&field.fluence[at * all], all, band, nodal_of(moments, volume));
+      if (steady_->collided.empty()) continue;
+      add_band(&field.collided[at * all], all, band,
+               nodal_of(scaled(&steady_->collided[at * bands_], f, b), volume));
       const double steady = sum_of(moments_of(band_of<4>(fluence, bands_, b), volume));
-      field.absorbed[cell.at() * all + band] =
-          steady > 0 ? steady_.absorbed[cell.at() * bands_ + b] * sum_of(moments) / steady : 0;
+      field.absorbed[cell.at() * all + band] +=
+          steady > 0 ? steady_->absorbed[cell.at() * bands_ + b] * sum_of(moments) / steady : 0;
     }
-  if (steady_.collisions.empty()) return;
-  const std::span<const std::int32_t> incident = steady_.collisions.directions_at(cell);
+  if (steady_->collisions.empty()) return;
+  const std::span<const std::int32_t> incident = steady_->collisions.directions_at(cell);
+  const std::span<const std::int32_t> known = field.collisions.directions_at(cell);
   for (std::size_t k = 0; k < incident.size(); ++k) {
+    const auto at = std::ranges::lower_bound(known, incident[k]);
+    if (at == known.end() || *at != incident[k]) continue;  // a trifle beside other sources
     const Sums<4> own(place, incident[k], bands_, values, count);
-    const double* const steady = steady_.collisions.values(cell, k).data();
-    double* const to = field.collisions.values(cell, k).data();
+    const double* const steady = steady_->collisions.values(cell, k).data();
+    double* const to = field.collisions.values(cell, static_cast<std::size_t>(at - known.begin())).data();
     for (std::size_t f = 0; f < count; ++f)
       for (std::size_t b = 0; b < bands_; ++b) {
         std::array<double, 4> moments = scaled(steady, f, b);
         for (std::size_t i = 0; i < 4; ++i)
           moments[i] += own.multiplied(f, i, b) - sums.ratio(f, i, b) * own.weight(i, b);
-        set_band(to, all, factors.band_of(f, b, bands_), nodal_of(moments, volume));
+        add_band(to, all, factors.band_of(f, b, bands_), nodal_of(moments, volume));
       }
   }
 }
 
-void DelayedField::set_face(FaceIndex face, const DelayFactors& factors, UncollidedField& field) const {
+void DelayedField::add_face(FaceIndex face, const DelayFactors& factors, UncollidedField& field) const {
   const Place& place = faces_[face.at()];
   if (place.bundles.empty()) return;
   const std::size_t count = factors.count(), all = bands_ * count;
@@ -426,19 +455,11 @@ void DelayedField::set_face(FaceIndex face, const DelayFactors& factors, Uncolli
   for (std::size_t f = 0; f < count; ++f)
     for (std::size_t b = 0; b < bands_; ++b) {
       std::array<double, 3> moments =
-          moments_of(band_of<3>(&steady_.irradiance[face.at() * 3 * bands_], bands_, b), area);
+          moments_of(band_of<3>(&steady_->irradiance[face.at() * 3 * bands_], bands_, b), area);
       for (std::size_t i = 0; i < 3; ++i) moments[i] *= sums.ratio(f, i, b);
-      set_band(&field.irradiance[face.at() * 3 * all], all, factors.band_of(f, b, bands_),
+      add_band(&field.irradiance[face.at() * 3 * all], all, factors.band_of(f, b, bands_),
                nodal_of(moments, area));
     }
-}
-
-std::size_t DelayedField::bytes() const {
-  std::size_t bytes = 0;
-  for (const std::vector<Place>* places : {&cells_, &faces_})
-    for (const Place& place : *places)
-      bytes += sizeof(Place) + place.bundles.size() * sizeof(Bundle) + place.weights.size() * sizeof(double);
-  return bytes;
 }
 
 }  // namespace etendue

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/parallel/stage_observer.h"
@@ -11,27 +12,27 @@
 
 namespace etendue {
 
-/// Uncollided light by the time that it has been under way. Integrals of steady light with the functions of
-/// a cell or face, b_i, are those of an UncollidedField; of light of which a time t leaves f(t) they are
+/// Uncollided light of some sources by the time that it has been under way. Integrals of steady light with
+/// the functions of a cell or face, b_i, are those of an UncollidedField; of light of which a time t leaves
+/// f(t) they are
 ///
 ///     b_i r_i,    r_i = sum over beams of w_ij f(t_j) / sum over beams of w_ij,
 ///
-/// w_ij being the integrals of the beams j at the points of a rule: fourteen in a cell, seven in a face
-/// (degree 5). So light without delay is the steady one, exactly. Of what scatters by direction r_i times the
-/// steady part of each direction and what the beams of the rule say beside it. Beams of one source whose
-/// times differ by less than an eighth of those from end to end of the cell are one, with their mean time.
+/// w_ij being the integrals of the beams j at the points of a rule of degree 5: fourteen in a cell, more of
+/// them near lamps and in narrow beams, seven in a face. So light without delay is the steady one, exactly.
+/// Of what scatters by direction r_i times the steady part of each direction and what the beams of the rule
+/// say beside it. Beams of one source whose times differ by less than a part of those from end to end of the
+/// cell are one, with their mean time, and stand for those in the part of the cell that a point has.
 class DelayedField {
  public:
-  /// The field, of these lights, must outlive it. An observer that stops it leaves it incomplete.
-  DelayedField(const PathTimes& times, const UncollidedField& steady, int threads,
-               const StageObserver& observer = {});
+  /// `steady` is the field of these sources, given by their numbers; `times` must outlive it. An observer
+  /// that stops it leaves it incomplete.
+  DelayedField(const PathTimes& times, std::shared_ptr<const UncollidedField> steady,
+               std::vector<std::size_t> sources, int threads, const StageObserver& observer = {});
 
-  /// A field of all factors' bands with zeros, without net flux; its collisions and glossy walls have the
-  /// directions of the steady one.
-  UncollidedField shaped(const DelayFactors& factors) const;
-  /// Sets the values of a field that has been shaped for as many factors.
-  void set(const DelayFactors& factors, int threads, UncollidedField& field) const;
-  std::size_t bytes() const;
+  /// Adds to a field of all factors' bands, whose collisions have the directions of this one.
+  void add_to(const DelayFactors& factors, int threads, UncollidedField& field) const;
+  bool is_complete() const { return complete_; }
 
  private:
   /// Beams of one source that arrive together.
@@ -40,6 +41,7 @@ class DelayedField {
     std::int32_t
         incident;  ///< number of the direction of CollisionField from which it scatters; -1: all of it
     double time;
+    double spread;
   };
   /// In a cell or face.
   struct Place {
@@ -50,16 +52,20 @@ class DelayedField {
   template <std::size_t nodes>
   class Sums;
 
-  /// Cells that have light but no beam have the times of those beside, faces those of their cells.
+  /// Cells that have light but no beam have the times of beams that pass between the points of the rule, or
+  /// those of the cells beside; faces those of their cells.
   void fill_gaps();
+  void fill_from_beams(CellIndex cell);
   /// [bundle][factor].
   static std::vector<double> factors_of(const Place& place, const DelayFactors& factors);
-  void set_cell(CellIndex cell, const DelayFactors& factors, UncollidedField& field) const;
-  void set_face(FaceIndex face, const DelayFactors& factors, UncollidedField& field) const;
+  void add_cell(CellIndex cell, const DelayFactors& factors, UncollidedField& field) const;
+  void add_face(FaceIndex face, const DelayFactors& factors, UncollidedField& field) const;
 
   const PathTimes& times_;
-  const UncollidedField& steady_;
+  std::shared_ptr<const UncollidedField> steady_;
+  std::vector<std::size_t> sources_;
   std::size_t bands_;
+  bool complete_ = false;
   std::vector<Place> cells_;
   std::vector<Place> faces_;
 };

@@ -13,7 +13,8 @@ namespace etendue {
 struct Course {
   /// All at t = 0, and nothing later: the energy is the power times a unit of time.
   bool is_pulse = false;
-  /// The part of the power that it has at times t > 0, where it is no pulse.
+  /// The part of the power that it has at times t > 0, where it is no pulse. Asked by several threads at a
+  /// time.
   std::function<double(double t)> factor = {};
 };
 

@@ -33,8 +33,8 @@ void solve_flight_moments(const Problem& problem, const DirectionSet& directions
     history.mix(k, 0);
     dark.set_following(sources.isotropic_at(k));
     if (collisions)
-      collisions->set({1, 1, [k](std::size_t, double time, std::span<double> factors) {
-                         factors[0] = std::pow(time, k);
+      collisions->set({1, 1, [k](const PathTime& path, std::span<double> factors) {
+                         factors[0] = std::pow(path.time, k);
                        }});
     Solution moment = solver.solve(observer);
     if (moment.interrupted) throw SolveStopped{};

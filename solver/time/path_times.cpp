@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "mesh/tetrahedra/bounding_box.h"
+#include "solver/uncollided/sources/beam_source.h"
 
 namespace etendue {
 namespace {
@@ -68,10 +69,11 @@ void PathTimes::beams_at(const PointInCell& at, std::size_t source, LightDetail 
     double first = std::numeric_limits<double>::infinity(), last = 0;
     for (std::size_t b = 0; b < bands; ++b) {
       times[b] = times_of(room.fluence(k), b);
-      if (!(fluence[b] > 0)) continue;
+      if (!(fluence[b] > 0) || std::isinf(times[b].mean)) continue;
       first = std::min(first, times[b].mean - times[b].deviation);
       last = std::max(last, times[b].mean + times[b].deviation);
     }
+    if (first > last) continue;  // all dark
     if (last - first <= same_time * last) {
       reader({source, room.direction(k), last, fluence});
       continue;
@@ -82,20 +84,39 @@ void PathTimes::beams_at(const PointInCell& at, std::size_t source, LightDetail 
         std::ranges::fill(alone, 0);
         alone[b] = fluence[b] / 2;
         const double time = times[b].mean + side * times[b].deviation;
-        if (fluence[b] > 0) reader({source, room.direction(k), std::max(0.0, time), alone});
+        if (fluence[b] > 0 && std::isfinite(time))
+          reader({source, room.direction(k), std::max(0.0, time), alone});
       }
   }
+}
+
+std::optional<TimedBeam> PathTimes::time_of_beam(const PointInCell& at, std::size_t source,
+                                                 std::span<double> one) const {
+  const BeamSource* const beam = timed_.sources()[source]->as_beam();
+  if (beam == nullptr) return std::nullopt;
+  std::vector<double> left(timed_.paths().bands());
+  for (const Vec3& direction : beam->directions()) {
+    if (!timed_.paths().leave(at, -direction, left)) continue;
+    const double time = times_of(left, 0).mean;
+    if (std::isinf(time)) continue;
+    std::ranges::fill(one, 1.0);
+    return TimedBeam{source, direction, time, one};
+  }
+  return std::nullopt;
 }
 
 // log f(k a) = log f(0) - k a m + (k a)^2 v / 2 - ..., with the mean m and the variance v of the times.
 PathTimes::Times PathTimes::times_of(std::span<const double> copied, std::size_t band) const {
   const std::size_t bands = copied.size() / copies;
   const double once = copied[bands + band], twice = copied[2 * bands + band];
-  if (!(twice > 0)) return {0, 0};
-  const double first = std::log(copied[band] / once) / rate_, second = std::log(copied[band] / twice) / rate_;
+  if (!(once > 0)) return {std::numeric_limits<double>::infinity(), 0};
+  const double first = std::log(copied[band] / once) / rate_;
+  if (!(twice > 0)) return {first, 0};
+  const double second = std::log(copied[band] / twice) / rate_;
   const double variance = (2 * first - second) / rate_, mean = first + rate_ * variance / 2;
   // What rounding leaves of the difference of two logarithms is no depth.
-  return {mean, variance > 1e-10 * mean * mean ? std::sqrt(variance) : 0};
+  const double rounding = 1e-10 * mean * mean + 1e-13 / (rate_ * rate_);
+  return {std::max(0.0, mean), variance > rounding ? std::sqrt(variance) : 0};
 }
 
 void PathTimes::finest_beams_at(const PointInCell& at, std::size_t source, LightBeams& room,

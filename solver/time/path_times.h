@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "solver/time/slowness.h"
@@ -43,6 +44,11 @@ class PathTimes {
                 const TimedBeamReader& reader) const;
   void finest_beams_at(const PointInCell& at, std::size_t source, LightBeams& room,
                        const TimedBeamReader& reader) const;
+
+  /// Time of a beam with a cross-section at a point, as if it were wide enough to be there; empty where none
+  /// of its directions leads back to a wall, or for other sources.
+  std::optional<TimedBeam> time_of_beam(const PointInCell& at, std::size_t source,
+                                        std::span<double> one) const;
 
  private:
   struct Times {

@@ -377,7 +377,7 @@ void march_in_time(const Problem& problem, const DirectionSet& directions, const
     return;
   }
   CollisionsInTime collisions(*uncollided, directions, thread_count(options.threads));
-  const DelayedCourses delayed(*uncollided, courses);
+  const DelayedCourses delayed(*uncollided, courses, steps.until);
   March(uncollided->remaining(), directions, slowness, remaining_courses(uncollided->lights(), courses),
         steps, options, &collisions, &delayed)
       .run(reader, observer);

@@ -41,8 +41,8 @@ class UncollidedInTime {
   UncollidedValues at(const DelayFactors& factors) const;
   /// Changes values that at() has made of as many factors.
   void set(const DelayFactors& factors, UncollidedValues& values) const;
-  /// Upper estimate of the bytes that one will take.
-  static std::size_t memory(const LightSetup& lights);
+  /// Estimate of the bytes that one will take, with values of so many factors.
+  static std::size_t memory(const LightSetup& lights, std::size_t factors);
 
  private:
   struct Beam {
@@ -50,6 +50,8 @@ class UncollidedInTime {
     double time;
     std::vector<double> light;  ///< [band] of the fluence or irradiance
   };
+  UncollidedField shaped(const DelayFactors& factors) const;
+  void add_light(std::vector<std::size_t> sources, const StageObserver& observer);
   std::vector<Beam> beams_at(const TimedPlace& place) const;
   void set_places(const DelayFactors& factors, std::vector<double>& places) const;
 
@@ -57,7 +59,8 @@ class UncollidedInTime {
   PathTimes times_;
   Problem remaining_;
   std::shared_ptr<const UncollidedField> steady_;
-  DelayedField field_;
+  /// Of one light each, since they may follow courses of their own.
+  std::vector<std::unique_ptr<const DelayedField>> fields_;
   std::vector<std::vector<Beam>> places_;
 };
 

@@ -85,8 +85,8 @@ void check_formula(const InTime& in_time, double until, Faults& faults) {
 void refuse_inversion(Section& time, const InTime& in_time) {
   if (!time.has("times")) return;
   time.faults().push_back(fault_at(in_time.origin, "\"" + in_time.text + "\"",
-                                   "is not for `times`, which needs \"pulse\" or \"step\", the same for all "
-                                   "sources; use steps (time.until)"));
+                                   "is not for `times`, which needs \"pulse\" or \"step\" in [time], for all "
+                                   "sources; set time.in_time, or use steps (time.until)"));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,6 +32,7 @@ class CollisionField {
   /// Empty where nothing scatters by direction.
   bool empty() const { return cells_.empty(); }
   const IncidentDirections& directions() const { return *directions_; }
+  std::shared_ptr<const IncidentDirections> shared_directions() const { return directions_; }
   /// Adds the integrals over a cell. Threads may add to different cells at a time.
   void add(CellIndex cell, double volume, const DirectionalMoments& moments);
 
@@ -45,6 +47,10 @@ class CollisionField {
   }
   /// The same directions in the same cells, with as many values of other bands, all 0.
   CollisionField with_bands(std::size_t bands) const;
+  /// Makes all values 0.
+  void clear_values() {
+    for (Cell& cell : cells_) std::ranges::fill(cell.values, 0.0);
+  }
   /// Upper estimate for lights of a problem.
   struct Size {
     std::size_t directions;  ///< in use

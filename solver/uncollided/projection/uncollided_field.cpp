@@ -61,14 +61,13 @@ class DirectionalCells {
   PhaseList phases_;
 };
 
-CollisionField empty_collisions(const LightPaths& paths, const LightSources& sources) {
-  if (sources.empty() || !DirectionalCells(paths).any()) return {};
+std::shared_ptr<const IncidentDirections> incident_directions(const LightPaths& paths,
+                                                              const SourceViews& sources) {
   std::vector<Vec3> beams;
-  for (const auto& source : sources)
+  for (const LightSource* source : sources)
     if (const BeamSource* beam = source->as_beam())
       beams.insert(beams.end(), beam->directions().begin(), beam->directions().end());
-  return {std::make_shared<IncidentDirections>(paths.problem(), beams),
-          static_cast<std::size_t>(paths.problem().mesh().cell_count()), paths.bands()};
+  return std::make_shared<const IncidentDirections>(paths.problem(), beams);
 }
 
 /// [4][band] integrals over a cell of all that scatters of a light with an extent.
@@ -187,7 +186,7 @@ void add_walls(const LightPaths& paths, const LightSource& source, const ShadowP
 }
 
 /// How often cells, faces and vertices are visited for all sources.
-std::size_t visits(const TetrahedralMesh& mesh, const LightSources& sources) {
+std::size_t visits(const TetrahedralMesh& mesh, const SourceViews& sources) {
   std::size_t count = 0;
   for (const auto& source : sources) {
     const WideSource* wide = source->as_wide();
@@ -206,7 +205,8 @@ double scattered_density(const Problem& problem, const UncollidedField& field, s
   return problem.scattering()[entry / (4 * bands) * bands + entry % bands] * field.fluence[entry];
 }
 
-UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads,
+UncollidedField uncollided_field(const LightPaths& paths, const SourceViews& sources,
+                                 std::shared_ptr<const IncidentDirections> incident, int threads,
                                  const StageObserver& observer) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   UncollidedField field;
@@ -217,11 +217,13 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
     field.collided.assign(field.fluence.size(), 0);
     field.absorbed.assign(static_cast<std::size_t>(mesh.cell_count()) * paths.bands(), 0);
   }
-  field.collisions = empty_collisions(paths, sources);
   const DirectionalCells directional(paths);
+  if (!sources.empty() && directional.any())
+    field.collisions = {incident ? std::move(incident) : incident_directions(paths, sources),
+                        static_cast<std::size_t>(mesh.cell_count()), paths.bands()};
   const std::vector<ShadowEdge> shadow_edges = shadow_edges_of(paths);
   StageCounter counter(visits(mesh, sources), observer);
-  for (const auto& source : sources) {
+  for (const LightSource* source : sources) {
     if (counter.stopped()) return field;
     const WideSource* wide = source->as_wide();
     std::optional<ExtendedLight> extended;
@@ -242,7 +244,19 @@ UncollidedField uncollided_field(const LightPaths& paths, const LightSources& so
     if (counter.stopped()) return field;
     add_walls(paths, *source, planes, extended, threads, counter, field.irradiance);
   }
-  field.glossy = GlossyBeams(paths, sources, threads);
+  return field;
+}
+
+UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads,
+                                 const StageObserver& observer) {
+  SourceViews views;
+  for (const auto& source : sources) views.push_back(source.get());
+  bool stopped = false;
+  UncollidedField field = uncollided_field(paths, views, nullptr, threads, [&](double share) {
+    stopped = observer && !observer(share);
+    return !stopped;
+  });
+  if (!stopped) field.glossy = GlossyBeams(paths, sources, threads);
   return field;
 }
 

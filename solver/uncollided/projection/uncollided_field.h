@@ -36,4 +36,12 @@ double scattered_density(const Problem& problem, const UncollidedField& field, s
 UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads,
                                  const StageObserver& observer = {});
 
+using SourceViews = std::vector<const LightSource*>;
+
+/// The same of some sources, without glossy walls. `incident` are the directions of the collisions; null:
+/// those of these sources.
+UncollidedField uncollided_field(const LightPaths& paths, const SourceViews& sources,
+                                 std::shared_ptr<const IncidentDirections> incident, int threads,
+                                 const StageObserver& observer = {});
+
 }  // namespace etendue
