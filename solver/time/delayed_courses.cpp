@@ -32,7 +32,7 @@ CourseIntegral::CourseIntegral(const Course& course, double until)
     for (int k = 0; k < intervals; ++k)
       sums_.push_back(sums_.back() + interval_ * course.factor((k + 0.5) * interval_));
   } catch (const std::exception&) {
-    // Whoever asks for that time is told.
+    // It is thrown again where that time is asked for.
   }
 }
 

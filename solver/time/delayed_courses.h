@@ -16,8 +16,8 @@ class CourseIntegral {
   CourseIntegral(const Course& course, double until);
 
   const Course& course() const { return course_; }
-  /// The mean from `begin` to `end` of what comes later by `delay`; of pulses their integral over that time,
-  /// divided by it. Throws what the factor throws in that time.
+  /// The mean from `begin` to `end` of light that comes later by `delay`; of pulses their integral over that
+  /// time, divided by it. Throws what the factor throws in that time.
   double mean(double delay, double begin, double end) const;
   /// The mean of that over the times of a path.
   double mean(const PathTime& path, double begin, double end) const;

@@ -22,7 +22,7 @@ namespace etendue {
 /// them near lamps and in narrow beams, seven in a face. So light without delay is the steady one, exactly.
 /// Of what scatters by direction r_i times the steady part of each direction and what the beams of the rule
 /// say beside it. Beams of one source whose times differ by less than a part of those from end to end of the
-/// cell are one, with their mean time, and stand for those in the part of the cell that a point has.
+/// cell are one, with their mean time and the spread of times in the part of the cell that a point has.
 class DelayedField {
  public:
   /// `steady` is the field of these sources, given by their numbers; `times` must outlive it. An observer
