@@ -242,7 +242,7 @@ TEST(StepsOfARun, AreRefusedWithTheReason) {
   const Refusal refusals[] = {
       {"times = [1]\nstep = 0.1\n", "", "there are no steps without `until`"},
       {"flight_times = true\nin_time = \"step\"\n", "", "it is for `times` and `until`"},
-      {"times = [1]\nwindow = 0.2\n", "", "it is for photons after a pulse"},
+      {"times = [1]\nin_time = \"step\"\nwindow = 0.2\n", "", "it is for `times` after a pulse"},
       {"until = 1\nstep = 2\n", "", "time.step = 2: is longer than until"},
       {"until = 1\nmethod = \"bdf2\"\ntolerance = 1e-3\n", "", "takes even steps"},
       {"until = 1\nin_time = \"sine\"\n", "", "is neither \"pulse\", \"step\", a formula in t nor"},
