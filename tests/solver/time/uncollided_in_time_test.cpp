@@ -329,19 +329,19 @@ Room lit_room(const PhaseFunction& phase) {
 /// Whatever the steps, they keep the energy and end in the light of a steady run.
 TEST(TimeSteps, EndInTheSteadyLightAlongRays) {
   const TetrahedralMesh mesh = two_region_mesh(4e-2);
-  for (const PhaseFunction& phase :
-       {PhaseFunction(PhaseIsotropic{}), PhaseFunction(PhaseHenyeyGreenstein{0.6})})
-    for (const StepMethod method : {StepMethod::sdirk2, StepMethod::bdf2}) {
-      const Problem problem = room(mesh, lit_room(phase));
-      const LightSetup lights(problem);
-      const DirectionSet directions = directions_product(2);
-      const Solution steady = solve_split(lights, directions, tight_options());
-      const UncollidedInTime uncollided = in_time(lights, alike(problem, 1.5), {}, 2);
-      const std::vector<Marched> marched =
-          march(problem, uncollided, directions, 1.5, switched_on, method, 160, 10);
-      expect_near(marched.back().whole(), steady.fluence, 1e-8);
-      for (const Marched& step : marched) EXPECT_LT(step.imbalance, 1e-9 * marched.back().energy);
-    }
+  const std::pair<PhaseFunction, StepMethod> ways[] = {{PhaseIsotropic{}, StepMethod::bdf2},
+                                                       {PhaseHenyeyGreenstein{0.6}, StepMethod::sdirk2}};
+  for (const auto& [phase, method] : ways) {
+    const Problem problem = room(mesh, lit_room(phase));
+    const LightSetup lights(problem);
+    const DirectionSet directions = directions_product(2);
+    const Solution steady = solve_split(lights, directions, tight_options());
+    const UncollidedInTime uncollided = in_time(lights, alike(problem, 1.5), {}, 2);
+    const std::vector<Marched> marched =
+        march(problem, uncollided, directions, 1.5, switched_on, method, 120, 10);
+    expect_near(marched.back().whole(), steady.fluence, 1e-8);
+    for (const Marched& step : marched) EXPECT_LT(step.imbalance, 1e-9 * marched.back().energy);
+  }
 }
 
 /// No light is there before its path is done, and all of a pulse arrives.
@@ -409,7 +409,7 @@ TEST(FlightMoments, AreThoseOfAPulseAlongRays) {
 
 TEST(TimeSteps, GiveTheSameBitsAlongRaysForAnyNumberOfThreads) {
   const TetrahedralMesh mesh = two_region_mesh(4e-2);
-  const Problem problem = room(mesh, lit_room(PhaseHenyeyGreenstein{0.5}));
+  const Problem problem = room(mesh, lit_room(PhaseIsotropic{}));
   const LightSetup lights(problem);
   std::vector<double> first;
   for (const int threads : {1, 3}) {
