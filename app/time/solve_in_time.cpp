@@ -180,7 +180,7 @@ class SolverInTime {
     if (uncollided_) add_uncollided(times, first);
   }
 
-  /// What arrives along rays at some times; after a pulse its mean over a window about each.
+  /// Adds light along rays at some times; after a pulse its mean over a window about each.
   void add_uncollided(std::span<const double> times, std::size_t first) {
     const EmissionCourses courses =
         one_course(setup_.problem, {time_.in_time.kind == InTime::Kind::pulse, [](double) { return 1.0; }});

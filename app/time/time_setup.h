@@ -41,7 +41,7 @@ inline std::size_t memory_of_rays(const TimeSetup& setup, std::size_t factors) {
   return setup.lights.empty() ? 0 : UncollidedInTime::memory(setup.lights, factors);
 }
 
-/// After a pulse the mean over this is what is told of a time.
+/// Interval about a time over which light after a pulse is averaged.
 struct TimeInterval {
   double begin, end;  ///< [time]
 };

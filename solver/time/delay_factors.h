@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <vector>
 
 namespace etendue {
 
@@ -30,6 +31,15 @@ struct DelayFactors {
 };
 
 /// e^(-s t) for some rates s.
-DelayFactors delay_factors(std::span<const std::complex<double>> rates);
+inline DelayFactors delay_factors(std::span<const std::complex<double>> rates) {
+  return {rates.size(), 2,
+          [all = std::vector(rates.begin(), rates.end())](const PathTime& path, std::span<double> factors) {
+            for (std::size_t r = 0; r < all.size(); ++r) {
+              const std::complex<double> factor = std::exp(-all[r] * path.time);
+              factors[2 * r] = factor.real();
+              factors[2 * r + 1] = factor.imag();
+            }
+          }};
+}
 
 }  // namespace etendue

@@ -57,6 +57,7 @@ double CourseIntegral::mean(const PathTime& path, double begin, double end) cons
                  last = std::min(end, delays.middle + delays.spread / 2);
     return std::max(0.0, last - first) / (delays.spread * (end - begin));
   }
+  if (delays.spread == 0) return mean(delays.middle, begin, end);
   // Two points of Gauss and Legendre.
   const double aside = delays.spread / 2 * std::numbers::inv_sqrt3;
   return (mean(delays.middle - aside, begin, end) + mean(delays.middle + aside, begin, end)) / 2;

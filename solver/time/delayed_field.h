@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "base/parallel/stage_observer.h"
+#include "solver/time/beam_bundles.h"
 #include "solver/time/delay_factors.h"
 #include "solver/time/path_times.h"
 #include "solver/uncollided/projection/uncollided_field.h"
@@ -35,20 +35,6 @@ class DelayedField {
   bool is_complete() const { return complete_; }
 
  private:
-  /// Beams of one source that arrive together.
-  struct Bundle {
-    std::int32_t source;
-    std::int32_t
-        incident;  ///< number of the direction of CollisionField from which it scatters; -1: all of it
-    double time;
-    double spread;
-  };
-  /// In a cell or face.
-  struct Place {
-    std::vector<Bundle> bundles;  ///< by rising incident number
-    std::vector<double> weights;  ///< [bundle][node][band]
-  };
-  class Collector;
   template <std::size_t nodes>
   class Sums;
 
@@ -57,7 +43,7 @@ class DelayedField {
   void fill_gaps();
   void fill_from_beams(CellIndex cell);
   /// [bundle][factor].
-  static std::vector<double> factors_of(const Place& place, const DelayFactors& factors);
+  static std::vector<double> factors_of(const BundledBeams& place, const DelayFactors& factors);
   void add_cell(CellIndex cell, const DelayFactors& factors, UncollidedField& field) const;
   void add_face(FaceIndex face, const DelayFactors& factors, UncollidedField& field) const;
 
@@ -66,8 +52,8 @@ class DelayedField {
   std::vector<std::size_t> sources_;
   std::size_t bands_;
   bool complete_ = false;
-  std::vector<Place> cells_;
-  std::vector<Place> faces_;
+  std::vector<BundledBeams> cells_;
+  std::vector<BundledBeams> faces_;
 };
 
 }  // namespace etendue

@@ -90,17 +90,14 @@ void PathTimes::beams_at(const PointInCell& at, std::size_t source, LightDetail 
   }
 }
 
-std::optional<TimedBeam> PathTimes::time_of_beam(const PointInCell& at, std::size_t source,
-                                                 std::span<double> one) const {
+std::optional<double> PathTimes::time_of_beam(const PointInCell& at, std::size_t source) const {
   const BeamSource* const beam = timed_.sources()[source]->as_beam();
   if (beam == nullptr) return std::nullopt;
   std::vector<double> left(timed_.paths().bands());
   for (const Vec3& direction : beam->directions()) {
     if (!timed_.paths().leave(at, -direction, left)) continue;
     const double time = times_of(left, 0).mean;
-    if (std::isinf(time)) continue;
-    std::ranges::fill(one, 1.0);
-    return TimedBeam{source, direction, time, one};
+    if (std::isfinite(time)) return time;
   }
   return std::nullopt;
 }

@@ -47,8 +47,7 @@ class PathTimes {
 
   /// Time of a beam with a cross-section at a point, as if it were wide enough to be there; empty where none
   /// of its directions leads back to a wall, or for other sources.
-  std::optional<TimedBeam> time_of_beam(const PointInCell& at, std::size_t source,
-                                        std::span<double> one) const;
+  std::optional<double> time_of_beam(const PointInCell& at, std::size_t source) const;
 
  private:
   struct Times {
