@@ -2,10 +2,12 @@
 #include <etendue/errors.h>
 
 #include "app/api/solved_case.h"
+#include "app/case/temperatures.h"
 #include "app/readings/probes.h"
 #include "app/readings/sensors.h"
 #include "app/run/memory_forecast.h"
 #include "app/run/report/resolution_text.h"
+#include "app/time/heat_steps.h"
 #include "app/write/vtk/solution_file.h"
 #include "solver/exact/exact_balance.h"
 #include "solver/uncollided/first_collision/solve_rotated.h"
@@ -35,6 +37,17 @@ void sweep(SolvedCase& solved, const SolveHooks& hooks, OrdinateSensorTally& tal
   hooks.begins("light before its first collision");
   UncollidedLight uncollided(setup.lights, options);
   throw_if_stopped(hooks);
+  if (steps_temperatures(solved.input)) {
+    hooks.begins("temperatures in time");
+    std::optional<etendue::Solution> end = take_heat_steps(
+        {solved.input, solved.problem, *setup.temperatures, setup.set(), options, setup.locator}, uncollided,
+        {hooks.stop, {}}, reader, solved.in_time.emplace());
+    throw_if_stopped(hooks);
+    if (!end) throw Stopped("stopped within the first step: there is no solution");
+    solved.solution = *std::move(end);
+    solved.first_collisions = uncollided.first_collisions();
+    return;
+  }
   hooks.begins("sweeps");
   try {
     solved.solution = solve_rotated(
@@ -71,6 +84,7 @@ void solve_by_ordinates(SolvedCase& solved, const SolveHooks& hooks) {
   setup.set_emission(solved.problem);
   RunResult& result = solved.result.emplace(measured(solved));
   result.heat = setup.heat_solution();
+  result.time = solved.in_time;
   result.is_coarse = is_coarse(setup.resolution(solved.problem));
   if (setup.exact) {
     result.exact = compare_with_exact(solved.problem, solved.solution, setup.exact->radiance, setup.set());

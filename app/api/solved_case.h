@@ -44,7 +44,8 @@ struct SolvedCase {
   std::unique_ptr<RadiosityViews> radiosity;  ///< of a solution by radiosity
   etendue::Solution solution;
   std::shared_ptr<const FirstCollisions> first_collisions;  ///< of ordinates
-  std::optional<RayRadiance> rays;  ///< what sensors and cameras look at; made where it is needed first
+  std::optional<RayRadiance> rays;    ///< what sensors and cameras look at; made where it is needed first
+  std::optional<TimeResult> in_time;  ///< of temperatures that change with time
   std::optional<RunResult> result;
 };
 

@@ -36,7 +36,7 @@
 #include "solver/problem/scattering_choice.h"
 #include "solver/radiosity/solve/radiosity_method.h"
 #include "solver/solution/solve_options.h"
-#include "solver/time/step_method.h"
+#include "solver/stepping/step_method.h"
 
 namespace etendue {
 
@@ -89,8 +89,10 @@ struct MediumCase {
   std::optional<BandValues> temperature;  ///< one value [K], from which `blackbody` and `emission` follow
   /// Radiance of a blackbody of this temperature; `emission` is the absorption times it.
   std::optional<BandValues> blackbody;
-  std::optional<BandValues> heat_source;   ///< one value [W/m^3]; the temperature follows
-  std::optional<BandValues> conductivity;  ///< one value [W/(m K)]; the temperature follows
+  std::optional<BandValues> heat_source;          ///< one value [W/m^3]; the temperature follows
+  std::optional<BandValues> conductivity;         ///< one value [W/(m K)]; the temperature follows
+  std::optional<BandValues> heat_capacity;        ///< one value [J/(m^3 K)]; the temperature follows
+  std::optional<BandValues> initial_temperature;  ///< one value [K]
   std::optional<BandValues> emission, power_density;
   Uncollided uncollided = Uncollided::automatic;
   std::vector<std::string> phase_notes;            ///< what was computed on the way to them
@@ -107,7 +109,8 @@ struct MediumCase {
   bool reradiates = false;  ///< whether the temperature follows from `heat_source` by scattering alone
 
   /// Whether the temperature follows, and takes more than one solution of the transport equation.
-  bool iterates_temperature() const { return (heat_source || conductivity) && !reradiates; }
+  bool iterates_temperature() const { return follows_from_heat() && !reradiates; }
+  bool follows_from_heat() const { return heat_source || conductivity || heat_capacity; }
 };
 
 /// A set of directions by its name.
@@ -171,12 +174,14 @@ struct Convection {
 };
 
 struct WallCase {
-  std::optional<BandValues> temperature;  ///< one value [K], from which `radiance` follows
-  std::optional<double> heat_flux;        ///< into the domain [W/m^2]; the temperature follows
-  std::optional<Convection> convection;   ///< the temperature follows
-  BandValues radiance;                    ///< empty values: 0
-  BandValues diffuse, specular;           ///< numbers; empty values: 0
-  BandValues transmittance;               ///< numbers; empty values: 0
+  std::optional<BandValues> temperature;          ///< one value [K], from which `radiance` follows
+  std::optional<double> heat_flux;                ///< into the domain [W/m^2]; the temperature follows
+  std::optional<Convection> convection;           ///< the temperature follows
+  std::optional<BandValues> heat_capacity;        ///< one value [J/(m^2 K)], of a temperature that follows
+  std::optional<BandValues> initial_temperature;  ///< one value [K]
+  BandValues radiance;                            ///< empty values: 0
+  BandValues diffuse, specular;                   ///< numbers; empty values: 0
+  BandValues transmittance;                       ///< numbers; empty values: 0
   std::vector<std::shared_ptr<const Reflectance>> glossy;  ///< [band]; empty: none
   double refractive_index = 1;                             ///< of the domain over that of what is behind
   Uncollided uncollided = Uncollided::automatic;
@@ -268,7 +273,7 @@ struct AccuracyCase {
 
 /// What is asked about light that changes with time.
 struct TimeCase {
-  double speed = 0;                        ///< of light in vacuum [length/time]
+  std::optional<double> speed;             ///< of light in vacuum [length/time]; none: it arrives at once
   std::string unit = "s";                  ///< of time, a label
   InTime in_time;                          ///< of all sources that say nothing themselves
   std::vector<double> modulation;          ///< frequencies of all that emits [1/time]

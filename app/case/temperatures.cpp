@@ -6,9 +6,7 @@
 namespace etendue {
 namespace {
 
-bool has_temperature(const MediumCase& medium) {
-  return medium.temperature || medium.heat_source || medium.conductivity;
-}
+bool has_temperature(const MediumCase& medium) { return medium.temperature || medium.follows_from_heat(); }
 bool has_temperature(const WallCase& wall) { return wall.temperature || wall.heat_flux || wall.convection; }
 
 template <class Entry>
@@ -21,6 +19,8 @@ bool any_temperature(const std::map<std::string, Entry>& entries) {
 bool has_temperatures(const Case& input) {
   return any_temperature(input.media) || any_temperature(input.walls);
 }
+
+bool steps_temperatures(const Case& input) { return input.time && has_temperatures(input); }
 
 bool iterates_temperatures(const Case& input) {
   const auto iterates = [](const auto& entry) { return entry.second.iterates_temperature(); };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/run/check_run.h"
+#include "app/case/temperatures.h"
 
 #include <utility>
 
@@ -34,7 +35,8 @@ CheckedRun check_directions_run(const Case& input, const Problem& problem) {
     if (collides_once) solve(problem, run.directions.first_collided.front(), options);
   }
   // It refuses what it cannot do.
-  if (input.time) time_plan_text({input, problem, run.directions.sets, run.options, run.locator, run.lights});
+  if (input.time && !steps_temperatures(input))
+    time_plan_text({input, problem, run.directions.sets, run.options, run.locator, run.lights});
   return {directions_run_memory(input, problem, run), run.resolution(problem),
           plan_texts(problem, run.set())};
 }

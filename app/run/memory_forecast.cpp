@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/run/memory_forecast.h"
+#include "app/case/temperatures.h"
 
 #include <cmath>
 
@@ -39,7 +40,7 @@ RunMemory photon_run_memory(const Case& input, const Problem& problem) {
 
 RunMemory directions_run_memory(const Case& input, const Problem& problem, const OrdinatesSetup& setup) {
   RunMemory memory = setup.memory();
-  if (!input.time) return memory;
+  if (!input.time || steps_temperatures(input)) return memory;
   RunMemory in_time =
       time_memory({input, problem, setup.directions.sets, setup.options, setup.locator, setup.lights});
   return in_time.solving > memory.solving ? in_time : memory;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/case/build/build.h"
+#include "app/case/temperatures.h"
 #include "app/progress/progress.h"
 #include "app/progress/stage_progress.h"
 #include "app/readings/probes.h"
@@ -15,6 +16,7 @@
 #include "app/request/verbose_log.h"
 #include "app/run/memory_forecast.h"
 #include "app/run/methods/visible_solution.h"
+#include "app/run/methods/visible_steps.h"
 #include "app/run/ordinates_setup.h"
 #include "app/run/output_memory.h"
 #include "app/run/report/field_text.h"
@@ -26,6 +28,7 @@
 #include "app/setup/deprecation_notes.h"
 #include "app/setup/fault_report.h"
 #include "app/setup/run_context.h"
+#include "app/time/heat_steps.h"
 #include "app/time/solve_in_time.h"
 #include "app/write/csv/sensor_files.h"
 #include "app/write/result/output_folder.h"
@@ -140,7 +143,9 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
     out << "scattering in " << plan << std::endl;
 
   TimeSetup in_time{input, problem, all_directions.sets, options, locator, lights};
-  const bool asks_time = input.time && request.traces == RunTraces::all;
+  const bool steps_heat = steps_temperatures(input);
+  const bool asks_time = input.time && !steps_heat && request.traces == RunTraces::all;
+  if (steps_heat) out << heat_steps_text(input) << std::flush;
   if (asks_time) out << time_plan_text(in_time) << std::flush;
 
   log.belongs_in(input.output.directory);
@@ -156,10 +161,14 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
     kept->net_flux = {};
     in_time.uncollided = std::move(kept);
   }
-  const std::optional<Solution> solved = solve_visibly(
-      *uncollided,
-      {input, problem, all_directions, options, stages, err, interruption, request.traces == RunTraces::all},
-      tally_ordinates);
+  const VisibleSolving solving{input,  problem, all_directions, options,
+                               stages, err,     interruption,   request.traces == RunTraces::all};
+  std::optional<TimeResult> heat_in_time;
+  const std::optional<Solution> solved =
+      steps_heat ? step_visibly(*uncollided, solving,
+                                {input, problem, *setup.temperatures, directions, options, locator},
+                                tally_ordinates, heat_in_time.emplace())
+                 : solve_visibly(*uncollided, solving, tally_ordinates);
   if (!solved) return ExitCode::interrupted;
   const Solution& solution = *solved;
   setup.set_emission(problem);
@@ -195,6 +204,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   result.sensors = read_sensors(input.sensors, {lights, ordinates, options, solution, scene, locator},
                                 ShownStage(stages, "sensors").observer());
   result.seconds.sensors += watch.lap();
+  result.time = std::move(heat_in_time);
   if (asks_time && !interruption.noted()) result.time = solve_in_time(in_time, solution, stages, interrupted);
   note_left_out(result);
   result.seconds.total = watch.total();

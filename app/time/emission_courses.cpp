@@ -2,9 +2,6 @@
 #include "app/time/emission_courses.h"
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
-#include <mutex>
 #include <utility>
 
 #include "app/case/build/entry_of.h"
@@ -14,43 +11,9 @@
 namespace etendue {
 namespace {
 
-std::function<double(double)> factor_by_formula(const InTime& in_time) {
-  struct Shared {
-    Expression formula;
-    std::mutex in_use;  // an expression serves one thread at a time
-  };
-  const auto shared =
-      std::make_shared<Shared>(Expression(Formula{in_time.text}, std::vector<std::string>{"t"}));
-  return [shared, in_time](double t) {
-    const std::lock_guard lock(shared->in_use);
-    return formula_factor(in_time, shared->formula, t);
-  };
-}
-
-std::function<double(double)> factor_by_table(const InTime& in_time) {
-  return [in_time](double t) {
-    const std::vector<double>& times = in_time.times;
-    const std::vector<double>& factors = in_time.factors;
-    const auto next = std::ranges::upper_bound(times, t);
-    if (next == times.begin()) return factors.front();
-    if (next == times.end()) return factors.back();
-    const auto i = static_cast<std::size_t>(next - times.begin());
-    return std::lerp(factors[i - 1], factors[i], (t - times[i - 1]) / (times[i] - times[i - 1]));
-  };
-}
-
 Course course_of(const InTime& in_time) {
-  switch (in_time.kind) {
-    case InTime::Kind::pulse:
-      return {true, {}};
-    case InTime::Kind::step:
-      return {false, [](double) { return 1.0; }};
-    case InTime::Kind::formula:
-      return {false, factor_by_formula(in_time)};
-    case InTime::Kind::table:
-      break;
-  }
-  return {false, factor_by_table(in_time)};
+  if (in_time.kind == InTime::Kind::pulse) return {true, {}};
+  return {false, factor_in_time(in_time)};
 }
 
 /// The courses, each once.

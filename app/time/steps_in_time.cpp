@@ -10,6 +10,7 @@
 
 #include "app/setup/memory.h"
 #include "app/time/emission_courses.h"
+#include "app/time/step_times.h"
 #include "app/write/result/unit_labels.h"
 #include "base/vector_sums.h"
 #include "solver/time/time_steps.h"
@@ -17,18 +18,8 @@
 namespace etendue {
 namespace {
 
-constexpr double usual_steps = 100;
 /// Ends of steps at which factors are looked at before the march.
 constexpr double most_checked = 1e4;
-/// Of a step, so that rounding makes no step more.
-constexpr double even_enough = 1e-9;
-
-std::vector<double> frame_times(const TimeCase& time) {
-  std::vector<double> times;
-  for (int frame = 1; frame < time.frames; ++frame) times.push_back(*time.until * frame / time.frames);
-  return times;
-}
-
 /// Throws InputError where a factor is not finite, or below 0, at the end of an even step.
 void check_factors(const EmissionCourses& courses, double until, double steps) {
   const double count = std::min(steps, most_checked);
@@ -37,8 +28,6 @@ void check_factors(const EmissionCourses& courses, double until, double steps) {
 }
 
 }  // namespace
-
-double longest_step(const TimeCase& time) { return time.step.value_or(*time.until / usual_steps); }
 
 RunMemory steps_memory(const TimeSetup& setup) {
   RunMemory memory;
@@ -61,8 +50,7 @@ std::string steps_plan_text(const TimeSetup& setup) {
         fault_at(time.origin, "", "takes steps along one set of directions; leave directions.rotations out"));
   const EmissionCourses courses = emission_courses(setup.input, setup.problem);
   refuse_pulses_through_walls(setup.lights.remaining(), remaining_courses(setup.lights, courses));
-  const double step = longest_step(time), frames = std::max(1, time.frames);
-  const double count = frames * std::ceil(*time.until / frames / step - even_enough);
+  const double count = least_steps(time);
   check_factors(courses, *time.until, count);
   return fmt::format(
       "steps in time: {}{:.0f} of {:.4g} {}, to {:.4g} {}; the radiance of all directions is kept ({:.2g} "
@@ -76,15 +64,10 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
                 const std::function<void(double)>& share, TimeResult& result) {
   const TimeCase& time = *setup.input.time;
   const EmissionCourses courses = emission_courses(setup.input, setup.problem);
-  StepOptions steps;
-  steps.method = time.method;
-  steps.until = *time.until;
-  steps.step = longest_step(time);
-  steps.tolerance = time.tolerance.value_or(0);
+  StepOptions steps{step_plan(time)};
   std::vector<double> swept = steady.fluence;
   if (uncollided != nullptr) add_to(swept, steady.lights.fluence, -1);
   steps.scale = rms_fluence(setup.problem, swept);
-  steps.stops = frame_times(time);
   steps.read = [&](const Problem& problem, const Solution& solution) {
     return numbers.values(problem, solution);
   };
@@ -100,8 +83,7 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
   const auto observe = [&](const SweepProgress&) {
     return interrupted() ? SolveControl::stop : SolveControl::proceed;
   };
-  std::vector<double> frames = steps.stops;
-  frames.push_back(*time.until);
+  const std::vector<double> frames = frame_times(time);
   const auto reader = [&](const TimeStep& step) {
     StepInTime row{step.end, step.error, step.imbalance, step.values, step.errors};
     row.values.insert(row.values.end(), step.energy.begin(), step.energy.end());
@@ -111,9 +93,9 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
     taken.sweeps = std::max(taken.sweeps, step.sweeps);
     result.residual = std::max(result.residual, step.residual);
     result.converged = result.converged && step.converged;
-    if (time.frames > 0 && std::ranges::find(frames, step.end) != frames.end()) {
+    if (std::ranges::find(frames, step.end) != frames.end()) {
       taken.frames.push_back({step.end, step.solution.fluence});
-      if (step.uncollided != nullptr) add_to(taken.frames.back().fluence, step.uncollided->field.fluence);
+      if (step.uncollided != nullptr) add_to(taken.frames.back().values, step.uncollided->field.fluence);
     }
     share(step.end / *time.until);
     return !interrupted();

@@ -11,9 +11,6 @@
 
 namespace etendue {
 
-/// Length of the steps of a case with `until`, at most [time].
-double longest_step(const TimeCase& time);
-
 /// What a person reads before the first step. Throws InputError where steps are not for this case.
 std::string steps_plan_text(const TimeSetup& setup);
 

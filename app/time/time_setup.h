@@ -32,7 +32,7 @@ struct TimeSetup {
 inline Slowness slowness_of(const Case& input, const Problem& problem) {
   Slowness slowness;
   for (const std::string& region : problem.mesh().region_names())
-    slowness.push_back(entry_of(input.media, region).refractive_index / input.time->speed);
+    slowness.push_back(entry_of(input.media, region).refractive_index / *input.time->speed);
   return slowness;
 }
 

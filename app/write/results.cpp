@@ -44,9 +44,9 @@ void add_steps(const RunResult& result, OutputFolder& folder) {
   folder.add_text("steps.csv", steps_csv(result));
   if (steps.frames.empty()) return;
   for (std::size_t i = 0; i < steps.frames.size(); ++i)
-    write_frame(result, steps.frames[i], folder.add(frame_name(i)),
-                result.input.output.directory / frame_name(i));
-  folder.add_text("fluence.pvd", frames_pvd(steps));
+    write_frame(result, steps.frames[i], folder.add(frame_name(steps, i)),
+                result.input.output.directory / frame_name(steps, i));
+  folder.add_text(steps.of + ".pvd", frames_pvd(steps));
 }
 
 }  // namespace

@@ -35,14 +35,6 @@ std::size_t unknown_of(const TemperatureSpace& space, CellIndex cell, std::size_
   return static_cast<std::size_t>(space.unknown(cell, i));
 }
 
-/// One cell with all bands together.
-struct GrayCell {
-  double absorption = 0;                ///< kappa [1/m]
-  double diffusion = 0;                 ///< D [m]
-  std::array<double, 4> emission = {};  ///< w at the vertices [W/(m^3 K)]
-  std::vector<double> share;            ///< [band] of F
-};
-
 /// Assembles the system row by row. Temperatures are in units of `kelvin`, so that all unknowns are alike.
 class GraySystem {
  public:
@@ -147,19 +139,23 @@ Eigen::Matrix4d stiffness(const TetrahedralMesh& mesh, CellIndex cell, double co
   return mesh.volume(cell) * coefficient * slopes.transpose() * slopes;
 }
 
-/// Adds the rows of a cell. What does not conduct sends out again all that it absorbs, and its gain.
-void add_cell(const TetrahedralMesh& mesh, const TemperatureSpace& space, CellIndex cell,
-              const GrayCell& gray, double floor, std::span<const double> gains, GraySystem& system) {
+/// Adds the rows of a cell. What does not conduct sends out again what it absorbs and gains and does not
+/// store.
+void add_cell(const TetrahedralMesh& mesh, const TemperatureSpace& space, CellIndex cell, double conductivity,
+              const GrayCell& gray, const std::array<EliminatedTemperature, 4>& eliminated, double floor,
+              std::span<const double> gains, GraySystem& system) {
   const double quarter = mesh.volume(cell) / 4;
   const Eigen::Matrix4d diffusion = stiffness(mesh, cell, gray.diffusion);
-  const Eigen::Matrix4d conduction = stiffness(mesh, cell, space.conductivity(cell));
+  const Eigen::Matrix4d conduction = stiffness(mesh, cell, conductivity);
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t light = system.fluence(mesh.vertices(cell)[i]);
     for (std::size_t k = 0; k < 4; ++k)
       system.add(light, system.fluence(mesh.vertices(cell)[k]), diffusion(at(i), at(k)));
     system.add(light, light, quarter * floor);
     if (space.has(cell) && !space.conducts(cell)) {
-      system.add_right(light, gains[unknown_of(space, cell, i)]);
+      const double emitted = eliminated[i].emitted_part();
+      system.add_right(light, emitted * gains[unknown_of(space, cell, i)]);
+      system.add(light, light, (1 - emitted) * eliminated[i].absorbing);
       continue;
     }
     system.add(light, light, quarter * gray.absorption);
@@ -174,9 +170,9 @@ void add_cell(const TetrahedralMesh& mesh, const TemperatureSpace& space, CellIn
 }
 
 /// Adds what flows into a wall that has a temperature, (T0).
-void add_held_face(const TemperatureSpace& space, const HeldFace& held, std::span<const double> temperature,
-                   GraySystem& system) {
-  const double third = held.area / 3;
+void add_held_face(const TemperatureSpace& space, const HeldFace& held, double conductivity,
+                   std::span<const double> temperature, GraySystem& system) {
+  const double third = held.area / 3 * conductivity;
   const auto add = [&](std::size_t row, std::size_t column, double value) {
     system.add(row, column, value * space.kelvin_per_value(column, temperature[column]));
   };
@@ -186,15 +182,15 @@ void add_held_face(const TemperatureSpace& space, const HeldFace& held, std::spa
   };
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t inside = unknown_of(space, held.cell, held.corners[k]);
-    add(inside, inside, third * held.conductance);
+    add(inside, inside, third * held.penalty);
     for (std::size_t i = 0; i < 4; ++i)
-      add_both(inside, unknown_of(space, held.cell, i), -third * held.normal_flow[i]);
+      add_both(inside, unknown_of(space, held.cell, i), -third * held.normal_slope[i]);
     if (held.unknowns[k] < 0) continue;
     const auto wall = static_cast<std::size_t>(held.unknowns[k]);
-    add(wall, wall, third * held.conductance);
-    add_both(wall, inside, -third * held.conductance);
+    add(wall, wall, third * held.penalty);
+    add_both(wall, inside, -third * held.penalty);
     for (std::size_t i = 0; i < 4; ++i)
-      add_both(wall, unknown_of(space, held.cell, i), third * held.normal_flow[i]);
+      add_both(wall, unknown_of(space, held.cell, i), third * held.normal_slope[i]);
   }
 }
 
@@ -246,8 +242,8 @@ GrayDiffusion::GrayDiffusion(const Problem& problem, const TemperatureSpace& spa
       longest_path_(bounding_box(problem.mesh().points()).diagonal()) {}
 
 std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
-                                           const Blackbodies& blackbodies,
-                                           std::span<const double> gains) const {
+                                           const Blackbodies& blackbodies, std::span<const double> gains,
+                                           std::span<const double> inertia) const {
   const TetrahedralMesh& mesh = problem_.mesh();
   const double highest = highest_temperature(temperature);
   const double kelvin = 1 / (16 * stefan_boltzmann * std::pow(highest, 3));
@@ -257,11 +253,16 @@ std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
   GraySystem system(space_.unknowns_before_cells(), static_cast<std::size_t>(mesh.vertex_count()), kelvin);
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const double floor = least_absorption * cells[c].diffusion / (longest_path_ * longest_path_);
-    add_cell(mesh, space_, CellIndex(static_cast<std::int32_t>(c)), cells[c], floor, gains, system);
+    const CellIndex cell(static_cast<std::int32_t>(c));
+    add_cell(mesh, space_, cell, balance_.conduction().conductivity(cell), cells[c],
+             eliminated(cell, cells[c], temperature, inertia), floor, gains, system);
   }
-  for (std::size_t unknown = 0; unknown < space_.unknowns_before_cells(); ++unknown)
+  for (std::size_t unknown = 0; unknown < space_.unknowns_before_cells(); ++unknown) {
     system.add_right(unknown, gains[unknown]);
-  for (const HeldFace& held : balance_.held_faces()) add_held_face(space_, held, temperature, system);
+    system.add(unknown, unknown, inertia[unknown] * space_.kelvin_per_value(unknown, temperature[unknown]));
+  }
+  for (const HeldFace& held : balance_.conduction().held_faces())
+    add_held_face(space_, held, balance_.conduction().conductivity(held.cell), temperature, system);
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
     add_wall_face(problem_, FaceIndex(f), cells[mesh.owner(FaceIndex(f)).at()].share, system);
   for (const FollowingFace& face : balance_.walls().faces()) {
@@ -277,14 +278,26 @@ std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const CellIndex cell(static_cast<std::int32_t>(c));
     if (!space_.has(cell) || space_.conducts(cell)) continue;
+    const std::array<EliminatedTemperature, 4> own = eliminated(cell, cells[c], temperature, inertia);
     for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t unknown = unknown_of(space_, cell, i);
-      const double light = solution[at(system.fluence(mesh.vertices(cell)[i]))];
-      changes[unknown] = (gains[unknown] / balance_.volumes()[unknown] + cells[c].absorption * light) /
-                         std::max(cells[c].emission[i], least_emission(cell));
+      changes[unknown] = own[i].change(gains[unknown], solution[at(system.fluence(mesh.vertices(cell)[i]))]);
     }
   }
   return changes;
+}
+
+std::array<EliminatedTemperature, 4> GrayDiffusion::eliminated(CellIndex cell, const GrayCell& gray,
+                                                               std::span<const double> temperature,
+                                                               std::span<const double> inertia) const {
+  std::array<EliminatedTemperature, 4> result = {};
+  const double quarter = problem_.mesh().volume(cell) / 4;
+  for (std::size_t i = 0; i < 4 && space_.has(cell) && !space_.conducts(cell); ++i) {
+    const std::size_t unknown = unknown_of(space_, cell, i);
+    result[i] = {quarter * gray.absorption, quarter * std::max(gray.emission[i], least_emission(cell)),
+                 inertia[unknown] * space_.kelvin_per_value(unknown, temperature[unknown])};
+  }
+  return result;
 }
 
 /// What absorbs in bands where it hardly emits is not heated at once [W/(m^3 K)].

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -16,24 +17,49 @@ inline double highest_temperature(std::span<const double> kelvin) {
   return std::max(largest_magnitude(kelvin), 1.0);
 }
 
+/// One cell with all bands together.
+struct GrayCell {
+  double absorption = 0;                ///< kappa [1/m]
+  double diffusion = 0;                 ///< D [m]
+  std::array<double, 4> emission = {};  ///< w at the vertices [W/(m^3 K)]
+  std::vector<double> share;            ///< [band] of F
+};
+
+/// What eliminates the change t = (gain + kappa F) / (w + i) of an unknown of a medium that does not conduct.
+struct EliminatedTemperature {
+  double absorbing = 0;  ///< kappa times the volume of the unknown [m^2]
+  double emitting = 0;   ///< w times it [W/K]
+  double inertia = 0;    ///< i times it [W/K]
+
+  double change(double gain, double light) const { return (gain + absorbing * light) / (emitting + inertia); }
+  /// Of what it gains, the part that it sends out.
+  double emitted_part() const { return emitting / (emitting + inertia); }
+};
+
 /// Temperatures that bring the heat of media into balance where light diffuses and all bands are one,
 ///
-///     -div(k grad t) + w t - kappa F = gain,    -div(D grad F) + kappa F = w t,
+///     i t - div(k grad t) + w t - kappa F = gain,    -div(D grad F) + kappa F = w t,
 ///
-/// with the change t of the temperature and F of the fluence, w = 4 pi sum of sigma_a dI_b/dT, and bands
-/// weighted by what each sends out more by free paths (linear multifrequency-gray acceleration; Morel, Larsen
-/// and Matzen 1985). Walls whose temperature follows emit more by what they gain, and see the light of
-/// Marshak's condition. It is what preconditions the iteration for temperatures.
+/// with the change t of the temperature and F of the fluence, the inertia i of a step in time, w = 4 pi sum
+/// of sigma_a dI_b/dT, and bands weighted by what each sends out more by free paths (linear
+/// multifrequency-gray acceleration; Morel, Larsen and Matzen 1985). Walls whose temperature follows emit
+/// more by what they gain, and see the light of Marshak's condition. It is what preconditions the iteration
+/// for temperatures.
 class GrayDiffusion {
  public:
   /// The arguments must outlive it.
   GrayDiffusion(const Problem& problem, const TemperatureSpace& space, const HeatBalance& balance);
 
-  /// [unknown] Changes of the unknowns [K] for gains [W] at these temperatures.
+  /// [unknown] Changes of the unknowns [K] for gains [W] at these temperatures, where heat is stored with an
+  /// inertia [W/K].
   std::vector<double> changes(std::span<const double> temperature, const Blackbodies& blackbodies,
-                              std::span<const double> gains) const;
+                              std::span<const double> gains, std::span<const double> inertia) const;
 
  private:
+  /// At the vertices of a cell; zeros where the medium conducts or has no temperature that follows.
+  std::array<EliminatedTemperature, 4> eliminated(CellIndex cell, const GrayCell& gray,
+                                                  std::span<const double> temperature,
+                                                  std::span<const double> inertia) const;
   double least_emission(CellIndex cell) const;
 
   const Problem& problem_;

@@ -13,17 +13,8 @@
 #include "base/field_view.h"
 #include "mesh/tetrahedra/corners.h"
 #include "solver/problem/band_blackbody.h"
-#include "solver/transport/diffusion/diffusion_matrix.h"
 
 namespace etendue {
-namespace {
-
-/// Conductance of a held face times height of the cell over conductivity: more than 9, which three faces of a
-/// cell on walls take for the form to be positive.
-constexpr double penalty = 12;
-
-}  // namespace
-
 double absorption_of_all_bands(const Problem& problem, CellIndex cell) {
   double sum = 0;
   for (int band = 0; band < problem.band_count(); ++band) sum += problem.absorption(cell, band);
@@ -31,7 +22,13 @@ double absorption_of_all_bands(const Problem& problem, CellIndex cell) {
 }
 
 HeatBalance::HeatBalance(const Problem& problem, const HeatProblem& heat, const TemperatureSpace& space)
-    : problem_(problem), heat_(heat), space_(space), volumes_(space.size(), 0), walls_(problem, heat, space) {
+    : problem_(problem),
+      heat_(heat),
+      space_(space),
+      volumes_(space.size(), 0),
+      factors_(heat.media.size(), 1),
+      conduction_(problem, heat, space),
+      walls_(problem, heat, space) {
   const TetrahedralMesh& mesh = problem.mesh();
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
     for (std::size_t i = 0; i < 4 && space.has(CellIndex(c)); ++i)
@@ -40,7 +37,6 @@ HeatBalance::HeatBalance(const Problem& problem, const HeatProblem& heat, const 
     for (const std::size_t unknown : face.unknowns)
       volumes_[unknown] = mesh.volume(mesh.owner(face.face)) / 4;
   find_sources();
-  find_held();
 }
 
 void HeatBalance::find_sources() {
@@ -60,31 +56,11 @@ void HeatBalance::find_sources() {
   }
 }
 
-void HeatBalance::find_held() {
-  const TetrahedralMesh& mesh = problem_.mesh();
-  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
-    const FaceIndex face(f);
-    const auto wall = static_cast<std::size_t>(mesh.wall(face));
-    const CellIndex cell = mesh.owner(face);
-    if (!(heat_.wall_temperatures[wall] || space_.has(face)) || !space_.conducts(cell)) continue;
-    const double area = mesh.area(face), height = 3 * mesh.volume(cell) / area;
-    const double conductivity = space_.conductivity(cell);
-    HeldFace held{cell, wall, {}, {}, {}, area, penalty * conductivity / height, {}};
-    const Eigen::Matrix<double, 3, 4> slopes = barycentric_gradients(mesh, cell);
-    const Vec3 normal = mesh.area_normal(face).normalized();
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      held.normal_flow[i] = conductivity * normal.dot(slopes.col(static_cast<Eigen::Index>(i)));
-      const auto on_face = std::ranges::find(mesh.vertices(face), mesh.vertices(cell)[i]);
-      if (on_face == mesh.vertices(face).end()) continue;
-      held.unknowns[count] =
-          space_.unknown(face, static_cast<std::size_t>(on_face - mesh.vertices(face).begin()));
-      if (held.unknowns[count] < 0)
-        held.temperature[count] = heat_.wall_temperatures[wall]->at(corner_of(mesh, cell, i));
-      held.corners[count++] = i;
-    }
-    held_.push_back(held);
-  }
+void HeatBalance::set_time(double t) {
+  for (std::size_t region = 0; region < factors_.size(); ++region)
+    if (const auto& medium = heat_.media[region]; medium && medium->in_time.factor)
+      factors_[region] = medium->in_time.factor(t);
+  walls_.set_time(t);
 }
 
 Blackbodies HeatBalance::blackbodies(std::span<const double> temperature) const {
@@ -128,19 +104,6 @@ CellEmission HeatBalance::emission(const Blackbodies& blackbodies) const {
   return emission;
 }
 
-void HeatBalance::add_conduction(CellIndex cell, std::span<const double> temperature,
-                                 std::vector<double>& gains) const {
-  const Eigen::Matrix<double, 3, 4> slopes = barycentric_gradients(problem_.mesh(), cell);
-  Vec3 gradient = Vec3::Zero();
-  for (std::size_t i = 0; i < 4; ++i)
-    gradient += temperature[static_cast<std::size_t>(space_.unknown(cell, i))] *
-                slopes.col(static_cast<Eigen::Index>(i));
-  const Vec3 flow = problem_.mesh().volume(cell) * space_.conductivity(cell) * gradient;
-  for (std::size_t i = 0; i < 4; ++i)
-    gains[static_cast<std::size_t>(space_.unknown(cell, i))] -=
-        flow.dot(slopes.col(static_cast<Eigen::Index>(i)));
-}
-
 std::vector<double> HeatBalance::gains(std::span<const double> temperature, const Blackbodies& blackbodies,
                                        const LightAtVertices& light) const {
   const TetrahedralMesh& mesh = problem_.mesh();
@@ -152,56 +115,17 @@ std::vector<double> HeatBalance::gains(std::span<const double> temperature, cons
     if (!space_.has(cell)) continue;
     for (std::size_t i = 0; i < 4; ++i) {
       const auto unknown = static_cast<std::size_t>(space_.unknown(cell, i));
-      double density = sources_[4 * cell.at() + i];
+      double density = factors_[static_cast<std::size_t>(mesh.region(cell))] * sources_[4 * cell.at() + i];
       for (std::size_t band = 0; band < bands; ++band)
         density +=
             problem_.absorption(cell, static_cast<int>(band)) *
             (fluence(cell, i, band) - 4 * std::numbers::pi * blackbodies.radiance[unknown * bands + band]);
       gains[unknown] += mesh.volume(cell) / 4 * density;
     }
-    if (space_.conducts(cell)) add_conduction(cell, temperature, gains);
   }
-  for (const HeldFace& held : held_) add_held(held, temperature, gains);
+  conduction_.add_gains(temperature, gains);
   walls_.add_gains(temperature, blackbodies, light, gains);
   return gains;
-}
-
-/// Flow into a wall at the corners of a face [W/m^2], and the mean difference to what the wall holds [K].
-HeatBalance::WallFlow HeatBalance::flow_into(const HeldFace& held,
-                                             std::span<const double> temperature) const {
-  WallFlow flow;
-  double conducted = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    conducted -= held.normal_flow[i] * temperature[static_cast<std::size_t>(space_.unknown(held.cell, i))];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto unknown = static_cast<std::size_t>(space_.unknown(held.cell, held.corners[k]));
-    const double of_wall =
-        held.unknowns[k] < 0 ? held.temperature[k] : temperature[static_cast<std::size_t>(held.unknowns[k])];
-    const double difference = temperature[unknown] - of_wall;
-    flow.at[k] = conducted + held.conductance * difference;
-    flow.mean_difference += difference / 3;
-  }
-  return flow;
-}
-
-void HeatBalance::add_held(const HeldFace& held, std::span<const double> temperature,
-                           std::vector<double>& gains) const {
-  const WallFlow flow = flow_into(held, temperature);
-  for (std::size_t k = 0; k < 3; ++k) {
-    gains[static_cast<std::size_t>(space_.unknown(held.cell, held.corners[k]))] -= held.area / 3 * flow.at[k];
-    if (held.unknowns[k] >= 0)
-      gains[static_cast<std::size_t>(held.unknowns[k])] += held.area / 3 * flow.at[k];
-  }
-  for (std::size_t i = 0; i < 4; ++i)
-    gains[static_cast<std::size_t>(space_.unknown(held.cell, i))] +=
-        held.area * held.normal_flow[i] * flow.mean_difference;
-}
-
-std::vector<double> HeatBalance::conducted(std::span<const double> temperature) const {
-  std::vector<double> heat(heat_.wall_temperatures.size(), 0);
-  for (const HeldFace& held : held_)
-    for (const double flow : flow_into(held, temperature).at) heat[held.wall] += held.area / 3 * flow;
-  return heat;
 }
 
 }  // namespace etendue

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/heat/blackbodies.h"
+#include "solver/heat/conduction.h"
 #include "solver/heat/temperature_space.h"
 #include "solver/heat/wall_heat.h"
 #include "solver/problem/following_sources.h"
@@ -13,19 +14,6 @@
 #include "solver/solution/following_emission.h"
 
 namespace etendue {
-
-/// A face of a cell that conducts on a wall that has a temperature. The heat that flows into it is
-/// conductance (T - T_w) - k dT/dn, and weak enough to vanish with k whatever the cells (Nitsche 1971).
-struct HeldFace {
-  CellIndex cell;
-  std::size_t wall;
-  std::array<std::size_t, 3> corners;    ///< of the cell, on the face
-  std::array<std::int32_t, 3> unknowns;  ///< of the wall there; -1: its temperature is given
-  std::array<double, 3> temperature;     ///< that is given there [K]
-  double area;                           ///< [m^2]
-  double conductance;                    ///< [W/(m^2 K)]
-  std::array<double, 4> normal_flow;     ///< [corner of the cell] k d(lambda)/dn out of the cell [W/(m^2 K)]
-};
 
 /// Sum of the absorption coefficients of a cell [1/m].
 double absorption_of_all_bands(const Problem& problem, CellIndex cell);
@@ -38,6 +26,11 @@ class HeatBalance {
   /// The arguments must outlive it. Throws InputError where a heat source is negative or not finite.
   HeatBalance(const Problem& problem, const HeatProblem& heat, const TemperatureSpace& space);
 
+  /// Finds the conductivities at these temperatures [unknown]. Throws InputError where one is negative or not
+  /// finite.
+  void set_temperature(std::span<const double> temperature) { conduction_.set_temperature(temperature); }
+  /// Gives heat sources and heat fluxes the factors that they have at a time [s].
+  void set_time(double t);
   Blackbodies blackbodies(std::span<const double> temperature) const;
   /// What is emitted: absorption, or emissivity, times the radiance of a blackbody at each vertex.
   FollowingSources sources(const Blackbodies& blackbodies) const;
@@ -47,28 +40,19 @@ class HeatBalance {
   /// [unknown] A quarter of the volume of the cells around it, of a wall of the cell beside it [m^3].
   const std::vector<double>& volumes() const { return volumes_; }
   const WallHeat& walls() const { return walls_; }
-  const std::vector<HeldFace>& held_faces() const { return held_; }
-  /// [wall] Heat conducted into it [W].
-  std::vector<double> conducted(std::span<const double> temperature) const;
+  const Conduction& conduction() const { return conduction_; }
 
  private:
   CellEmission emission(const Blackbodies& blackbodies) const;
-  void find_held();
   void find_sources();
-  struct WallFlow {
-    std::array<double, 3> at = {};
-    double mean_difference = 0;
-  };
-  WallFlow flow_into(const HeldFace& held, std::span<const double> temperature) const;
-  void add_held(const HeldFace& held, std::span<const double> temperature, std::vector<double>& gains) const;
-  void add_conduction(CellIndex cell, std::span<const double> temperature, std::vector<double>& gains) const;
 
   const Problem& problem_;
   const HeatProblem& heat_;
   const TemperatureSpace& space_;
   std::vector<double> volumes_;
-  std::vector<double> sources_;  ///< [cell][4] [W/m^3]
-  std::vector<HeldFace> held_;
+  std::vector<double> sources_;  ///< [cell][4], without their factors in time [W/m^3]
+  std::vector<double> factors_;  ///< [region] of the sources
+  Conduction conduction_;
   WallHeat walls_;
 };
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 #include "base/vector_sums.h"
 #include "solver/heat/heat_sinks.h"
@@ -20,6 +22,11 @@ constexpr double largest_factor = 1.5, largest_factor_of_power = 5;
 /// Largest change of T^4 over the highest of them, where it may pass through zero.
 constexpr double largest_change = 0.1;
 
+std::vector<double> divided(std::vector<double> values, double divisor) {
+  for (double& value : values) value /= divisor;
+  return values;
+}
+
 }  // namespace
 
 TemperatureIteration::TemperatureIteration(const Problem& problem, const HeatProblem& heat)
@@ -27,12 +34,15 @@ TemperatureIteration::TemperatureIteration(const Problem& problem, const HeatPro
       space_(problem, heat),
       balance_(problem, heat, space_),
       diffusion_(problem, space_, balance_),
+      storage_(problem, heat, space_),
       mixing_(balance_.volumes(), remembered_steps),
-      values_(space_.size()) {
-  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = space_.value(i, heat.start);
-  check_media();
-  check_conductors();
-  check_heat_sinks(problem, heat, space_);
+      values_(storage_.start()) {
+  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = space_.value(i, values_[i]);
+  if (!heat.changes_in_time) {
+    check_media();
+    check_conductors();
+    check_heat_sinks(problem, heat, space_);
+  }
   set_sources();
 }
 
@@ -55,7 +65,7 @@ void TemperatureIteration::check_conductors() const {
   const TetrahedralMesh& mesh = problem_.mesh();
   std::vector<char> is_checked(static_cast<std::size_t>(mesh.cell_count()), 0);
   std::vector<char> is_held(is_checked.size(), 0);
-  for (const HeldFace& held : balance_.held_faces()) is_held[held.cell.at()] = 1;
+  for (const HeldFace& held : balance_.conduction().held_faces()) is_held[held.cell.at()] = 1;
   for (std::int32_t first = 0; first < mesh.cell_count(); ++first) {
     if (is_checked[static_cast<std::size_t>(first)] != 0 || !space_.conducts(CellIndex(first))) continue;
     bool gives_heat = false;
@@ -86,6 +96,7 @@ void TemperatureIteration::check_conductors() const {
 
 void TemperatureIteration::set_sources() {
   temperature_ = space_.temperatures(values_);
+  balance_.set_temperature(temperature_);
   blackbodies_ = balance_.blackbodies(temperature_);
   sources_ = balance_.sources(blackbodies_);
 }
@@ -95,7 +106,7 @@ void TemperatureIteration::start_from(std::span<const double> state) {
     throw InputError(
         fmt::format("the solution to start from has {} temperatures where this case has {}; start without it",
                     state.size(), values_.size()));
-  values_.assign(state.begin(), state.end());
+  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = space_.value(i, state[i]);
   set_sources();
 }
 
@@ -104,9 +115,10 @@ double TemperatureIteration::improve(const LightAtVertices& light) {
   std::vector<double> irradiance(light.irradiance.begin(), light.irradiance.end());
   if (!unswept_.fluence.empty()) add_to(fluence, unswept_.fluence);
   if (!unswept_.irradiance.empty()) add_to(irradiance, unswept_.irradiance);
-  const std::vector<double> gains =
-      balance_.gains(temperature_, blackbodies_, {fluence, irradiance, light.half_range});
-  const std::vector<double> changes = diffusion_.changes(temperature_, blackbodies_, gains);
+  const std::vector<double> gains = residual({fluence, irradiance, light.half_range});
+  std::vector<double> inertia(values_.size(), 0);
+  if (stage_) inertia = divided(storage_.capacity(temperature_), stage_->length);
+  const std::vector<double> changes = diffusion_.changes(temperature_, blackbodies_, gains, inertia);
   const std::vector<double> step = mixing_.step(values_, changes);
   const double highest = highest_temperature(temperature_);
   change_ = 0;
@@ -119,6 +131,26 @@ double TemperatureIteration::improve(const LightAtVertices& light) {
   }
   set_sources();
   return change_;
+}
+
+/// What the unknowns gain and do not store [W].
+std::vector<double> TemperatureIteration::residual(const LightAtVertices& light) const {
+  std::vector<double> gains = balance_.gains(temperature_, blackbodies_, light);
+  if (!stage_) return gains;
+  const std::vector<double> held = storage_.heat(stage_->before, temperature_);
+  for (std::size_t i = 0; i < gains.size(); ++i) gains[i] -= (held[i] - stage_->stored[i]) / stage_->length;
+  return gains;
+}
+
+double TemperatureIteration::missing_heat(const Solution& solution) const {
+  const std::vector<double> left = residual({solution.fluence, solution.irradiance, solution.half_range});
+  return std::accumulate(left.begin(), left.end(), 0.0);
+}
+
+void TemperatureIteration::set_stage(HeatStage stage) {
+  balance_.set_time(stage.t);
+  stage_ = std::move(stage);
+  mixing_ = AndersonMixing(balance_.volumes(), remembered_steps);
 }
 
 /// A change that does not go too far; `highest` is the highest temperature [K].
@@ -156,7 +188,7 @@ std::vector<double> TemperatureIteration::wall_temperatures() const {
 double TemperatureIteration::cells_per_layer() const {
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   double most = 0;
-  for (const HeldFace& held : balance_.held_faces()) {
+  for (const HeldFace& held : balance_.conduction().held_faces()) {
     const double height = 3 * problem_.mesh().volume(held.cell) / held.area;
     for (const std::size_t corner : held.corners) {
       const auto unknown = static_cast<std::size_t>(space_.unknown(held.cell, corner));
@@ -164,14 +196,14 @@ double TemperatureIteration::cells_per_layer() const {
       for (std::size_t band = 0; band < bands; ++band)
         emission += 4 * std::numbers::pi * problem_.absorption(held.cell, static_cast<int>(band)) *
                     blackbodies_.slope[unknown * bands + band];
-      most = std::max(most, height * std::sqrt(emission / space_.conductivity(held.cell)));
+      most = std::max(most, height * std::sqrt(emission / balance_.conduction().conductivity(held.cell)));
     }
   }
   return most;
 }
 
 HeatSolution TemperatureIteration::solution() const {
-  return {temperatures(), wall_temperatures(), balance_.conducted(temperature_),
+  return {temperatures(), wall_temperatures(), balance_.conduction().conducted(temperature_),
           balance_.walls().convected(temperature_), cells_per_layer()};
 }
 

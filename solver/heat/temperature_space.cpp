@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/heat/temperature_space.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "base/blackbody.h"
-#include "base/errors.h"
-#include "mesh/tetrahedra/corners.h"
+#include "solver/heat/cell_conductivity.h"
 #include "solver/problem/band_blackbody.h"
 
 namespace etendue {
@@ -18,15 +15,6 @@ namespace {
 
 constexpr int most_steps = 50;
 constexpr double rounding = 1e-15;
-
-double conductivity_in(const HeatMedium& medium, const TetrahedralMesh& mesh, CellIndex cell) {
-  const CellSample sample = medium.conductivity.sample(corners_of(mesh, cell));
-  if (std::isfinite(sample.mean) && sample.smallest >= 0) return sample.mean;
-  throw InputError(
-      fault_at(medium.origin, "conductivity",
-               fmt::format("is {:g} at ({:.6g}, {:.6g}, {:.6g}); use at least 0", sample.smallest,
-                           sample.where.x(), sample.where.y(), sample.where.z())));
-}
 
 /// Corners of cells at the same vertex that are joined through faces between cells of a kind.
 class JoinedCorners {
@@ -81,11 +69,13 @@ TemperatureSpace::TemperatureSpace(const Problem& problem, const HeatProblem& he
     : conductivity_(static_cast<std::size_t>(problem.mesh().cell_count()), 0),
       unknowns_(4 * conductivity_.size(), -1),
       of_walls_(static_cast<std::size_t>(3 * problem.mesh().boundary_face_count()), -1),
-      usual_(heat.start) {
+      usual_(heat.start),
+      stored_(heat.changes_in_time ? std::pow(heat.start, 3) : 0) {
   const TetrahedralMesh& mesh = problem.mesh();
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
     if (const auto& medium = heat.media[static_cast<std::size_t>(mesh.region(CellIndex(c)))])
-      conductivity_[CellIndex(c).at()] = conductivity_in(*medium, mesh, CellIndex(c));
+      conductivity_[CellIndex(c).at()] =
+          cell_conductivity(*medium, mesh, CellIndex(c), {usual_, usual_, usual_, usual_});
   number_vertices(mesh);
   number_walls(problem, heat);
   unknowns_before_cells_ = size_;
@@ -131,7 +121,7 @@ void TemperatureSpace::number_cells(const TetrahedralMesh& mesh, const HeatProbl
 
 TemperatureSpace::Loss TemperatureSpace::loss(std::size_t unknown) const {
   if (is_temperature(unknown)) return {0, 1};
-  if (unknown >= unknowns_before_cells_) return {1, 0};
+  if (unknown >= unknowns_before_cells_) return {1, stored_};
   return losses_[unknown - vertex_unknowns_];
 }
 

@@ -14,9 +14,10 @@ namespace etendue {
 /// The unknowns: of media that conduct the temperature T at each vertex, which cells around it share that are
 /// joined there by faces (so not those on the two sides of a sheet); of other media four numbers in each
 /// cell, and of walls three in each face, which may jump from one to the next as light does. Those of cells
-/// are T^4/T_0^3, those of walls (a T^4 + b T)/(a T_0^3 + b): what they give away by radiation, convection
-/// and conduction, in which their balance is linear but for the shares of bands. Where the light of linear
-/// elements falls below zero, so do these: what is absorbed is given back.
+/// are T^4/T_0^3 (in steps in time (T^4 + T_0^3 T)/(2 T_0^3)), those of walls (a T^4 + b T)/(a T_0^3 + b):
+/// what they give away by radiation, convection and conduction, in which their balance is linear but for the
+/// shares of bands. Where the light of linear elements falls below zero, so do these: what is absorbed is
+/// given back.
 class TemperatureSpace {
  public:
   /// Throws InputError where a conductivity is negative or not finite.
@@ -41,7 +42,8 @@ class TemperatureSpace {
   std::int32_t unknown(FaceIndex face, std::size_t i) const { return of_walls_[3 * face.at() + i]; }
   bool has(FaceIndex face) const { return unknown(face, 0) >= 0; }
   bool conducts(CellIndex cell) const { return conductivity_[cell.at()] > 0; }
-  double conductivity(CellIndex cell) const { return conductivity_[cell.at()]; }  ///< mean [W/(m K)]
+  /// Mean at the usual temperature [W/(m K)].
+  double conductivity(CellIndex cell) const { return conductivity_[cell.at()]; }
   /// Number of the first unknowns, those of vertices and walls.
   std::size_t unknowns_before_cells() const { return unknowns_before_cells_; }
 
@@ -65,6 +67,7 @@ class TemperatureSpace {
   std::size_t unknowns_before_cells_ = 0;
   std::size_t size_ = 0;
   double usual_;
+  double stored_;  ///< b of cells [K^3]: what holds heat gives it away by the kelvin too
 };
 
 }  // namespace etendue

@@ -29,7 +29,7 @@ std::array<double, 3> positive_irradiance(const ConstFaceField& irradiance, Face
 }  // namespace
 
 WallHeat::WallHeat(const Problem& problem, const HeatProblem& heat, const TemperatureSpace& space)
-    : problem_(problem), heat_(heat) {
+    : problem_(problem), heat_(heat), factors_(heat.walls.size(), 1) {
   const TetrahedralMesh& mesh = problem.mesh();
   for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
     const FaceIndex face(f);
@@ -39,6 +39,12 @@ WallHeat::WallHeat(const Problem& problem, const HeatProblem& heat, const Temper
       following.unknowns[i] = static_cast<std::size_t>(space.unknown(face, i));
     faces_.push_back(following);
   }
+}
+
+void WallHeat::set_time(double t) {
+  for (std::size_t wall = 0; wall < factors_.size(); ++wall)
+    if (const auto& heated = heat_.walls[wall]; heated && heated->in_time.factor)
+      factors_[wall] = heated->in_time.factor(t);
 }
 
 std::vector<double> WallHeat::radiance(const Blackbodies& blackbodies) const {
@@ -67,7 +73,7 @@ void WallHeat::add_gains(std::span<const double> temperature, const Blackbodies&
     }
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t unknown = face.unknowns[i];
-      double flux = absorbed[i] + wall.heat_flux +
+      double flux = absorbed[i] + factors_[face.wall] * wall.heat_flux +
                     wall.heat_transfer_coefficient * (wall.ambient - temperature[unknown]);
       for (std::size_t band = 0; band < bands; ++band)
         flux -= emissivity(face, band) * light.half_range[face.face.at()] *

@@ -27,6 +27,8 @@ class WallHeat {
   WallHeat(const Problem& problem, const HeatProblem& heat, const TemperatureSpace& space);
 
   const std::vector<FollowingFace>& faces() const { return faces_; }
+  /// Gives heat fluxes the factors that they have at a time [s].
+  void set_time(double t);
   /// [boundary face][3][band] What the walls send; empty: no temperature follows.
   std::vector<double> radiance(const Blackbodies& blackbodies) const;
   /// Adds the heat that unknowns gain by light, convection and the heat flux that is given [W].
@@ -48,6 +50,7 @@ class WallHeat {
 
   const Problem& problem_;
   const HeatProblem& heat_;
+  std::vector<double> factors_;  ///< [wall] of heat fluxes
   std::vector<FollowingFace> faces_;
 };
 

@@ -24,31 +24,11 @@
 namespace etendue {
 namespace {
 
-constexpr double sdirk_gamma = 1 - 1 / std::numbers::sqrt2;
-/// Of backward differentiation: n/c (3 u_{k+1} - 4 u_k + u_{k-1}) / (2 step).
-constexpr double bdf2_part = 2.0 / 3;
-/// Steps that differ by less are alike: their coefficients are those at hand.
-constexpr double alike = 1e-9;
-
-/// How steps that adapt follow the error, which is of second order in the step.
-constexpr double safety = 0.9;
-constexpr double largest_growth = 2;
-constexpr double least_growth = 1.4;  ///< below it new coefficients do not pay
-constexpr double strongest_cut = 0.1;
-constexpr double weakest_cut = 0.7;
-constexpr double shortest_part = 1e-9;  ///< of all the time
-
 /// Input that every cell has along every ordinate, for estimates.
 struct EverywhereDirectional : AngularInput {
   void add_source(OrdinateIndex, CellIndex, std::span<double>) const override {}
   void add_inflow(OrdinateIndex, FaceIndex, std::span<double>) const override {}
 };
-
-void check(const StepOptions& steps) {
-  if (!(steps.until > 0) || !(steps.step > 0) || steps.tolerance < 0 ||
-      (steps.tolerance > 0 && steps.method == StepMethod::bdf2))
-    throw std::invalid_argument("steps that lead nowhere");
-}
 
 /// Energy of a solution, [band].
 struct Powers {
@@ -101,38 +81,12 @@ class March {
 
   void run(const TimeStepReader& reader, const SolveObserver& observer) {
     observer_ = observer;
-    std::vector<double> stops = steps_.stops;
-    stops.push_back(steps_.until);
-    double step = steps_.step, t = 0;
-    for (const double stop : stops)
-      while (t < stop) {
-        const double left = std::ceil((stop - t) / step - alike);
-        const double wanted = (stop - t) / std::max(1.0, left);
-        const double taken = std::abs(wanted - last_step_) < alike * wanted ? last_step_ : wanted;
-        const double end = left <= 1 ? stop : t + taken;
-        const std::optional<double> error = take_step(t, taken, end, reader);
-        if (!error) return;
-        if (is_accepted(*error)) t = end;
-        if (steps_.tolerance > 0) step = next_step(taken, step, *error);
-      }
+    take_all_steps(steps_, [&](double begin, double length, double end) {
+      return take_step(begin, length, end, reader);
+    });
   }
 
  private:
-  bool is_accepted(double error) const { return steps_.tolerance == 0 || error <= steps_.tolerance; }
-
-  double next_step(double taken, double step, double error) const {
-    const double growth = error > 0 ? safety * std::sqrt(steps_.tolerance / error) : largest_growth;
-    if (!is_accepted(error)) {
-      const double next = taken * std::clamp(growth, strongest_cut, weakest_cut);
-      if (next < shortest_part * steps_.until)
-        throw std::domain_error("steps in time become too short for their tolerance");
-      return next;
-    }
-    if (growth < 1) return taken * growth;
-    if (growth < least_growth) return step;
-    return std::min(steps_.step, std::max(step, taken * std::min(growth, largest_growth)));
-  }
-
   /// Takes a step, or leaves all as it was where its error is too large. The error; empty: the reader wants
   /// no more.
   std::optional<double> take_step(double begin, double step, double end, const TimeStepReader& reader) {
@@ -143,7 +97,7 @@ class March {
     const Taken taken = by_differences ? differences(begin, step, end) : stages(begin, step, end);
     const double largest = std::max(largest_fluence_, norm(taken.now.fluence));
     const double relative = largest > 0 ? norm(taken.error) / largest : 0;
-    if (!is_accepted(relative)) {
+    if (!steps_.accepts(relative)) {
       // What is too much may be far too much to begin from where there is hardly any light yet.
       solution_.state = accepted_;
       return relative;
@@ -256,7 +210,7 @@ class March {
 
   /// Makes the solver of a stage, unless it is at hand.
   void use(double stage) {
-    if (solver_ && std::abs(stage - stage_) < alike * stage) return;
+    if (solver_ && std::abs(stage - stage_) < alike_steps * stage) return;
     std::shared_ptr<const SweepOrders> orders;
     if (solver_) {
       orders = solver_->orders();
@@ -371,7 +325,6 @@ void march_in_time(const Problem& problem, const DirectionSet& directions, const
                    const EmissionCourses& courses, const StepOptions& steps, const SolveOptions& options,
                    const TimeStepReader& reader, const SolveObserver& observer,
                    const UncollidedInTime* uncollided) {
-  check(steps);
   if (uncollided == nullptr) {
     March(problem, directions, slowness, courses, steps, options, nullptr, nullptr).run(reader, observer);
     return;

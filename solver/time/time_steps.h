@@ -9,9 +9,9 @@
 #include "solver/solution/solution.h"
 #include "solver/solution/solve_observer.h"
 #include "solver/solution/solve_options.h"
+#include "solver/stepping/step_plan.h"
 #include "solver/time/emission_course.h"
 #include "solver/time/slowness.h"
-#include "solver/time/step_method.h"
 #include "solver/time/uncollided_in_time.h"
 
 namespace etendue {
@@ -19,18 +19,12 @@ namespace etendue {
 /// Numbers that are read of a solution, linear in it.
 using NumbersReader = std::function<std::vector<double>(const Problem& problem, const Solution& solution)>;
 
-struct StepOptions {
-  StepMethod method = StepMethod::sdirk2;
-  double until = 0;  ///< [time]
-  double step = 0;   ///< [time], at most
-  /// Steps adapt so that in first order they would change the fluence by no more, relative to its largest
-  /// value so far, both as root mean squares over the volume. 0: they are even. Not with bdf2.
-  double tolerance = 0;
+/// Errors are by how much a step of first order would change the fluence, relative to its largest value so
+/// far, both as root mean squares over the volume.
+struct StepOptions : StepPlan {
   /// Root mean square of a fluence that counts as one of those so far [power/length^2]: from darkness the
   /// first steps have nothing that they could be compared with.
   double scale = 0;
-  /// Rising times in (0, until) at which a step ends.
-  std::vector<double> stops = {};
   NumbersReader read = {};
   /// The same numbers of light along rays.
   std::function<std::vector<double>(const UncollidedValues& values)> read_uncollided = {};

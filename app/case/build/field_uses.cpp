@@ -93,15 +93,17 @@ struct Key {
   std::optional<BandValues> MediumCase::*values;
   const char* name;
 };
-constexpr std::array<Key, 9> medium_fields = {{{&MediumCase::absorption, "absorption"},
-                                               {&MediumCase::scattering, "scattering"},
-                                               {&MediumCase::extinction, "extinction"},
-                                               {&MediumCase::albedo, "albedo"},
-                                               {&MediumCase::temperature, "temperature"},
-                                               {&MediumCase::heat_source, "heat_source"},
-                                               {&MediumCase::conductivity, "conductivity"},
-                                               {&MediumCase::emission, "emission"},
-                                               {&MediumCase::power_density, "power_density"}}};
+constexpr std::array<Key, 11> medium_fields = {{{&MediumCase::absorption, "absorption"},
+                                                {&MediumCase::scattering, "scattering"},
+                                                {&MediumCase::extinction, "extinction"},
+                                                {&MediumCase::albedo, "albedo"},
+                                                {&MediumCase::temperature, "temperature"},
+                                                {&MediumCase::heat_source, "heat_source"},
+                                                {&MediumCase::conductivity, "conductivity"},
+                                                {&MediumCase::heat_capacity, "heat_capacity"},
+                                                {&MediumCase::initial_temperature, "initial_temperature"},
+                                                {&MediumCase::emission, "emission"},
+                                                {&MediumCase::power_density, "power_density"}}};
 
 void add_medium(const MediumCase& medium, const TetrahedralMesh& mesh, int region, Uses& uses) {
   Functions seen;  // leaves and flakes make two coefficients of one field

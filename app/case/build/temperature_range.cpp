@@ -95,15 +95,19 @@ std::vector<TemperatureRange> temperature_ranges(const Case& input, const Tetrah
   std::vector<Fault> faults;
   for (std::size_t region = 0; region < mesh.region_names().size(); ++region) {
     const std::string& name = mesh.region_names()[region];
-    if (const MediumCase entry = entry_of(input.media, name); entry.temperature)
-      add_range(*entry.temperature, name, samples_of_region(mesh, static_cast<int>(region)), input.bands,
-                ranges, faults);
+    const MediumCase entry = entry_of(input.media, name);
+    for (const auto* temperature : {&entry.temperature, &entry.initial_temperature})
+      if (*temperature)
+        add_range(**temperature, name, samples_of_region(mesh, static_cast<int>(region)), input.bands, ranges,
+                  faults);
   }
   for (std::size_t wall = 0; wall < mesh.wall_names().size(); ++wall) {
     const std::string& name = mesh.wall_names()[wall];
-    if (const WallCase entry = entry_of(input.walls, name); entry.temperature)
-      add_range(*entry.temperature, name, samples_of_wall(mesh, static_cast<int>(wall)), input.bands, ranges,
-                faults);
+    const WallCase entry = entry_of(input.walls, name);
+    for (const auto* temperature : {&entry.temperature, &entry.initial_temperature})
+      if (*temperature)
+        add_range(**temperature, name, samples_of_wall(mesh, static_cast<int>(wall)), input.bands, ranges,
+                  faults);
   }
   if (!faults.empty()) throw InputError(std::move(faults));
   return ranges;

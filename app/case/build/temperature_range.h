@@ -19,8 +19,8 @@ struct TemperatureRange {
   double fraction_in_bands = 1;  ///< of the power of a blackbody of the mean temperature
 };
 
-/// Of all regions and walls of the mesh that have a temperature. Throws InputError with the place where one
-/// is negative or not a number.
+/// Of all regions and walls of the mesh that have a temperature, at t = 0 or always. Throws InputError with
+/// the place where one is negative or not a number.
 std::vector<TemperatureRange> temperature_ranges(const Case& input, const TetrahedralMesh& mesh);
 
 }  // namespace etendue

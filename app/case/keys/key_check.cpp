@@ -84,7 +84,9 @@ class KeyCheck {
 
   void value(TomlNode& node, const KeyDeclaration& key) {
     check_value(node, key, faults_);
-    if (key.type != KeyType::band_values && key.type != KeyType::place_value) return;
+    if (key.type != KeyType::band_values && key.type != KeyType::place_value &&
+        key.type != KeyType::thermal_value)
+      return;
     field(node);
     if (node.is_array())
       for (auto& item : node.array()) field(*item);

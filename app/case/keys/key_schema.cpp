@@ -90,6 +90,7 @@ Json value_of(const KeyDeclaration& key) {
     case KeyType::band_values:
       return per_band(place_value(number));
     case KeyType::place_value:
+    case KeyType::thermal_value:
       return place_value(number);
     case KeyType::size_bound:
       return one_of({number, table_of(number)});

@@ -31,6 +31,11 @@ KeyTable wall_keys() {
       "heat_flux", number, {.unit = "W/m^2", .range = not_negative},
       "Instead of `temperature`: the heat that the wall gives to the domain; its temperature follows; 0: an "
       "adiabatic (reradiating, refractory) wall.");
+  t.key("heat_capacity", thermal_value, {.unit = "J/(m^2 K)", .range = not_negative},
+        "Of a wall whose temperature follows, in a case with [time]: thickness times density times specific "
+        "heat; the wall is as warm inside as at its surface. Without it the wall stores nothing.");
+  t.key("initial_temperature", place_value, {.unit = "K", .range = not_negative},
+        "At t = 0, of a wall with `heat_capacity`. Not needed with `solve.initial`.");
   t.key("emissivity", band_numbers,
         {.default_note = "what is neither reflected nor transmitted", .range = fraction},
         "Hemispherical emissivity, which equals the absorptivity (Kirchhoff's law). Without `diffuse` the "
@@ -39,7 +44,8 @@ KeyTable wall_keys() {
         "Whether the uncollided part of the radiance and of the beam is integrated along rays as that of a "
         "light; auto: of a beam, and of the radiance where the wall is below 5 % of the boundary.");
   t.key("in_time", text, {.default_note = "that of [time]"},
-        "When the wall sends its radiance and its beam, in a case with [time]: see `time.in_time`.");
+        "When the wall sends its radiance and its beam, in a case with [time]: see `time.in_time`. Where "
+        "temperatures change with time: the part of `heat_flux` at times t > 0.");
   return t;
 }
 

@@ -49,9 +49,16 @@ KeyTable medium_keys() {
         "Instead of `temperature`: the medium sends out or conducts what it absorbs and this heat, and its "
         "temperature follows; 0: no heat but that of radiation.");
   t.key(
-      "conductivity", place_value, {.unit = "W/(m K)", .range = not_negative},
+      "conductivity", thermal_value, {.unit = "W/(m K)", .range = not_negative},
       "Instead of `temperature`: the medium conducts heat, between walls at their `temperature` (others are "
-      "insulated), and its temperature follows from conduction, radiation and `heat_source`.");
+      "insulated), and its temperature follows from conduction, radiation and `heat_source`. A formula may "
+      "use the temperature T [K].");
+  t.key("heat_capacity", thermal_value, {.unit = "J/(m^3 K)", .range = not_negative},
+        "Density times specific heat, in a case with [time]: the medium stores heat, and its temperature "
+        "changes with time. A formula may use the temperature T [K].");
+  t.key("initial_temperature", place_value, {.unit = "K", .range = not_negative},
+        "At t = 0, of a medium with `heat_capacity`. Not needed with `solve.initial`, whose temperatures "
+        "come first.");
   t.key("scattering_method", band_texts,
         {.default_value = "\"auto\"", .choices = {"auto", "moments", "dense", "galerkin"}},
         "Through moments of the radiance, or a matrix between the directions: dense (never negative, exact "
@@ -76,7 +83,8 @@ KeyTable medium_keys() {
   t.key("refractive_index", number, {.default_note = "1", .range = positive},
         "By which light is slower here than in vacuum, in a case with [time]. It bends no rays.");
   t.key("in_time", text, {.default_note = "that of [time]"},
-        "When the medium emits, in a case with [time]: see `time.in_time`.");
+        "When the medium emits, in a case with [time]: see `time.in_time`. Where temperatures change with "
+        "time: the part of `heat_source` at times t > 0, a formula in t or a CSV file.");
   t.key("uncollided", switch_, {.default_value = "\"auto\""},
         "Whether the emission's uncollided part is integrated along rays as that of a light; auto: where the "
         "region is below 5 % of the volume.");

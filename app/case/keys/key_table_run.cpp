@@ -265,8 +265,10 @@ const BoundTable<AccuracyCase>& budget_table() {
 const BoundTable<TimeCase>& time_table() {
   static const BoundTable<TimeCase> table = [] {
     BoundTable<TimeCase> t("time");
-    t.key("speed", &TimeCase::speed, {.unit = "length/time", .range = positive, .need = required},
-          "Of light in vacuum, in the case's unit of length: 299792458 for metres and seconds.");
+    t.key(
+        "speed", &TimeCase::speed, {.unit = "length/time", .default_note = "none", .range = positive},
+        "Of light in vacuum, in the case's unit of length: 299792458 for metres and seconds. Not given where "
+        "temperatures change with time: light then arrives at once.");
     t.key("unit", &TimeCase::unit, {}, "Of time; a label.");
     t.key(
         "in_time", text, {.default_value = "\"pulse\""},
@@ -289,7 +291,8 @@ const BoundTable<TimeCase>& time_table() {
           "values of "
           "photons, and of light before its first collision, are means over it.");
     t.key("until", &TimeCase::until, {.unit = "time", .range = positive},
-          "Steps in time, from darkness at t = 0 to here: what is read at their ends goes into `steps.csv`.");
+          "Steps in time, from darkness or initial temperatures at t = 0 to here: what is read at their ends "
+          "goes into `steps.csv`.");
     t.key("step", &TimeCase::step,
           {.unit = "time", .default_note = "a hundredth of until", .range = positive},
           "Length of steps, at most.");

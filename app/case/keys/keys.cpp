@@ -34,6 +34,8 @@ constexpr std::array type_texts = {
               "number, formula or field per band"},
     TypeTexts{KeyType::place_value, "a number, a formula in x, y, z or { file, array }",
               "number, formula or field"},
+    TypeTexts{KeyType::thermal_value, "a number, a formula in x, y, z, T or { file, array }",
+              "number, formula in T too, or field"},
     TypeTexts{KeyType::size_bound, "a number, or a table of one for each region",
               "number or table NAME = number"},
     TypeTexts{KeyType::named_integers, "a table of integers", "table NAME = integer"},

@@ -25,6 +25,7 @@ enum class KeyType {
   band_numbers,      ///< a number, or a list with one for each band
   band_values,       ///< a number, a formula in x, y, z or a field from a file, or a list of such
   place_value,       ///< a number, a formula in x, y, z or a field from a file; the same in all bands
+  thermal_value,     ///< as place_value, but formulas may use the temperature T too
   size_bound,        ///< a number, or a table NAME = number
   named_integers,    ///< a table NAME = integer
   named_points,      ///< a table NAME = [x, y, z]

@@ -54,6 +54,7 @@ class ValueCheck {
       case KeyType::band_values:
         return node.is_array() ? list(node, &ValueCheck::number_or_formula) : number_or_formula(node);
       case KeyType::place_value:
+      case KeyType::thermal_value:
         return number_or_formula(node);
       case KeyType::size_bound:
         return node.is_table() ? names(node, &ValueCheck::number) : number(node);

@@ -7,7 +7,8 @@
 #include "app/case/keys/key_check.h"
 #include "app/case/keys/override.h"
 #include "app/case/keys/section.h"
-#include "app/case/read/check_heat.h"
+#include "app/case/read/materials/check_heat.h"
+#include "app/case/read/materials/check_heat_in_time.h"
 #include "app/case/read/eye_check.h"
 #include "app/case/read/first_collided_default.h"
 #include "app/case/read/lights/read_light.h"
@@ -52,7 +53,8 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   result.walls =
       read_walls(top.section("walls"), {result.bands, result.units, result.angular_space, file.parent_path(),
                                         std::ranges::any_of(result.media, [](const auto& entry) {
-                                          return entry.second.conductivity.has_value();
+                                          return entry.second.conductivity.has_value() ||
+                                                 entry.second.heat_capacity.has_value();
                                         })});
   result.lights = read_lights(top, {result.bands, result.units, file.parent_path()});
   for (const auto& [name, wall] : result.walls)
@@ -134,6 +136,7 @@ Case read_root(TomlNode root, const std::filesystem::path& file, const Overrides
     check_daylight_factors(result, faults);
     check_refracting_walls(result, faults);
     check_heat(result, faults);
+    check_heat_in_time(result, faults);
     check_slow_media(result, faults);
     check_courses(result, faults);
     check_seen_by_eye(result, faults);

@@ -18,6 +18,18 @@ constexpr double most_steps = 1e7;
 /// Times at which a formula is evaluated.
 constexpr int looks_at_formula = 1000;
 
+/// Why temperatures are not stepped in time; empty where they are.
+std::string conflict_with_heat(const TimeCase& read) {
+  if (!read.until || !read.modulation.empty() || !read.times.empty() || read.flight_times)
+    return "the case has temperatures, which change by steps alone: give until, and leave modulation, times "
+           "and flight_times out";
+  if (read.speed) return "the case has temperatures, for which light arrives at once; leave speed out";
+  if (read.unit != TimeCase{}.unit) return "temperatures change in seconds; leave unit out";
+  if (read.in_time.kind != InTime::Kind::pulse)
+    return "in_time of temperatures is that of a heat_source or heat_flux; give it to the medium or wall";
+  return "";
+}
+
 /// Why light in time is not solved for beside something else in the case; empty where it is.
 std::string conflict_of(const Case& input, const TimeCase& read) {
   if (input.radiosity) return "not by radiosity in this version; use solve.method = \"auto\"";
@@ -25,7 +37,8 @@ std::string conflict_of(const Case& input, const TimeCase& read) {
     return "photons know `times` alone; leave modulation, until and flight_times out";
   if (input.exact) return "not beside [exact]";
   if (input.accuracy) return "not beside [accuracy] in this version";
-  if (has_temperatures(input)) return "not beside temperatures, which would change with time too";
+  if (has_temperatures(input)) return conflict_with_heat(read);
+  if (!read.speed) return "needs `speed`, that of light in the case's unit of length by the unit of time";
   if (input.solve.positivity != Positivity::none)
     return "not with values kept positive (transforms are complex); use space.positivity = \"none\"";
   if (input.solve.method == Method::source_iteration && input.solve.acceleration == Acceleration::diffusion)

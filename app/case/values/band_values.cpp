@@ -27,10 +27,20 @@ std::string formula_problem(const std::string& text, std::vector<std::string> va
   }
 }
 
+std::vector<std::string> names_of(FormulaOf variables) {
+  switch (variables) {
+    case FormulaOf::place:
+      return {"x", "y", "z"};
+    case FormulaOf::place_and_direction:
+      return angular_variables();
+    case FormulaOf::place_and_temperature:
+      break;
+  }
+  return {"x", "y", "z", "T"};
+}
+
 void check_formula(TomlNode& node, FormulaOf variables, Faults& faults) {
-  const bool of_place = variables == FormulaOf::place;
-  const std::string problem =
-      formula_problem(node.text(), of_place ? std::vector<std::string>{"x", "y", "z"} : angular_variables());
+  const std::string problem = formula_problem(node.text(), names_of(variables));
   if (problem.empty()) return;
   if (formula_problem(node.text(), angular_variables()).empty())
     report(node,
@@ -39,8 +49,8 @@ void check_formula(TomlNode& node, FormulaOf variables, Faults& faults) {
            faults);
   else
     report(node,
-           fmt::format("is not a formula ({}); use a number or a formula in x, y, z{}", problem,
-                       of_place ? "" : ", wx, wy, wz"),
+           fmt::format("is not a formula ({}); use a number or a formula in {}", problem,
+                       joined(names_of(variables))),
            faults);
 }
 
@@ -163,10 +173,10 @@ std::optional<BandValues> read_band_values(Section& section, std::string_view na
   return values_in(*node, name, section.faults());
 }
 
-std::optional<BandValues> read_place_value(Section& section, std::string_view name) {
+std::optional<BandValues> read_place_value(Section& section, std::string_view name, FormulaOf formula) {
   TomlNode* node = section.find(name);
   if (node == nullptr) return std::nullopt;
-  if (node->is_text()) check_formula(*node, FormulaOf::place, section.faults());
+  if (node->is_text()) check_formula(*node, formula, section.faults());
   return values_in(*node, name, section.faults());
 }
 

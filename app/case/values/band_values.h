@@ -14,7 +14,7 @@ namespace etendue {
 Bands read_bands(Section bands);
 
 /// What formulas may be in.
-enum class FormulaOf { place, place_and_direction };
+enum class FormulaOf { place, place_and_direction, place_and_temperature };
 
 /// A value per band that is there and sound: a list is as long as the bands, formulas can be evaluated.
 std::optional<BandValues> read_band_values(Section& section, std::string_view name, const Bands& bands,
@@ -25,7 +25,8 @@ BandValues read_band_values_or_default(Section& section, std::string_view name, 
                                        FormulaOf formula = FormulaOf::place);
 
 /// The value of a key that is the same in all bands; empty where it is absent or faulty.
-std::optional<BandValues> read_place_value(Section& section, std::string_view name);
+std::optional<BandValues> read_place_value(Section& section, std::string_view name,
+                                           FormulaOf formula = FormulaOf::place);
 
 /// Whether some formula uses the direction of travel.
 bool depend_on_direction(const std::optional<BandValues>& values);

@@ -7,6 +7,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <mutex>
+#include <utility>
 
 #include "app/case/keys/resolve_path.h"
 #include "base/text/number_columns.h"
@@ -39,6 +42,31 @@ InTime of_formula(const TomlNode& node) {
   return {InTime::Kind::formula, node.text(), {}, {}, node.origin};
 }
 
+std::function<double(double)> factor_by_formula(const InTime& in_time) {
+  struct Shared {
+    Expression formula;
+    std::mutex in_use;  // an expression serves one thread at a time
+  };
+  const auto shared =
+      std::make_shared<Shared>(Expression(Formula{in_time.text}, std::vector<std::string>{"t"}));
+  return [shared, in_time](double t) {
+    const std::lock_guard lock(shared->in_use);
+    return formula_factor(in_time, shared->formula, t);
+  };
+}
+
+std::function<double(double)> factor_by_table(const InTime& in_time) {
+  return [in_time](double t) {
+    const std::vector<double>& times = in_time.times;
+    const std::vector<double>& factors = in_time.factors;
+    const auto next = std::ranges::upper_bound(times, t);
+    if (next == times.begin()) return factors.front();
+    if (next == times.end()) return factors.back();
+    const auto i = static_cast<std::size_t>(next - times.begin());
+    return std::lerp(factors[i - 1], factors[i], (t - times[i - 1]) / (times[i] - times[i - 1]));
+  };
+}
+
 }  // namespace
 
 double formula_factor(const InTime& in_time, const Expression& formula, double t) {
@@ -48,6 +76,12 @@ double formula_factor(const InTime& in_time, const Expression& formula, double t
         in_time.origin, "\"" + in_time.text + "\"",
         fmt::format("is {:.6g} at t = {:.6g}; use a formula that is finite and not below 0", factor, t)));
   return factor;
+}
+
+std::function<double(double t)> factor_in_time(const InTime& in_time) {
+  if (in_time.kind == InTime::Kind::formula) return factor_by_formula(in_time);
+  if (in_time.kind == InTime::Kind::table) return factor_by_table(in_time);
+  return [](double) { return 1.0; };
 }
 
 std::optional<InTime> read_in_time(Section& section, const std::filesystem::path& case_folder) {

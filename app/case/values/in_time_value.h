@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "app/case/in_time.h"
@@ -12,6 +13,10 @@ namespace etendue {
 
 /// The factor of a formula of a source at a time. Throws InputError where it is not finite, or below 0.
 double formula_factor(const InTime& in_time, const Expression& formula, double t);
+
+/// The part of its power that a source has at times t > 0: all of it after a step, and by what is no course.
+/// Asked by several threads at a time. Throws as formula_factor() when it is asked.
+std::function<double(double t)> factor_in_time(const InTime& in_time);
 
 /// Reads "in_time" of a table; empty where it is absent or faulty.
 std::optional<InTime> read_in_time(Section& section, const std::filesystem::path& case_folder);

@@ -58,15 +58,15 @@ std::string steps_text(const StepsInTime& steps, const std::string& unit) {
   const std::string lengths = longest - shortest > 1e-6 * longest
                                   ? fmt::format("{:.4g} to {:.4g} {}", shortest, longest, unit)
                                   : fmt::format("{:.4g} {}", longest, unit);
-  return fmt::format(
-             "\nsteps: {} of {}, to {:.6g} {}: {} numbers, see steps.csv{}\n", steps.steps.size(), lengths,
-             last, unit, steps.quantities.size(),
-             steps.frames.empty() ? "" : fmt::format("; {} frames in fluence.pvd", steps.frames.size())) +
+  return fmt::format("\nsteps: {} of {}, to {:.6g} {}: {} numbers, see steps.csv{}\n", steps.steps.size(),
+                     lengths, last, unit, steps.quantities.size(),
+                     steps.frames.empty()
+                         ? ""
+                         : fmt::format("; {} frames in {}.pvd", steps.frames.size(), steps.of)) +
          fmt::format(
-             "  at most {} sweeps each; a step of first order would change the fluence by up to {:.2g} of "
-             "its "
-             "largest\n  energy kept to {:.2g}\n",
-             steps.sweeps, error, steps.imbalance());
+             "  at most {} sweeps each; a step of first order would change the {} by up to {:.2g} of its "
+             "largest\n  {} kept to {:.2g}\n",
+             steps.sweeps, steps.of, error, steps.of == "fluence" ? "energy" : "heat", steps.imbalance());
 }
 
 std::string flight_times_text(const TimeResult& time, const std::string& unit) {

@@ -51,7 +51,8 @@ std::string steps_csv(const RunResult& result) {
     for (const StepInTime& step : steps.steps) {
       table += labels_of(steps.quantities[q]);
       fmt::format_to(std::back_inserter(table), "{:.12g},{},{},{}\n", step.end, step.values[q],
-                     step.errors[q], csv_field(steps.quantities[q].unit));
+                     step.errors.empty() ? "" : fmt::format("{}", step.errors[q]),
+                     csv_field(steps.quantities[q].unit));
     }
   return table;
 }

@@ -16,7 +16,7 @@ std::string frequency_csv(const RunResult& result);
 std::string times_csv(const RunResult& result);
 
 /// quantity,name,band,t,value,error,unit: what is read at the ends of steps, and by how much it would differ
-/// with a step of first order.
+/// with a step of first order; of temperatures that is not known.
 std::string steps_csv(const RunResult& result);
 
 /// quantity,name,band,mean,deviation,unit: of the time of flight.

@@ -80,7 +80,8 @@ void add_files_of_table(const Case& input, const std::string& table, ContentHash
     for (const auto& [name, medium] : input.media)
       for (const auto* values :
            {&medium.absorption, &medium.scattering, &medium.extinction, &medium.albedo, &medium.emission,
-            &medium.power_density, &medium.temperature, &medium.heat_source, &medium.conductivity})
+            &medium.power_density, &medium.temperature, &medium.heat_source, &medium.conductivity,
+            &medium.heat_capacity, &medium.initial_temperature})
         if (*values) add_fields(**values, hash);
   if (table == "walls")
     for (const auto& [name, wall] : input.walls) add_fields(wall.radiance, hash);

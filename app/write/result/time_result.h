@@ -39,15 +39,16 @@ struct ModulatedLight {
 struct StepInTime {
   double end = 0;              ///< [time]
   double error = 0;            ///< of the fluence, relative, as that of one step (TimeStep::error)
-  double imbalance = 0;        ///< of the energy [power time]
+  double imbalance = 0;        ///< of the energy, or of stored heat [power time]
   std::vector<double> values;  ///< [quantity] at its end
-  std::vector<double> errors;  ///< [quantity] of this step
+  std::vector<double> errors;  ///< [quantity] of this step; empty: not known
 };
 
-/// The fluence at a time.
+/// A field at a time.
 struct FrameInTime {
   double time = 0;
-  std::vector<double> fluence;  ///< [cell][4][band] [power/length^2]
+  /// [cell][4][band] fluence [power/length^2], or [cell][4] temperature [K]
+  std::vector<double> values;
 };
 
 /// When light comes.
@@ -57,10 +58,11 @@ struct FlightTime {
 };
 
 struct StepsInTime {
+  std::string of = "fluence";  ///< what frames and errors of steps are of: "fluence" or "temperature"
   std::vector<TimeQuantity> quantities;
   std::vector<StepInTime> steps;
   std::vector<FrameInTime> frames;
-  double largest_energy = 0;  ///< of all steps and bands [power time]
+  double largest_energy = 0;  ///< of all steps and bands, or stored heat [power time]
 
   /// The largest imbalance of the energy, relative to the largest energy.
   double imbalance() const {

@@ -26,9 +26,9 @@ void write_modulation(const RunResult& result, const std::filesystem::path& path
                       const std::filesystem::path& shown);
 
 /// Name of the file of a frame.
-std::string frame_name(std::size_t frame);
+std::string frame_name(const StepsInTime& steps, std::size_t frame);
 
-/// A frame of steps in time: every cell with four points of its own, and the fluence [band].
+/// A frame of steps in time: every cell with four points of its own, and the fluence [band] or temperature.
 void write_frame(const RunResult& result, const FrameInTime& frame, const std::filesystem::path& path,
                  const std::filesystem::path& shown);
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/write/result/unit_labels.h"
-#include "app/write/vtk/fluence_fields.h"
+#include "app/write/vtk/point_fields.h"
 #include "app/write/vtk/vtk_files.h"
 
 namespace etendue {
@@ -13,7 +13,7 @@ namespace etendue {
 void write_modulation(const RunResult& result, const std::filesystem::path& path,
                       const std::filesystem::path& shown) {
   const UnitLabels units(result.input.units, result.input.angular_space);
-  std::vector<FluenceField> fields;
+  std::vector<PointField> fields;
   for (const ModulatedLight& light : result.time->modulated) {
     std::vector<double> amplitude, phase;
     for (std::size_t i = 0; i < light.fluence.size(); i += 2) {
@@ -25,7 +25,7 @@ void write_modulation(const RunResult& result, const std::filesystem::path& path
     if (light.frequency > 0)
       fields.push_back({fmt::format("phase_{}", light.frequency), "degree", std::move(phase)});
   }
-  write_fluence_fields(result, fields, path, shown);
+  write_point_fields(result, fields, path, shown);
 }
 
 }  // namespace etendue

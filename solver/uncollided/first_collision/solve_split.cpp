@@ -194,7 +194,12 @@ Solution UncollidedLight::solve_rest(const DirectionSet& directions, const Direc
     return whole;
   }
   Solution solution = sweep_rest(directions, first_collided, options, observer, reader);
-  const auto swept = WallClock::now();
+  complete(solution, options);
+  return solution;
+}
+
+void UncollidedLight::complete(Solution& solution, const SolveOptions& options) const {
+  const auto start = WallClock::now();
   solution.notes.insert(solution.notes.begin(), lights_.notes().begin(), lights_.notes().end());
   solution.lights.balance = balance_of(lights_, field_);
   add_exitance(lights_, field_, solution);
@@ -210,8 +215,7 @@ Solution UncollidedLight::solve_rest(const DirectionSet& directions, const Direc
   add_to(solution.irradiance, field_.irradiance);
   add_meters(lights_, options, threads_, solution);
   solution.negative = negative_census(solution.fluence, lights_.paths().bands());
-  solution.seconds.lights += seconds_since(swept);
-  return solution;
+  solution.seconds.lights += seconds_since(start);
 }
 
 void UncollidedLight::finish(Solution& solution) {

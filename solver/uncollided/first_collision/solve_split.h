@@ -28,6 +28,8 @@ class UncollidedLight {
   Solution solve_rest(const DirectionSet& directions, const DirectionSet* first_collided,
                       const SolveOptions& options, const SolveObserver& observer,
                       const DirectionSetObserver& reader = {}) const;
+  /// Adds the uncollided part to a solution of the rest, of a setup with lights.
+  void complete(Solution& solution, const SolveOptions& options) const;
   const LightSetup& lights() const { return lights_; }
   /// Of all sources; until finish().
   const UncollidedField& field() const { return field_; }

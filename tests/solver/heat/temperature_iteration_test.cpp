@@ -9,14 +9,17 @@
 
 #include "base/blackbody.h"
 #include "mesh/tetrahedra/corners.h"
-#include "solver/problem/band_blackbody.h"
 #include "solver/solution/balance.h"
 #include "solver/transport/solve/solve.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
+#include "tests/solver/heat/heated_room.h"
 #include "tests/solver/transport/sample_problems.h"
 
 namespace etendue::temperature_iteration_test {
 namespace {
+
+using heated_room::Room;
+using heated_room::walls_of;
 
 const Bands kTwoBands{{"short", "long"}, {1, 4000, 1e9}};
 
@@ -26,39 +29,6 @@ Medium medium_of(const Bands& bands, double scattering) {
   if (bands.count() > 1) medium.absorption[1] = Coefficient(2.0);
   return medium;
 }
-
-/// Walls of temperatures by their names, the same emissivity everywhere.
-struct Room {
-  const TetrahedralMesh& mesh;
-  Bands bands;
-  Medium medium;
-  double emissivity = 1;
-  std::vector<double> wall_temperatures = {};  ///< [wall]
-  double conductivity = 0;
-  double source = 0;
-
-  Problem problem() const {
-    std::vector<Wall> walls;
-    for (std::size_t w = 0; w < mesh.wall_names().size(); ++w) {
-      Wall wall = uniform_wall(bands.count(), 0, 1 - emissivity, 0);
-      wall.name = mesh.wall_names()[w];
-      for (int b = 0; b < bands.count(); ++b)
-        wall.radiance[static_cast<std::size_t>(b)] =
-            emissivity * band_blackbody(bands, b, wall_temperatures[w]);
-      walls.push_back(wall);
-    }
-    std::vector<Medium> media(mesh.region_names().size(), medium);
-    return Problem(mesh, bands, media, walls);
-  }
-
-  HeatProblem heat() const {
-    HeatProblem heat;
-    heat.media.assign(mesh.region_names().size(), HeatMedium{conductivity, source});
-    for (const double kelvin : wall_temperatures) heat.wall_temperatures.emplace_back(Coefficient(kelvin));
-    heat.walls.resize(wall_temperatures.size());
-    return heat;
-  }
-};
 
 struct Heated {
   Solution solution;
@@ -94,12 +64,6 @@ double largest_difference(const Room& room, const Heated& heated, const Temperat
   return largest;
 }
 
-std::vector<double> walls_of(const TetrahedralMesh& mesh, double kelvin, double top) {
-  std::vector<double> walls;
-  for (const std::string& name : mesh.wall_names()) walls.push_back(name == "zmax" ? top : kelvin);
-  return walls;
-}
-
 TEST(TemperatureIteration, KeepsAnIsothermalEnclosure) {
   const TetrahedralMesh mesh = cube_mesh(1e-2);
   for (const double conductivity : {0.0, 5.0})
@@ -132,6 +96,42 @@ TEST(TemperatureIteration, ConductsAsFourierSays) {
     const std::string& name = mesh.wall_names()[w];
     EXPECT_NEAR(heated.conducted[w], name == "zmin" ? 900 : name == "zmax" ? -900 : 0, 1e-5) << name;
   }
+}
+
+// With k = k_0 + b T the integral of k dT is linear between two walls (Kirchhoff 1894).
+TEST(TemperatureIteration, ConductsByATemperatureThatChangesTheConductivity) {
+  std::vector<double> errors;
+  for (const double volume : {3e-2, 3e-3}) {
+    const TetrahedralMesh mesh = cube_mesh(volume);
+    Room room{mesh, Bands{}, uniform_medium(1, 0, 0, 0), 1, walls_of(mesh, 300, 900)};
+    HeatProblem heat = room.heat();
+    for (auto& medium : heat.media)
+      medium->conductivity = ThermalProperty(Expression(Formula("1+0.002*(T-300)"), {"x", "y", "z", "T"}));
+    for (std::size_t w = 0; w < mesh.wall_names().size(); ++w)
+      if (!mesh.wall_names()[w].starts_with("z")) heat.wall_temperatures[w].reset();
+    const Problem problem = room.problem();
+    TemperatureIteration temperatures(problem, heat);
+    const std::vector<double> dark(static_cast<std::size_t>(4 * mesh.cell_count()), 0);
+    double change = 1;
+    int steps = 0;
+    for (; steps < 30 && change > 1e-9; ++steps) change = temperatures.improve({dark, dark, {}});
+    EXPECT_LT(steps, 30);
+    const Heated heated{{}, temperatures.solution().temperature, temperatures.solution().conducted};
+    const auto exact = [](const Vec3& p) {
+      // u + 0.001 u^2 = z (600 + 0.001 600^2), u = T - 300
+      return 300 + 500 * (std::sqrt(1 + 0.004 * p.z() * 960) - 1);
+    };
+    errors.push_back(largest_difference(room, heated, exact));
+    for (std::size_t w = 0; w < mesh.wall_names().size(); ++w) {
+      const std::string& name = mesh.wall_names()[w];
+      EXPECT_NEAR(heated.conducted[w] / 960, name == "zmin" ? 1 : name == "zmax" ? -1 : 0, 0.02) << name;
+    }
+    double sum = 0;
+    for (const double flow : heated.conducted) sum += flow;
+    EXPECT_NEAR(sum, 0, 1e-4);
+  }
+  EXPECT_LT(errors[1], errors[0] / 3);
+  EXPECT_LT(errors[1], 4);
 }
 
 TEST(TemperatureIteration, GivesAllHeatToTheWalls) {

@@ -53,28 +53,40 @@ std::string reradiation_problem(const MediumCase& medium) {
 
 void read_heat_source(Section& section, const ThermalContext& context, MediumCase& medium) {
   medium.heat_source = read_place_value(section, "heat_source");
-  medium.conductivity = read_place_value(section, "conductivity");
-  if (!medium.heat_source && !medium.conductivity) return;
-  medium.reradiates = !medium.conductivity && is_one_gray_band(context.bands);
+  medium.conductivity = read_place_value(section, "conductivity", FormulaOf::place_and_temperature);
+  medium.heat_capacity = read_place_value(section, "heat_capacity", FormulaOf::place_and_temperature);
+  medium.initial_temperature = read_place_value(section, "initial_temperature");
+  if (!medium.follows_from_heat()) return;
+  medium.reradiates = !medium.conductivity && !medium.heat_capacity && is_one_gray_band(context.bands);
   std::string problem =
       temperature_problem(section, context, {"temperature", "emission", "power_density", "power"});
   if (problem.empty() && (depend_on_direction(medium.absorption) || depend_on_direction(medium.extinction)))
     problem = "not where absorption depends on the direction (not in this version); use emission";
   if (problem.empty() && medium.reradiates) problem = reradiation_problem(medium);
-  if (!problem.empty()) return section.fault(medium.conductivity ? "conductivity" : "heat_source", problem);
+  if (!problem.empty())
+    return section.fault(medium.conductivity  ? "conductivity"
+                         : medium.heat_source ? "heat_source"
+                                              : "heat_capacity",
+                         problem);
   if (medium.reradiates)
     medium.emission = BandValues{{product(medium.heat_source->values.front(), 1 / (4 * std::numbers::pi))},
                                  medium.heat_source->origin};
 }
 
 void read_wall_heat(Section& section, const ThermalContext& context, bool beside_conductors, WallCase& wall) {
-  if (!section.has("heat_flux") && !section.has("convection")) return;
+  wall.heat_capacity = read_place_value(section, "heat_capacity", FormulaOf::place_and_temperature);
+  wall.initial_temperature = read_place_value(section, "initial_temperature");
+  if (!section.has("heat_flux") && !section.has("convection"))
+    return section.unused("heat_capacity",
+                          "the wall's temperature does not follow from heat; give heat_flux (0: none) or "
+                          "convection too");
   if (section.has("heat_flux")) wall.heat_flux = section.number("heat_flux");
   if (section.has("convection")) wall.convection = read_convection(section.section("convection"));
   const std::string problem = wall_problem(section, context, wall);
   if (!problem.empty()) return section.fault(section.has("heat_flux") ? "heat_flux" : "convection", problem);
   // What a gray wall absorbs it gives back, as if it reflected it.
-  wall.reradiates = !wall.convection && !beside_conductors && is_one_gray_band(context.bands);
+  wall.reradiates =
+      !wall.convection && !wall.heat_capacity && !beside_conductors && is_one_gray_band(context.bands);
   if (wall.reradiates)
     wall.radiance = BandValues{{*wall.heat_flux / std::numbers::pi}, section.origin("heat_flux")};
 }

@@ -178,7 +178,7 @@ void fill_in(Section& section, const MediumCase& medium) {
     for (const char* name : {"absorption", "scattering"})
       if (name != std::string_view("scattering") || !section.has("reduced_scattering")) section.value(name);
   if (!medium.power_density && !medium.power && !section.has("temperature") && !section.has("heat_source") &&
-      !section.has("conductivity"))
+      !section.has("conductivity") && !section.has("heat_capacity"))
     section.value("emission");
   if (gives_scattering(section) && !section.has("phase"))
     section.section("phase").resolve("model", "isotropic");
@@ -198,7 +198,7 @@ MediumCase read_medium(Section section, const MatterContext& context) {
     medium.power_density = read_band_values(section, "power_density", bands);
     medium.power = read_band_values(section, "power", bands);
     read_directional(section, context, medium);
-    for (const char* key : {"temperature", "heat_source", "conductivity", "gas_pressure"})
+    for (const char* key : {"temperature", "heat_source", "conductivity", "heat_capacity", "gas_pressure"})
       section.unused(key,
                      "not beside leaves, flakes or a kernel in this version (their absorption depends on the "
                      "direction); use emission");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "app/case/read/check_heat.h"
+#include "app/case/read/materials/check_heat.h"
 
 #include <fmt/format.h>
 
@@ -61,10 +61,10 @@ void check_heat(const Case& input, std::vector<Fault>& faults) {
   const std::optional<Origin> origin = iterating_place(input);
   if (!origin) return;
   const auto refuse = [&](const char* what) {
-    faults.push_back(fault_at(
-        *origin, "",
-        fmt::format("its temperature follows by iteration (conductivity, convection, or several bands), {}",
-                    what)));
+    faults.push_back(fault_at(*origin, "",
+                              fmt::format("its temperature follows by iteration (conductivity, "
+                                          "heat_capacity, convection, or several bands), {}",
+                                          what)));
   };
   if (input.photons) refuse("not by photons (not in this version); use solve.method = \"auto\"");
   if (input.radiosity) refuse("not by radiosity (not in this version); use solve.method = \"auto\"");
@@ -77,7 +77,7 @@ void check_heat(const Case& input, std::vector<Fault>& faults) {
   if (shines_by_iteration(input))
     refuse("and its emission with it: not as a light (not in this version); leave uncollided out");
   if (input.exact) refuse("not with [exact] (not in this version); leave it out");
-  if (!has_heat_sink(input))
+  if (!input.time && !has_heat_sink(input))
     refuse("and nothing takes its heat away; give a wall a temperature, or convection with h above 0");
 }
 
