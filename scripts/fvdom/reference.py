@@ -11,6 +11,7 @@ from fvdom.scenes import SIDES
 
 TABLE = 28  # points of the table along each side of a wall
 NODES = (28, 24, 32)  # of azimuth, polar angle and distance, for each piece
+SPACING = 0.03  # of the points that face means are taken from [m]
 
 # Dunavant's rule of degree 5 on a triangle: barycentric coordinates and weights.
 _A, _B = (6 - 15**0.5) / 21, (6 + 15**0.5) / 21
@@ -159,9 +160,27 @@ def walls_of(faces):
     return [(int(n) % 3, bool(n >= 3)) for n in nearest]
 
 
-def areas_and_means(flux, faces):
-    """Areas of plane wall faces [n, corners, 3], and the mean of a flux over each."""
+def composite_rule(parts):
+    """Barycentric points and weights of the rule on each of the parts^2 equal triangles that divide a triangle."""
+    corners = []
+    for i in range(parts):
+        for j in range(parts - i):
+            corners.append([(i, j), (i + 1, j), (i, j + 1)])
+            if i + j < parts - 1:
+                corners.append([(i + 1, j), (i + 1, j + 1), (i, j + 1)])
+    corners = numpy.array(corners) / parts
+    plane = numpy.einsum("qk,tkd->tqd", TRIANGLE_POINTS, corners).reshape(-1, 2)
+    points = numpy.concatenate([1 - plane.sum(axis=1, keepdims=True), plane], axis=1)
+    return points, numpy.tile(TRIANGLE_WEIGHTS, parts**2) / parts**2
+
+
+def areas_and_means(flux, faces, spacing=SPACING):
+    """Areas of plane wall faces [n, corners, 3], and the mean of a flux over each.
+
+    Faces are divided into triangles as small as the spacing: at the edges of the box the flux has steep layers."""
     areas, integrals = numpy.zeros(len(faces)), numpy.zeros(len(faces))
+    longest = numpy.linalg.norm(faces - numpy.roll(faces, 1, axis=1), axis=2).max()
+    rule_points, rule_weights = composite_rule(int(numpy.ceil(longest / spacing)))
     walls = walls_of(faces)
     for wall in sorted(set(walls)):
         mine = numpy.flatnonzero([w == wall for w in walls])
@@ -169,10 +188,10 @@ def areas_and_means(flux, faces):
             triangles = faces[mine][:, [0, corner, corner + 1]]
             area = numpy.linalg.norm(numpy.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]),
                                      axis=1) / 2
-            points = numpy.einsum("qk,nkd->nqd", TRIANGLE_POINTS, triangles)
+            points = numpy.einsum("qk,nkd->nqd", rule_points, triangles)
             values = flux.at(*wall, points.reshape(-1, 3)).reshape(len(mine), -1)
             areas[mine] += area
-            integrals[mine] += area * (values @ TRIANGLE_WEIGHTS)
+            integrals[mine] += area * (values @ rule_weights)
     return areas, integrals / areas
 
 

@@ -40,21 +40,19 @@ def envelope(rows, kind):
     return best
 
 
-def interpolated(points, at, given):
-    """The other coordinate of an envelope where coordinate number `given` is `at`, log-log, and "" inside its range;
-    beyond its ends that of the end, and "<=" or "best"."""
-    known = [p[given] for p in points]
-    other = [p[1 - given] for p in points]
-    if given == 1 and at >= known[0]:
-        return other[0], "<="
-    if given == 0 and at <= known[0]:
-        return other[0], "first"
-    for k in range(1, len(points)):
-        low, high = sorted((known[k - 1], known[k]))
-        if low <= at <= high:
-            part = math.log(at / known[k - 1]) / math.log(known[k] / known[k - 1])
-            return other[k - 1] * (other[k] / other[k - 1]) ** part, ""
-    return other[-1], "best"
+def interpolated(points, coordinate, value):
+    """Point (seconds, error) of an envelope where a coordinate (0: seconds, 1: error) has a value, and its place.
+
+    The place is "between" points, log-log, or the "first" or "last" point where the value is outside."""
+    known = [math.log(point[coordinate]) for point in points]
+    at = math.log(value)
+    if (at - known[0]) * (1 if coordinate == 0 else -1) <= 0:
+        return points[0], "first"
+    for before, after, low, high in zip(points, points[1:], known, known[1:]):
+        if min(low, high) <= at <= max(low, high):
+            part = (at - low) / (high - low)
+            return tuple(x * (y / x) ** part for x, y in zip(before, after)), "between"
+    return points[-1], "last"
 
 
 def by_scene(rows):
@@ -64,29 +62,36 @@ def by_scene(rows):
     return scenes
 
 
-def equal_error_table(rows, peer, kind):
+def equal_error_table(rows, peer):
     """Lines of a table: times of both at the least error of the peer, and at one and a half times as much."""
-    lines = [f"| scene | error | {peer}, s | etendue, s | times less |", "|---|---:|---:|---:|---:|"]
+    lines = [f"| scene | error | {peer}: radiation, s | etendue, s | times less | whole process, s | etendue, s "
+             "| times less |", "|---" + "|---:" * 7 + "|"]
     for scene, codes in by_scene(rows).items():
-        theirs, ours = envelope(codes[peer], kind), envelope(codes["etendue"], kind)
-        for error in (theirs[-1][1], 1.5 * theirs[-1][1]):
-            their_seconds, _ = interpolated(theirs, error, 1)
-            our_seconds, bound = interpolated(ours, error, 1)
-            if bound == "best":
-                lines.append(f"| {scene} | {error:.2e} | {their_seconds:.2f} | not reached | |")
-                continue
-            most, least = ("≤ ", "≥ ") if bound else ("", "")
-            lines.append(f"| {scene} | {error:.2e} | {their_seconds:.2f} | {most}{our_seconds:.3f} | "
-                         f"{least}{their_seconds / our_seconds:.3g} |")
+        least = min(row.error for row in codes[peer])
+        for error in (least, 1.5 * least):
+            cells = [part for kind in ("radiation", "whole") for part in _times(codes, peer, kind, error)]
+            lines.append(f"| {scene} | {error:.2e} | " + " | ".join(cells) + " |")
     return lines
 
 
-def equal_time_table(rows, kind, seconds):
-    """Lines of a table: the least error within a time."""
-    lines = ["| scene | " + " | ".join(CODES) + " |", "|---" + "|---:" * len(CODES) + "|"]
+def _times(codes, peer, kind, error):
+    """Seconds of the peer and of etendue at an error, and their ratio; a bound where every run of etendue is better."""
+    theirs = interpolated(envelope(codes[peer], kind), 1, error)[0][0]
+    (ours, _), place = interpolated(envelope(codes["etendue"], kind), 1, error)
+    if place == "last":
+        return f"{theirs:.2f}", "not reached", ""
+    most, least = ("≤ ", "≥ ") if place == "first" else ("", "")
+    return f"{theirs:.2f}", f"{most}{ours:.3f}", f"{least}{theirs / ours:.3g}"
+
+
+def equal_time_table(rows, times):
+    """Lines of a table: errors of all codes after times of radiation."""
+    heads = [f"{code}, {seconds:g} s" for seconds in times for code in CODES]
+    lines = ["| scene | " + " | ".join(heads) + " |", "|---" + "|---:" * len(heads) + "|"]
     for scene, codes in by_scene(rows).items():
-        errors = [interpolated(envelope(codes[code], kind), seconds, 0)[0] for code in CODES]
-        lines.append(f"| {scene} | " + " | ".join(f"{error:.2e}" for error in errors) + " |")
+        found = [interpolated(envelope(codes[code], "radiation"), 0, seconds) for seconds in times for code in CODES]
+        lines.append(f"| {scene} | " + " | ".join(
+            "" if place == "first" else f"{error:.2e}" for (_, error), place in found) + " |")
     return lines
 
 
@@ -104,14 +109,24 @@ def run_table(rows, code):
     return lines
 
 
+COLUMNS = {"scene": str, "code": str, "cells": int, "directions": str, "error": float, "net_error": float}
+
+
 def write_rows(rows, file):
     with open(file, "w", newline="", encoding="utf-8") as out:
         writer = csv.writer(out)
-        writer.writerow(["scene", "code", "cells", "directions", "error", "net_error", "whole_seconds",
-                         "radiation_seconds", "turns"])
+        writer.writerow([*COLUMNS, "whole_seconds", "radiation_seconds"])
         for row in rows:
             writer.writerow([row.scene, row.code, row.cells, row.directions, f"{row.error:.4e}", f"{row.net_error:.4e}",
-                             f"{row.seconds('whole'):.4f}", f"{row.seconds('radiation'):.4f}", len(row.whole)])
+                             f"{row.seconds('whole'):.4f}", f"{row.seconds('radiation'):.4f}"])
+
+
+def read_rows(file):
+    """Rows of an earlier comparison, with the medians of their turns."""
+    with open(file, newline="", encoding="utf-8") as lines:
+        return [Row(**{name: kind(line[name]) for name, kind in COLUMNS.items()},
+                    whole=[float(line["whole_seconds"])], radiation=[float(line["radiation_seconds"])])
+                for line in csv.DictReader(lines)]
 
 
 def draw(rows, file):
