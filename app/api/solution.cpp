@@ -60,7 +60,10 @@ Solution& Solution::operator=(Solution&&) noexcept = default;
 const Mesh& Solution::mesh() const { return impl_->mesh; }
 const std::vector<std::string>& Solution::bands() const { return impl_->solved->problem.bands().names; }
 const std::string& Solution::method() const { return impl_->solved->solution.method; }
-bool Solution::converged() const { return impl_->solved->solution.converged(); }
+bool Solution::converged() const {
+  const std::optional<TimeResult>& in_time = impl_->solved->in_time;
+  return impl_->solved->solution.converged() && (!in_time || in_time->converged);
+}
 const std::vector<std::string>& Solution::notes() const { return impl_->solved->solution.notes; }
 
 std::vector<BandIteration> Solution::iterations() const {

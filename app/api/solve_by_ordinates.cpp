@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <etendue/errors.h>
+#include <fmt/format.h>
 
 #include "app/api/solved_case.h"
 #include "app/case/temperatures.h"
@@ -43,6 +44,10 @@ void sweep(SolvedCase& solved, const SolveHooks& hooks, OrdinateSensorTally& tal
         {solved.input, solved.problem, *setup.temperatures, setup.set(), options, setup.locator}, uncollided,
         {hooks.stop, {}}, reader, solved.in_time.emplace());
     throw_if_stopped(hooks);
+    if (end && !solved.in_time->steps->fault.empty())
+      end->notes.push_back(fmt::format("steps in time ended at {:g} s: {}",
+                                       solved.in_time->steps->steps.back().end,
+                                       solved.in_time->steps->fault));
     if (!end) throw Stopped("stopped within the first step: there is no solution");
     solved.solution = *std::move(end);
     solved.first_collisions = uncollided.first_collisions();

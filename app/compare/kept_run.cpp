@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/case/temperatures.h"
 #include "app/write/csv/sensor_rows.h"
 #include "app/write/result/stage_seconds.h"
 
@@ -59,7 +60,10 @@ KeptRun kept_of(const RunResult& run) {
   if (run.input.solve.order == SpaceOrder::constant) kept.order_of_cells = 1;
   kept.is_flat = run.problem.space() != AngularSpace::sphere;
   kept.is_coarse = run.is_coarse;
-  kept.whole = run.solution.converged() && !run.interrupted();
+  // From the temperatures of another run a repetition cannot begin: cells may be others.
+  const bool begins_elsewhere = steps_temperatures(run.input) && run.input.initial;
+  kept.whole = run.solution.converged() && !run.interrupted() && (!run.time || run.time->converged) &&
+               !begins_elsewhere;
   return kept;
 }
 

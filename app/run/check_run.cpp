@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/run/check_run.h"
-#include "app/case/temperatures.h"
 
 #include <utility>
 
+#include "app/case/temperatures.h"
 #include "app/readings/probes.h"
 #include "app/readings/sensors.h"
 #include "app/render/photon_pictures.h"

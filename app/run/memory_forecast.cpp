@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/run/memory_forecast.h"
-#include "app/case/temperatures.h"
 
 #include <cmath>
 
 #include "app/case/build/build.h"
+#include "app/case/temperatures.h"
 #include "app/case/volume_bounds.h"
 #include "app/render/photon_pictures.h"
 #include "app/run/check_run.h"
 #include "app/setup/memory.h"
 #include "app/setup/run_context.h"
+#include "app/time/heat_steps.h"
 #include "app/time/photon_times.h"
 #include "app/time/solve_in_time.h"
 #include "solver/photons/solve/solve_photons.h"
@@ -40,7 +41,13 @@ RunMemory photon_run_memory(const Case& input, const Problem& problem) {
 
 RunMemory directions_run_memory(const Case& input, const Problem& problem, const OrdinatesSetup& setup) {
   RunMemory memory = setup.memory();
-  if (!input.time || steps_temperatures(input)) return memory;
+  if (!input.time) return memory;
+  if (steps_temperatures(input)) {
+    const std::size_t steps = heat_steps_memory(input, problem, setup.options);
+    memory.solving += steps;
+    memory.expected += steps;
+    return memory;
+  }
   RunMemory in_time =
       time_memory({input, problem, setup.directions.sets, setup.options, setup.locator, setup.lights});
   return in_time.solving > memory.solving ? in_time : memory;

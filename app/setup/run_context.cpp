@@ -54,6 +54,12 @@ int thread_count(const Case& input) {
   return count;
 }
 
+namespace {
+
+bool is_of_heat(const TimeResult& time) { return time.steps && time.steps->of == "temperature"; }
+
+}  // namespace
+
 void note_left_out(RunResult& result) {
   std::size_t points = 0;
   for (const Probe& probe : result.input.probes) points += probe.points.size();
@@ -65,7 +71,10 @@ void note_left_out(RunResult& result) {
   if (result.sensors.size() < sensors)
     result.left_out.push_back(fmt::format("{} of {} sensors", sensors - result.sensors.size(), sensors));
   const std::optional<TimeResult>& time = result.time;
-  if (time && time->interrupted) result.left_out.emplace_back("light in time");
+  if (time && time->interrupted)
+    result.left_out.push_back(is_of_heat(*time)
+                                  ? fmt::format("temperatures after {:g} s", time->steps->steps.back().end)
+                                  : "light in time");
   if (time && time->modulated.empty() && time->histories.empty() && time->flight_times.empty() &&
       (!time->steps || time->steps->steps.empty()))
     result.time.reset();
@@ -103,9 +112,9 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) 
       err << "steps in time ended early: " << result.time->steps->fault << '\n';
     else if (!in_time)
       err << fmt::format(
-          "light in time is not converged: an estimated relative error of {:.2g} is left; raise "
+          "{} in time is not converged: an estimated relative error of {:.2g} is left; raise "
           "solve.max_sweeps\n",
-          result.time->residual);
+          is_of_heat(*result.time) ? "a temperature" : "light", result.time->residual);
     return is_balanced(result) && in_time ? ExitCode::done : ExitCode::not_converged;
   }
   if (result.errors)
@@ -123,7 +132,8 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) 
 
 ExitCode conclude_without_traces(const RunResult& result, const ResultReader& reader) {
   if (reader) reader(result);
-  return result.solution.converged() ? ExitCode::done : ExitCode::not_converged;
+  const bool in_time = !result.time || result.time->converged;
+  return result.solution.converged() && in_time ? ExitCode::done : ExitCode::not_converged;
 }
 
 }  // namespace etendue

@@ -12,6 +12,7 @@
 #include "app/time/step_times.h"
 #include "base/errors.h"
 #include "solver/heat/heat_march.h"
+#include "solver/transport/sweep/finite_check.h"
 #include "solver/uncollided/first_collision/repeated_solver.h"
 
 namespace etendue {
@@ -35,17 +36,18 @@ class HeatSteps {
         result_(result),
         numbers_(setup.input, setup.problem, setup.locator) {}
 
-  void take(RepeatedSolver& solver) {
+  void take(const UncollidedLight& uncollided) {
     StepsInTime& taken = result_.steps.emplace();
     taken.quantities = numbers_.quantities();
     taken.of = "temperature";
-    const auto light = [&] {
-      Solution solution = solver.solve();
-      add(seconds_, solution.seconds);
-      return solution;
-    };
     try {
-      march_heat(setup_.temperatures, light, step_plan(*setup_.input.time),
+      solver_.emplace(uncollided, setup_.directions, setup_.options);
+      const auto light = [&] {
+        Solution solution = solver_->solve();
+        add(seconds_, solution.seconds);
+        return solution;
+      };
+      march_heat(setup_.temperatures, light, heat_step_plan(setup_.input),
                  [&](const HeatStep& step) { return read(step); });
     } catch (const SolveStopped&) {
       result_.interrupted = true;
@@ -54,14 +56,18 @@ class HeatSteps {
     } catch (const InputError& fault) {
       if (!last_) throw;
       end_with(fault.what());
+    } catch (const NotFiniteError& fault) {
+      if (!last_) throw;
+      end_with(fault.what());
     }
   }
 
   /// At the end of the last whole step.
-  std::optional<Solution> solution() {
+  std::optional<Solution> solution(const DirectionSetObserver& reader) {
     if (!last_) return std::nullopt;
     setup_.temperatures.start_from(last_->state.following);
     setup_.problem.set_following(setup_.temperatures.sources());
+    solver_->read(reader);
     last_->seconds = seconds_;
     last_->interrupted = last_->interrupted || result_.interrupted;
     return std::move(last_);
@@ -87,8 +93,9 @@ class HeatSteps {
     const std::vector<double> frames = frame_times(*setup_.input.time);
     if (std::ranges::find(frames, step.end) != frames.end())
       taken.frames.push_back({step.end, heat.temperature});
+    solver_->keep();
     last_ = std::move(step.solution);
-    if (observer_.reached) observer_.reached(step.end / *setup_.input.time->until);
+    if (observer_.reached) observer_.reached(step.end / *setup_.input.time->until, *last_);
     const bool is_interrupted = observer_.interrupted && observer_.interrupted();
     result_.interrupted = result_.interrupted || (is_interrupted && step.end < *setup_.input.time->until);
     return !is_interrupted;
@@ -98,6 +105,7 @@ class HeatSteps {
   const HeatStepsObserver& observer_;
   TimeResult& result_;
   HeatNumbers numbers_;
+  std::optional<RepeatedSolver> solver_;
   std::optional<Solution> last_;
   SolveSeconds seconds_;
   double stored_ = 0, largest_change_ = 0;
@@ -112,15 +120,22 @@ std::string heat_steps_text(const Case& input) {
                      time.tolerance ? "at least " : "", count, *time.until / count, *time.until);
 }
 
+std::size_t heat_steps_memory(const Case& input, const Problem& problem, const SolveOptions& options) {
+  const auto corners = static_cast<std::size_t>(4 * problem.mesh().cell_count());
+  const auto bands = static_cast<std::size_t>(problem.band_count());
+  // Fluence and flux, of the solution, its swept part and those of the step before, and emission that
+  // follows.
+  const std::size_t fields = 4 * 4 + 4 + 3 * options.keep_ordinates.size();
+  return sizeof(double) * corners * (fields * bands + static_cast<std::size_t>(input.time->frames));
+}
+
 std::optional<Solution> take_heat_steps(const HeatStepsSetup& setup, UncollidedLight& uncollided,
                                         const HeatStepsObserver& observer, const DirectionSetObserver& reader,
                                         TimeResult& result) {
   HeatSteps steps(setup, observer, result);
-  RepeatedSolver solver(uncollided, setup.directions, setup.options);
-  steps.take(solver);
-  std::optional<Solution> solution = steps.solution();
+  steps.take(uncollided);
+  std::optional<Solution> solution = steps.solution(reader);
   if (!solution) return std::nullopt;
-  solver.read(reader);
   uncollided.finish(*solution);
   return solution;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -29,12 +30,16 @@ struct HeatStepsSetup {
 
 /// What steps tell while they are taken; each may be empty.
 struct HeatStepsObserver {
-  std::function<bool()> interrupted;          ///< whether they are to end after this one
-  std::function<void(double share)> reached;  ///< the part of the time, after each step
+  std::function<bool()> interrupted;  ///< whether they are to end after this one
+  /// After each step: the part of the time, and its solution.
+  std::function<void(double share, const Solution& solution)> reached;
 };
 
 /// What a person reads before the first step.
 std::string heat_steps_text(const Case& input);
+
+/// Bytes that the steps take beside a steady solution.
+std::size_t heat_steps_memory(const Case& input, const Problem& problem, const SolveOptions& options);
 
 /// Takes the steps, and hands the uncollided light over to the solution at the end, which comes back. What
 /// was read at the end of each goes into the result; where a step fails, or the run is interrupted, the

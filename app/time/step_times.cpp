@@ -25,6 +25,21 @@ std::vector<double> frame_times(const TimeCase& time) {
   return times;
 }
 
+StepPlan heat_step_plan(const Case& input) {
+  StepPlan plan = step_plan(*input.time);
+  const auto add = [&](const std::optional<InTime>& in_time) {
+    if (!in_time) return;
+    for (const double t : in_time->times)
+      if (t > 0 && t < plan.until) plan.stops.push_back(t);
+  };
+  for (const auto& [name, medium] : input.media) add(medium.in_time);
+  for (const auto& [name, wall] : input.walls) add(wall.in_time);
+  std::ranges::sort(plan.stops);
+  const auto [first, last] = std::ranges::unique(plan.stops);
+  plan.stops.erase(first, last);
+  return plan;
+}
+
 StepPlan step_plan(const TimeCase& time) {
   StepPlan plan{time.method, *time.until, longest_step(time), time.tolerance.value_or(0), frame_times(time)};
   if (!plan.stops.empty()) plan.stops.pop_back();

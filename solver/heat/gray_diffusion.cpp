@@ -221,7 +221,8 @@ void add_following_face(const Problem& problem, const WallHeat& walls, const Fol
   const TetrahedralMesh& mesh = problem.mesh();
   const double third = mesh.area(face.face) / 3;
   const double reflectance = mean_reflectance(problem, face.face, share);
-  const double absorbed = (1 - reflectance) / (1 + reflectance) / 2;
+  const bool is_smooth = problem.wall(mesh.wall(face.face)).refractive_index != 1;
+  const double absorbed = is_smooth ? 0 : (1 - reflectance) / (1 + reflectance) / 2;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t unknown = face.unknowns[i];
     const std::size_t light = system.fluence(mesh.vertices(face.face)[i]);

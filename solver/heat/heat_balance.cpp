@@ -67,12 +67,14 @@ Blackbodies HeatBalance::blackbodies(std::span<const double> temperature) const 
   const auto bands = static_cast<std::size_t>(problem_.band_count());
   Blackbodies result{std::vector<double>(temperature.size() * bands),
                      std::vector<double>(temperature.size() * bands)};
+  const double square = std::pow(problem_.bands().refractive_index, 2);
   for (std::size_t i = 0; i < result.radiance.size(); ++i) {
     const int band = static_cast<int>(i % bands);
     const double kelvin = std::abs(temperature[i / bands]);
     result.radiance[i] =
         std::copysign(band_blackbody(problem_.bands(), band, kelvin), temperature[i / bands]);
-    result.slope[i] = stefan_boltzmann / std::numbers::pi * space_.power_per_value(i / bands, kelvin) *
+    result.slope[i] = square * stefan_boltzmann / std::numbers::pi *
+                      space_.power_per_value(i / bands, kelvin) *
                       band_share_of_change(problem_.bands(), band, kelvin);
   }
   return result;

@@ -54,24 +54,25 @@ class HeatMarch {
   /// In first order the temperatures would be those before and the slope of the first stage times the step.
   double stages(const std::vector<double>& before, double begin, double length, double end) {
     const double stage = sdirk_gamma * length;
-    solve({begin + stage, stage, before, std::vector<double>(before.size(), 0)});
+    solve({begin + stage, stage, before, std::vector<double>(before.size(), 0)}, (1 - sdirk_gamma) * length);
     const std::vector<double> first = temperatures_.temperature();
     const double rest = (1 - sdirk_gamma) / sdirk_gamma;
-    solve({end, stage, before, scaled(temperatures_.storage().heat(before, first), rest)});
+    solve({end, stage, before, scaled(temperatures_.storage().heat(before, first), rest)}, stage);
     std::vector<double> estimate = difference(temperatures_.temperature(), before);
     for (std::size_t i = 0; i < estimate.size(); ++i) estimate[i] -= (first[i] - before[i]) / sdirk_gamma;
     return norm(estimate);
   }
 
   double differences(const std::vector<double>& before, double length, double end) {
-    solve({end, bdf2_part * length, before, scaled(last_, 1.0 / 3)});
+    const double stage = bdf2_part * length;
+    solve({end, stage, before, scaled(last_, 1.0 / 3)}, stage);
     std::vector<double> estimate = difference(temperatures_.temperature(), before);
     for (std::size_t i = 0; i < estimate.size(); ++i) estimate[i] = (estimate[i] - last_change_[i]) / 2;
     return norm(estimate);
   }
 
-  void solve(HeatStage stage) {
-    const double length = stage.length;
+  /// `weight` is the part of the step that its heat flows in [s].
+  void solve(HeatStage stage, double weight) {
     temperatures_.set_stage(std::move(stage));
     solution_ = solver_();
     if (solution_.interrupted) throw SolveStopped{};
@@ -82,7 +83,7 @@ class HeatMarch {
     }
     step_.sweeps += sweeps;
     step_.converged = step_.converged && solution_.converged();
-    step_.missing += length * std::abs(temperatures_.missing_heat(solution_));
+    step_.missing += weight * std::abs(temperatures_.missing_heat(solution_));
   }
 
   static std::vector<double> difference(std::vector<double> x, const std::vector<double>& y) {

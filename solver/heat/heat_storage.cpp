@@ -42,7 +42,7 @@ HeatStorage::HeatStorage(const Problem& problem, const HeatProblem& heat, const 
       places_.push_back({static_cast<std::size_t>(space.unknown(face, i)), &wall.in_time, &wall.origin,
                          mesh.area(face) / 3, corner_of(mesh, face, i)});
   }
-  capacity(start());  // what is faulty is told before the first step
+  capacity(start());  // faults are found before the first step
 }
 
 double HeatStorage::capacity_at(const Place& place, double kelvin) const {
@@ -82,9 +82,9 @@ std::vector<double> HeatStorage::start() const {
   std::vector<double> sums(size_, 0), sizes(size_, 0);
   for (const Place& place : places_) {
     const double kelvin = place.in_time->initial ? place.in_time->initial->at(place.point) : heat_.start;
-    if (!(kelvin >= 0) || !std::isfinite(kelvin))
+    if (!(kelvin > 0) || !std::isfinite(kelvin))
       throw InputError(fault_at(*place.origin, "initial_temperature",
-                                fmt::format("is {:g} at ({:.6g}, {:.6g}, {:.6g}); use at least 0", kelvin,
+                                fmt::format("is {:g} at ({:.6g}, {:.6g}, {:.6g}); use more than 0", kelvin,
                                             place.point.x(), place.point.y(), place.point.z())));
     sums[place.unknown] += place.size * kelvin;
     sizes[place.unknown] += place.size;

@@ -21,6 +21,8 @@ constexpr std::size_t remembered_steps = 5;
 constexpr double largest_factor = 1.5, largest_factor_of_power = 5;
 /// Largest change of T^4 over the highest of them, where it may pass through zero.
 constexpr double largest_change = 0.1;
+/// Of the highest temperature: colder ones are as cold as this where changes are measured.
+constexpr double least_part = 1e-3;
 
 std::vector<double> divided(std::vector<double> values, double divisor) {
   for (double& value : values) value /= divisor;
@@ -38,8 +40,8 @@ TemperatureIteration::TemperatureIteration(const Problem& problem, const HeatPro
       mixing_(balance_.volumes(), remembered_steps),
       values_(storage_.start()) {
   for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = space_.value(i, values_[i]);
+  check_media();
   if (!heat.changes_in_time) {
-    check_media();
     check_conductors();
     check_heat_sinks(problem, heat, space_);
   }
@@ -47,16 +49,18 @@ TemperatureIteration::TemperatureIteration(const Problem& problem, const HeatPro
 }
 
 void TemperatureIteration::check_media() const {
+  const std::vector<double> capacity = storage_.capacity(storage_.start());
   const TetrahedralMesh& mesh = problem_.mesh();
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
     if (!space_.has(cell) || space_.conducts(cell)) continue;
     if (absorption_of_all_bands(problem_, cell) > 0) continue;
+    if (capacity[static_cast<std::size_t>(space_.unknown(cell, 0))] > 0) continue;
     const Vec3 place = mesh.centroid(cell);
     throw InputError(fault_at(
         problem_.medium(mesh.region(cell)).origin, "",
         fmt::format("neither absorbs nor conducts at ({:.6g}, {:.6g}, {:.6g}), so its temperature does not "
-                    "follow from its heat; give absorption or conductivity",
+                    "follow from its heat; give absorption, conductivity or a heat capacity",
                     place.x(), place.y(), place.z())));
   }
 }
@@ -125,8 +129,11 @@ double TemperatureIteration::improve(const LightAtVertices& light) {
   for (std::size_t i = 0; i < step.size(); ++i) {
     if (!std::isfinite(step[i]))
       throw NotFiniteError(
-          "the temperatures that follow from heat grow without end: something must take the heat away");
-    change_ = std::max(change_, std::abs(changes[i]) * space_.kelvin_per_value(i, highest) / highest);
+          "the temperatures that follow from heat grow without end: something must take the heat away, or "
+          "steps in time be shorter");
+    // Stored heat counts kelvins, and steady heat what is emitted at the highest temperature.
+    const double kelvin = stage_ ? std::max(std::abs(temperature_[i]), least_part * highest) : highest;
+    change_ = std::max(change_, std::abs(changes[i]) * space_.kelvin_per_value(i, kelvin) / highest);
     values_[i] += limited(i, step[i], highest);
   }
   set_sources();

@@ -67,15 +67,19 @@ double emissivity(const Problem& problem, int wall, double kelvin) {
 
 TemperatureSpace::TemperatureSpace(const Problem& problem, const HeatProblem& heat)
     : conductivity_(static_cast<std::size_t>(problem.mesh().cell_count()), 0),
+      conducts_(conductivity_.size(), 0),
       unknowns_(4 * conductivity_.size(), -1),
       of_walls_(static_cast<std::size_t>(3 * problem.mesh().boundary_face_count()), -1),
       usual_(heat.start),
       stored_(heat.changes_in_time ? std::pow(heat.start, 3) : 0) {
   const TetrahedralMesh& mesh = problem.mesh();
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c)
-    if (const auto& medium = heat.media[static_cast<std::size_t>(mesh.region(CellIndex(c)))])
+    if (const auto& medium = heat.media[static_cast<std::size_t>(mesh.region(CellIndex(c)))]) {
       conductivity_[CellIndex(c).at()] =
           cell_conductivity(*medium, mesh, CellIndex(c), {usual_, usual_, usual_, usual_});
+      conducts_[CellIndex(c).at()] =
+          conductivity_[CellIndex(c).at()] > 0 || medium->conductivity.depends_on_temperature() ? 1 : 0;
+    }
   number_vertices(mesh);
   number_walls(problem, heat);
   unknowns_before_cells_ = size_;

@@ -41,7 +41,8 @@ class TemperatureSpace {
   /// Of vertex i of a boundary face; -1: none.
   std::int32_t unknown(FaceIndex face, std::size_t i) const { return of_walls_[3 * face.at() + i]; }
   bool has(FaceIndex face) const { return unknown(face, 0) >= 0; }
-  bool conducts(CellIndex cell) const { return conductivity_[cell.at()] > 0; }
+  /// A conductivity that depends on the temperature may be 0 at the usual one.
+  bool conducts(CellIndex cell) const { return conducts_[cell.at()] != 0; }
   /// Mean at the usual temperature [W/(m K)].
   double conductivity(CellIndex cell) const { return conductivity_[cell.at()]; }
   /// Number of the first unknowns, those of vertices and walls.
@@ -60,6 +61,7 @@ class TemperatureSpace {
   double temperature(std::size_t unknown, double value) const;
 
   std::vector<double> conductivity_;    ///< [cell] 0 where none
+  std::vector<char> conducts_;          ///< [cell]
   std::vector<std::int32_t> unknowns_;  ///< [cell][4]
   std::vector<std::int32_t> of_walls_;  ///< [boundary face][3]
   std::vector<Loss> losses_;            ///< [unknown of a wall]

@@ -41,7 +41,8 @@ Fraction fraction_of(const Bands& bands, int band, double kelvin) {
 }  // namespace
 
 double band_blackbody(const Bands& bands, int band, double kelvin) {
-  return stefan_boltzmann / std::numbers::pi * std::pow(kelvin, 4) * fraction_of(bands, band, kelvin).value;
+  return std::pow(bands.refractive_index, 2) * stefan_boltzmann / std::numbers::pi * std::pow(kelvin, 4) *
+         fraction_of(bands, band, kelvin).value;
 }
 
 double band_share_of_change(const Bands& bands, int band, double kelvin) {
@@ -50,7 +51,7 @@ double band_share_of_change(const Bands& bands, int band, double kelvin) {
 }
 
 double band_blackbody_slope(const Bands& bands, int band, double kelvin) {
-  return 4 * stefan_boltzmann / std::numbers::pi * std::pow(kelvin, 3) *
+  return std::pow(bands.refractive_index, 2) * 4 * stefan_boltzmann / std::numbers::pi * std::pow(kelvin, 3) *
          band_share_of_change(bands, band, kelvin);
 }
 

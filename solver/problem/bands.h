@@ -31,6 +31,9 @@ struct Bands {
   std::vector<double> edges;  ///< [nm], one more than names; may be empty
   GrayGases wsgg = {};        ///< one gas for each band, or none; then there are no edges
 
+  /// Of all media, where they have temperatures: into them blackbodies send its square times as much.
+  double refractive_index = 1;
+
   int count() const { return static_cast<int>(names.size()); }
 };
 

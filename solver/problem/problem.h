@@ -95,8 +95,10 @@ struct Wall {
   bool is_glossy() const;
   bool transmits() const;
   /// Part of light that is the same from all directions that the wall absorbs; its emissivity (Kirchhoff's
-  /// law).
-  double absorptivity(std::size_t band) const { return 1 - mean_reflectance(band) - transmitted(band); }
+  /// law). What passes through a smooth surface it does not absorb.
+  double absorptivity(std::size_t band) const {
+    return refractive_index != 1 ? 0 : 1 - mean_reflectance(band) - transmitted(band);
+  }
   /// Of light that is the same from all directions, what comes back to the same side.
   double mean_reflectance(std::size_t band) const {
     const Reflectance* lobe = glossy_in(band);

@@ -13,7 +13,8 @@ enum class StepMethod { sdirk2, bdf2 };
 
 /// gamma: the first stage of sdirk2 ends there, and both are as long, in steps.
 inline constexpr double sdirk_gamma = 1 - 1 / std::numbers::sqrt2;
-/// Of backward differentiation: (3 u_{k+1} - 4 u_k + u_{k-1}) / (2 step) = f is u_{k+1} = (4 u_k - u_{k-1})/3
+/// Length of the stage of backward differentiation, in steps: (3 u_{k+1} - 4 u_k + u_{k-1}) / (2 step) = f is
+/// u_{k+1} = (4 u_k - u_{k-1})/3
 /// + bdf2_part step f.
 inline constexpr double bdf2_part = 2.0 / 3;
 

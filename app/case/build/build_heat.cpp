@@ -69,7 +69,9 @@ std::optional<HeatProblem> build_heat(const Case& input, const TetrahedralMesh& 
   for (const std::string& name : mesh.wall_names()) {
     const WallCase wall = entry_of(input.walls, name);
     heat.wall_temperatures.emplace_back();
-    if (wall.temperature) heat.wall_temperatures.back() = coefficient_of(wall.temperature->values.front());
+    // That of a smooth surface is what radiates behind it.
+    if (wall.temperature && wall.refractive_index == 1)
+      heat.wall_temperatures.back() = coefficient_of(wall.temperature->values.front());
     heat.walls.emplace_back();
     if (!wall.iterates_temperature()) continue;
     const Convection convection = wall.convection.value_or(Convection{});

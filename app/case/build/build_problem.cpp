@@ -5,6 +5,7 @@
 #include "app/case/build/field_uses.h"
 #include "app/case/build/mesh_names.h"
 #include "app/case/build/temperature_range.h"
+#include "app/case/temperatures.h"
 #include "app/case/values/band_values.h"
 #include "app/case/values/medium_coefficients.h"
 #include "app/case/values/value_algebra.h"
@@ -183,6 +184,19 @@ Wall wall_of(const WallCase& entry, const std::string& name, int bands) {
   return wall;
 }
 
+/// Where media have temperatures, light is not refracted between them.
+void check_indices(const Case& input, const TetrahedralMesh& mesh) {
+  for (const std::string& name : mesh.region_names())
+    if (const MediumCase entry = entry_of(input.media, name);
+        has_temperatures(input) && entry.refractive_index != input.bands.refractive_index)
+      throw InputError(fault_at(
+          entry.origin, "",
+          fmt::format(
+              "{} has the refractive_index {:g} and another medium {:g}; in a case with temperatures they "
+              "must be the same (light is not refracted between media)",
+              name, entry.refractive_index, input.bands.refractive_index)));
+}
+
 /// A set and the copies of it that the case asks for, each with weights for the walls that refract.
 std::vector<DirectionSet> rotated_and_fitted(const DirectionSet& set, const Case& input,
                                              const Problem& problem) {
@@ -199,6 +213,7 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
   check_names(input, names_of(mesh));
   field_uses(input, mesh);          // all fields cover what they are used in
   temperature_ranges(input, mesh);  // none is negative
+  check_indices(input, mesh);
   const int bands = input.bands.count();
   const std::vector<double> volumes = region_volumes(mesh);
   std::vector<Wall> walls;

@@ -26,16 +26,19 @@ KeyTable wall_keys() {
         "too.");
   t.key("temperature", place_value, {.unit = "K", .range = not_negative},
         "Instead of `radiance`: the wall emits emissivity times the radiance of a blackbody, divided among "
-        "the bands by `bands.edges` (docs/user/heat.md).");
+        "the bands by `bands.edges` (docs/user/heat.md). Of a wall with a `refractive_index` that of what is "
+        "behind it.");
   t.key(
       "heat_flux", number, {.unit = "W/m^2", .range = not_negative},
       "Instead of `temperature`: the heat that the wall gives to the domain; its temperature follows; 0: an "
       "adiabatic (reradiating, refractory) wall.");
   t.key("heat_capacity", thermal_value, {.unit = "J/(m^2 K)", .range = not_negative},
         "Of a wall whose temperature follows, in a case with [time]: thickness times density times specific "
-        "heat; the wall is as warm inside as at its surface. Without it the wall stores nothing.");
+        "heat; the wall is as warm inside as at its surface. Without it the wall stores nothing. Of a sheet "
+        "for "
+        "each side.");
   t.key("initial_temperature", place_value, {.unit = "K", .range = not_negative},
-        "At t = 0, of a wall with `heat_capacity`. Not needed with `solve.initial`.");
+        "At t = 0, of a wall with `heat_capacity`. With `solve.initial` its temperatures come first.");
   t.key("emissivity", band_numbers,
         {.default_note = "what is neither reflected nor transmitted", .range = fraction},
         "Hemispherical emissivity, which equals the absorptivity (Kirchhoff's law). Without `diffuse` the "

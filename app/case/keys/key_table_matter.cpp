@@ -57,8 +57,7 @@ KeyTable medium_keys() {
         "Density times specific heat, in a case with [time]: the medium stores heat, and its temperature "
         "changes with time. A formula may use the temperature T [K].");
   t.key("initial_temperature", place_value, {.unit = "K", .range = not_negative},
-        "At t = 0, of a medium with `heat_capacity`. Not needed with `solve.initial`, whose temperatures "
-        "come first.");
+        "At t = 0, of a medium with `heat_capacity`. With `solve.initial` its temperatures come first.");
   t.key("scattering_method", band_texts,
         {.default_value = "\"auto\"", .choices = {"auto", "moments", "dense", "galerkin"}},
         "Through moments of the radiance, or a matrix between the directions: dense (never negative, exact "
@@ -81,7 +80,8 @@ KeyTable medium_keys() {
   t.key("reciprocal", boolean, {.default_value = "false"},
         "Claims of the kernel that k(w, v) = k(-v, -w), which is checked.");
   t.key("refractive_index", number, {.default_note = "1", .range = positive},
-        "By which light is slower here than in vacuum, in a case with [time]. It bends no rays.");
+        "By which light is slower here than in vacuum, in a case with [time]. It bends no rays. Where media "
+        "have temperatures it is that of all of them: blackbodies send its square times as much into them.");
   t.key("in_time", text, {.default_note = "that of [time]"},
         "When the medium emits, in a case with [time]: see `time.in_time`. Where temperatures change with "
         "time: the part of `heat_source` at times t > 0, a formula in t or a CSV file.");

@@ -304,9 +304,10 @@ const BoundTable<TimeCase>& time_table() {
         "method", &TimeCase::method, {{"sdirk2", StepMethod::sdirk2}, {"bdf2", StepMethod::bdf2}}, {},
         "Of steps, both of second order. sdirk2: two solutions a step, the more accurate; bdf2: one, for "
         "even steps.");
-    t.key("frames", &TimeCase::frames, {.range = {.lowest = 0, .highest = 10000}},
-          "Evenly spaced times up to `until` of which the fluence is written, `fluence_0001.vtu` and so on, "
-          "and `fluence.pvd` that has them all.");
+    t.key(
+        "frames", &TimeCase::frames, {.range = {.lowest = 0, .highest = 10000}},
+        "Evenly spaced times up to `until` of which the fluence is written, `fluence_0001.vtu` and so on, "
+        "and `fluence.pvd` that has them all; of temperatures that change with time `temperature_0001.vtu`.");
     return t;
   }();
   return table;

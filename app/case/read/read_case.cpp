@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include <fmt/format.h>
+
 #include "app/case/build/build.h"
 #include "app/case/build/daylight.h"
 #include "app/case/build/mesh_names.h"
@@ -7,11 +9,11 @@
 #include "app/case/keys/key_check.h"
 #include "app/case/keys/override.h"
 #include "app/case/keys/section.h"
-#include "app/case/read/materials/check_heat.h"
-#include "app/case/read/materials/check_heat_in_time.h"
 #include "app/case/read/eye_check.h"
 #include "app/case/read/first_collided_default.h"
 #include "app/case/read/lights/read_light.h"
+#include "app/case/read/materials/check_heat.h"
+#include "app/case/read/materials/check_heat_in_time.h"
 #include "app/case/read/materials/read_matter.h"
 #include "app/case/read/read_accuracy.h"
 #include "app/case/read/read_camera.h"
@@ -22,6 +24,7 @@
 #include "app/case/read/read_solve.h"
 #include "app/case/read/read_time.h"
 #include "app/case/read/seen_lights_check.h"
+#include "app/case/temperatures.h"
 #include "app/case/toml/render_toml.h"
 #include "app/case/toml/toml_document.h"
 #include "app/case/values/band_values.h"
@@ -47,6 +50,8 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   result.mesh = read_mesh_section(top.section("mesh"), file.parent_path());
   result.bands = read_bands(top.section("bands"));
   read_directions(top.section("directions"), result);
+  for (auto& [name, medium] : top.section("media").named())
+    if (const auto index = medium.number_if("refractive_index")) result.bands.refractive_index = *index;
   result.media =
       read_media(top.section("media"), {result.bands, result.units, result.angular_space, file.parent_path(),
                                         [&result] { return ordinate_count(result); }});
@@ -75,25 +80,33 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   return result;
 }
 
-/// Media that emit by their temperature have the refractive index of vacuum.
+/// Where media and opaque walls have temperatures, walls refract by the index of the media.
 void check_refracting_walls(const Case& input, Faults& faults) {
-  const bool has_hot_medium = std::ranges::any_of(input.media, [](const auto& entry) {
-    return entry.second.temperature.has_value() || entry.second.iterates_temperature();
-  });
+  const bool is_hot =
+      std::ranges::any_of(input.media,
+                          [](const auto& entry) {
+                            return entry.second.temperature.has_value() || entry.second.follows_from_heat();
+                          }) ||
+      std::ranges::any_of(input.walls, [](const auto& entry) {
+        const WallCase& wall = entry.second;
+        return wall.refractive_index == 1 && (wall.temperature || wall.heat_flux || wall.convection);
+      });
   for (const auto& [name, wall] : input.walls)
-    if (has_hot_medium && wall.refractive_index != 1)
-      faults.push_back(
-          fault_at(wall.origin, "",
-                   "has a refractive_index in a case with a temperature of media, which would emit n^2 times "
-                   "as much (not in this version); use emission, or no refractive_index"));
+    if (is_hot && wall.refractive_index != 1 && wall.refractive_index != input.bands.refractive_index)
+      faults.push_back(fault_at(
+          wall.origin, "",
+          fmt::format("has the refractive_index {:g} in a case with temperatures whose media have {:g}; give "
+                      "them the same (what is behind the wall has 1)",
+                      wall.refractive_index, input.bands.refractive_index)));
 }
 
 /// A refractive index of a medium is for the speed of light there alone.
 void check_slow_media(const Case& input, Faults& faults) {
   for (const auto& [name, medium] : input.media)
-    if (!input.time && medium.refractive_index != 1)
-      faults.push_back(fault_at(medium.origin, "",
-                                "has a refractive_index in a case without [time]; that of a wall refracts"));
+    if (!input.time && !has_temperatures(input) && medium.refractive_index != 1)
+      faults.push_back(fault_at(
+          medium.origin, "",
+          "has a refractive_index in a case without [time] and temperatures; that of a wall refracts"));
 }
 
 /// Without light in time nothing has a course.

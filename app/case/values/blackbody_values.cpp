@@ -34,7 +34,7 @@ std::string weight_text(const GrayGases& wsgg, int band, const std::string& kelv
 }  // namespace
 
 Value blackbody_radiance(const Value& temperature, const Bands& bands, int band) {
-  constexpr double factor = stefan_boltzmann / std::numbers::pi;
+  const double factor = std::pow(bands.refractive_index, 2) * stefan_boltzmann / std::numbers::pi;
   if (is_number(temperature)) return band_blackbody(bands, band, std::get<double>(temperature));
   Formula formula = term(temperature);
   const std::string kelvin = formula.text;

@@ -21,15 +21,17 @@ std::string hash_text(const ContentHash& hash) { return fmt::format("{:016x}", h
 
 /// Tables that the answer does not depend on; "" is what stands above the first, the title. The mesh has a
 /// hash of its own, however it came about.
-constexpr std::array<std::string_view, 7> free_tables = {"",       "mesh",   "solve", "probe",
-                                                         "output", "camera", "sensor"};
+constexpr std::array<std::string_view, 8> free_tables = {"",     "mesh",   "solve",  "probe",
+                                                         "time", "output", "camera", "sensor"};
 
 /// Keys of other tables that it does not depend on: a solution with negative values is a good start for one
 /// without, and photometric units are those of what sensors say of it.
 struct FreeKey {
   std::string_view table, key;
 };
-constexpr std::array<FreeKey, 7> free_keys = {{{"space", "positivity"},
+constexpr std::array<FreeKey, 9> free_keys = {{{"media", "initial_temperature"},
+                                               {"walls", "initial_temperature"},
+                                               {"space", "positivity"},
                                                {"units", "illuminance"},
                                                {"units", "luminous_exitance"},
                                                {"units", "luminance"},
@@ -84,7 +86,11 @@ void add_files_of_table(const Case& input, const std::string& table, ContentHash
             &medium.heat_capacity, &medium.initial_temperature})
         if (*values) add_fields(**values, hash);
   if (table == "walls")
-    for (const auto& [name, wall] : input.walls) add_fields(wall.radiance, hash);
+    for (const auto& [name, wall] : input.walls) {
+      add_fields(wall.radiance, hash);
+      for (const auto* values : {&wall.heat_capacity, &wall.initial_temperature})
+        if (*values) add_fields(**values, hash);
+    }
   if (table == "light")
     for (const LightCase& light : input.lights)
       for (const auto* numbers : {&light.angle, &light.intensity, &light.plane})

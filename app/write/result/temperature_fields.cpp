@@ -17,9 +17,11 @@ namespace {
 
 using std::numbers::pi;
 
-/// Of a gray body with this emissive power sigma T^4 [W/m^2].
-double temperature_of(double emissive_power) {
-  return std::pow(std::max(0.0, emissive_power) / stefan_boltzmann, 0.25);
+/// Of a gray body with this emissive power n^2 sigma T^4 [W/m^2].
+double temperature_of(double emissive_power, const Bands& bands) {
+  return std::pow(
+      std::max(0.0, emissive_power) / (bands.refractive_index * bands.refractive_index * stefan_boltzmann),
+      0.25);
 }
 
 /// In radiative equilibrium: 4 kappa sigma T^4 = kappa G + heat source (Modest, Radiative Heat Transfer,
@@ -27,7 +29,8 @@ double temperature_of(double emissive_power) {
 double equilibrium_temperature(const Problem& problem, CellIndex cell, double fluence) {
   const Medium& medium = problem.medium(problem.mesh().region(cell));
   const double kappa = medium.reradiation.front().cell_mean(corners_of(problem.mesh(), cell));
-  return kappa > 0 ? temperature_of(fluence / 4 + pi * problem.emission(cell, 0) / kappa) : 0;
+  return kappa > 0 ? temperature_of(fluence / 4 + pi * problem.emission(cell, 0) / kappa, problem.bands())
+                   : 0;
 }
 
 /// Of values [cell][4], at the centroid of a cell.
@@ -63,10 +66,12 @@ std::vector<double> cell_temperatures(const RunResult& result) {
   return kelvin;
 }
 
-WallTemperature::WallTemperature(const RunResult& result, int wall) {
+WallTemperature::WallTemperature(const RunResult& result, int wall) : bands_(result.problem.bands()) {
   const Wall& behind = result.problem.wall(wall);
   const WallCase entry = entry_of(result.input.walls, behind.name);
-  if (entry.temperature) given_ = coefficient_of(entry.temperature->values.front());
+  // That of a smooth surface is what is behind it.
+  if (entry.temperature && entry.refractive_index == 1)
+    given_ = coefficient_of(entry.temperature->values.front());
   if (entry.iterates_temperature() && result.heat) iterated_ = result.heat->wall_temperature;
   if (!entry.reradiates) return;
   emissivity_ = behind.reradiation.front();
@@ -75,9 +80,9 @@ WallTemperature::WallTemperature(const RunResult& result, int wall) {
 
 // A wall that gives the heat flux q: epsilon sigma T^4 = epsilon H + q.
 double WallTemperature::at(const Vec3& point, double irradiance, std::size_t corner) const {
-  if (given_) return given_->at(point);
   if (!iterated_.empty()) return iterated_[corner];
-  return emissivity_ > 0 ? temperature_of(irradiance + heat_flux_ / emissivity_) : 0;
+  if (given_) return given_->at(point);
+  return emissivity_ > 0 ? temperature_of(irradiance + heat_flux_ / emissivity_, bands_) : 0;
 }
 
 std::vector<WallTemperature> wall_temperatures(const RunResult& result) {

@@ -21,6 +21,7 @@ class WallTemperature {
   double at(const Vec3& point, double irradiance, std::size_t corner) const;
 
  private:
+  const Bands& bands_;
   std::optional<Coefficient> given_;
   double emissivity_ = 0;             ///< of a wall with a heat flux, else 0
   double heat_flux_ = 0;              ///< [W/m^2]

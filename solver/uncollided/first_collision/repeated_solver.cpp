@@ -41,7 +41,7 @@ Solution RepeatedSolver::solve(const SolveObserver& observer) {
 }
 
 void RepeatedSolver::read(const DirectionSetObserver& reader) const {
-  if (reader) reader({directions_, swept_, options_.angular_input});
+  if (reader) reader({directions_, kept_, options_.angular_input});
 }
 
 }  // namespace etendue

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "solver/angular/sets/direction_set.h"
 #include "solver/problem/problem.h"
@@ -25,7 +26,8 @@ class RepeatedSolver {
 
   /// Swept and uncollided light. Throws as solve() does.
   Solution solve(const SolveObserver& observer = {});
-  /// The swept part of the last solution.
+  /// Keeps the swept part of the last solution for read().
+  void keep() { kept_ = std::move(swept_); }
   void read(const DirectionSetObserver& reader) const;
 
  private:
@@ -35,7 +37,7 @@ class RepeatedSolver {
   std::optional<FirstCollision> input_;  ///< none without lights
   SolveOptions options_;
   TransportSolver solver_;
-  Solution swept_;
+  Solution swept_, kept_;
 };
 
 }  // namespace etendue

@@ -2,6 +2,8 @@
 // Runs whose temperatures follow by iteration.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/app/run/csv_table.h"
 #include "tests/app/run/small_case.h"
 
@@ -69,6 +71,37 @@ TEST(TemperaturesRun, OfWallsTakeTheLightOfLamps) {
   const CsvTable heat(text_of(folder.path() / "results" / "heat.csv"));
   EXPECT_NEAR(heat.number({"wall", "zmin"}, "convected") / 700, 1, 1e-5);
   EXPECT_NEAR(heat.number({"wall", "zmin"}, "temperature"), 370, 1e-3);
+}
+
+// Glass as warm as all about it has n^2 times the light of a void, behind smooth faces and black ones.
+TEST(TemperaturesRun, FillGlassWithMoreLight) {
+  for (const char* wall :
+       {"refractive_index = 1.5\ntemperature = 900\n",
+        "refractive_index = 1.5\ntemperature = 900\nconvection = { h = 5, ambient = 900 }\n",
+        "emissivity = 0.7\ntemperature = 900\n", "emissivity = 0.7\nheat_flux = 0\n"})
+    for (const char* glass : {"temperature = 900\n", "heat_source = 0\n", "conductivity = 1\n"}) {
+      if (std::string(glass) != "temperature = 900\n" && has(wall, "heat_flux")) continue;  // nothing is warm
+      const CaseFolder folder(
+          cube_with("[media.gas]\nabsorption = 2\nscattering = 0.5\nrefractive_index = 1.5\n" +
+                    std::string(glass) + "[walls.\"*\"]\n" + wall));
+      const Outcome outcome = etendue_says({"run", folder.file(), "--set", "solve.tolerance=1e-9"});
+      ASSERT_EQ(outcome.code, ExitCode::done) << wall << glass << outcome.err << outcome.out;
+      const CsvTable regions(text_of(folder.path() / "results" / "regions.csv"));
+      const double full = 4 * 2.25 * 5.670374419e-8 * std::pow(900.0, 4);
+      EXPECT_NEAR(regions.number({"gas"}, "fluence_mean") / full, 1, 1e-5) << wall << glass;
+      const CsvTable heat(text_of(folder.path() / "results" / "heat.csv"));
+      EXPECT_NEAR(heat.number({"region", "gas"}, "temperature"), 900, 1e-2) << wall << glass;
+      EXPECT_NEAR(heat.number({"region", "gas"}, "net") / full, 0, 1e-6) << wall << glass;
+    }
+}
+
+TEST(TemperaturesRun, RefusesUnlikeRefractiveIndices) {
+  const CaseFolder folder(
+      cube_with("[media.gas]\nabsorption = 2\ntemperature = 900\n[walls.\"*\"]\n"
+                "refractive_index = 1.5\n"));
+  const Outcome outcome = etendue_says({"run", folder.file()});
+  EXPECT_EQ(outcome.code, ExitCode::input_error) << outcome.out;
+  EXPECT_TRUE(has(outcome.err, "give them the same")) << outcome.err;
 }
 
 TEST(TemperaturesRun, OfWallsAreSeenBySensors) {

@@ -95,7 +95,8 @@ TEST(HeatMarch, HeatsAClosedRoomByItsSource) {
   const TetrahedralMesh mesh = cube_mesh(4e-2);
   for (const double conductivity : {0.0, 5.0})
     for (const StepMethod method : {StepMethod::sdirk2, StepMethod::bdf2}) {
-      const Room room{mesh,         Bands{}, uniform_medium(1, 0.7, 0.2, 0), 0.8, walls_of(mesh, 0, 0), conductivity, 2000, true};
+      const Room room{mesh, Bands{}, uniform_medium(1, 0.7, 0.2, 0), 0.8, walls_of(mesh, 0, 0), conductivity,
+                      2000, true};
       const HeatProblem heat = insulated(in_time(room.heat(), 40.0, 500.0));
       const Marched marched = march(room, heat, even(method, 6, 3));
       ASSERT_EQ(marched.times.size(), 3u);

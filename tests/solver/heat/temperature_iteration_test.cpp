@@ -134,6 +134,22 @@ TEST(TemperatureIteration, ConductsByATemperatureThatChangesTheConductivity) {
   EXPECT_LT(errors[1], 4);
 }
 
+// In glass of the refractive index n light carries n^2 times as much, so that conduction is to be n^2 times
+// as much too for the same temperatures; and all heat is n^2 times as much.
+TEST(TemperatureIteration, SendsMoreIntoDenserMedia) {
+  const TetrahedralMesh mesh = cube_mesh(1e-2);
+  Bands glass = kTwoBands;
+  glass.refractive_index = 1.5;
+  const Room thin{mesh, kTwoBands, medium_of(kTwoBands, 0.5), 0.8, walls_of(mesh, 500, 1200), 3, 20000};
+  const Room dense{mesh,     glass,       medium_of(glass, 0.5), 0.8, walls_of(mesh, 500, 1200),
+                   3 * 2.25, 20000 * 2.25};
+  const Heated one = solved(thin), other = solved(dense);
+  ASSERT_EQ(one.temperatures.size(), other.temperatures.size());
+  for (std::size_t i = 0; i < one.temperatures.size(); ++i)
+    EXPECT_NEAR(other.temperatures[i], one.temperatures[i], 1e-5);
+  EXPECT_NEAR(other.radiated_into_walls / (2.25 * one.radiated_into_walls), 1, 1e-8);
+}
+
 TEST(TemperatureIteration, GivesAllHeatToTheWalls) {
   const TetrahedralMesh mesh = cube_mesh(4e-3);
   for (const double conductivity : {0.0, 2.0, 200.0}) {

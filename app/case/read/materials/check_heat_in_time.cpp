@@ -13,7 +13,7 @@ class HeatInTimeCheck {
   HeatInTimeCheck(const Case& input, std::vector<Fault>& faults) : input_(input), faults_(faults) {}
 
   void medium(const MediumCase& medium) {
-    if (medium.iterates_temperature() && !medium.heat_capacity)
+    if (medium.follows_from_heat() && !medium.heat_capacity)
       refuse(medium.origin, "its temperature follows from heat and changes with time: give heat_capacity");
     storing(medium, medium.heat_capacity.has_value());
     course(medium.in_time, medium.heat_source.has_value(), "heat_source");
@@ -22,6 +22,8 @@ class HeatInTimeCheck {
   void wall(const WallCase& wall) {
     storing(wall, wall.heat_capacity && wall.iterates_temperature());
     course(wall.in_time, wall.heat_flux.has_value(), "heat_flux");
+    if (wall.in_time && wall.beam)
+      refuse(wall.in_time->origin, "not beside a beam (not in this version), which shines always");
   }
 
   void light(const LightCase& light) {
@@ -48,7 +50,7 @@ class HeatInTimeCheck {
     if (!in_time) return;
     if (!has_heat)
       refuse(in_time->origin,
-             "is of no use without heat_source or heat_flux: what has a temperature emits by it");
+             "is of no use without heat_source or heat_flux: nothing else changes with time here");
     else if (in_time->kind == InTime::Kind::pulse)
       faults_.push_back(fault_at(in_time->origin, "\"pulse\"",
                                  std::string("not of ") + key + "; use a formula in t or a table"));

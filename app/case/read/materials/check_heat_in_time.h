@@ -8,7 +8,7 @@
 namespace etendue {
 
 /// Adds a fault for each medium, wall and light that does not suit temperatures that change with time, or
-/// that says how they would in a case where they do not.
+/// that has keys for it in a case where they do not.
 void check_heat_in_time(const Case& input, std::vector<Fault>& faults);
 
 }  // namespace etendue

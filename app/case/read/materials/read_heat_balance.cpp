@@ -17,16 +17,23 @@ bool is_one_gray_band(const Bands& bands) { return bands.count() == 1 && bands.e
 
 /// Why the temperature of a wall cannot follow from its heat; empty where it can.
 std::string wall_problem(const Section& section, const ThermalContext& context, const WallCase& wall) {
-  if (std::string problem = temperature_problem(section, context, {"temperature", "radiance"});
+  // What is behind a smooth surface may have a temperature beside that of the surface.
+  const bool is_smooth = wall.refractive_index != 1;
+  if (std::string problem = is_smooth ? temperature_problem(section, context, {})
+                                      : temperature_problem(section, context, {"temperature", "radiance"});
       !problem.empty())
     return problem;
+  if (is_smooth && wall.heat_flux)
+    return "not at a wall with a refractive_index, which absorbs nothing; leave heat_flux out";
+  if (is_smooth && !(wall.convection->heat_transfer_coefficient > 0))
+    return "does nothing at a wall with a refractive_index, which absorbs nothing; give h above 0";
   bool absorbs = false, transmits = false;
   for (int band = 0; band < context.bands.count(); ++band) {
     absorbs = absorbs || absorptivity(wall, band) > 0;
     transmits = transmits || std::get<double>(value_of(wall.transmittance, band)) > 0;
   }
-  if (!wall.glossy.empty() || wall.refractive_index != 1 || transmits)
-    return "not beside glossy, refractive_index or transmittance (not in this version); give a temperature";
+  if (!wall.glossy.empty() || transmits)
+    return "not beside glossy or transmittance (not in this version); give a temperature";
   if (!absorbs && !(wall.convection && wall.convection->heat_transfer_coefficient > 0))
     return "the wall does not absorb, so its temperature does not follow from light; reflect less, or leave "
            "it "
@@ -85,8 +92,8 @@ void read_wall_heat(Section& section, const ThermalContext& context, bool beside
   const std::string problem = wall_problem(section, context, wall);
   if (!problem.empty()) return section.fault(section.has("heat_flux") ? "heat_flux" : "convection", problem);
   // What a gray wall absorbs it gives back, as if it reflected it.
-  wall.reradiates =
-      !wall.convection && !wall.heat_capacity && !beside_conductors && is_one_gray_band(context.bands);
+  wall.reradiates = !wall.convection && !wall.heat_capacity && !section.has("in_time") &&
+                    !beside_conductors && is_one_gray_band(context.bands);
   if (wall.reradiates)
     wall.radiance = BandValues{{*wall.heat_flux / std::numbers::pi}, section.origin("heat_flux")};
 }

@@ -134,11 +134,12 @@ void read_thermal_wall(Section& section, const ThermalContext& context, WallCase
   read_emissivity(section, context.bands, wall);
   wall.temperature = read_temperature(section, context, {"radiance"});
   if (!wall.temperature) return;
-  if (wall.refractive_index != 1)
-    return section.fault(
-        "temperature",
-        "not beside refractive_index (media emit n^2 times as much as in vacuum; not in this "
-        "version); use radiance");
+  if (wall.refractive_index != 1) {
+    Bands behind = context.bands;  // where the index is that of vacuum
+    behind.refractive_index = 1;
+    wall.radiance = blackbody_values(*wall.temperature, behind);
+    return;
+  }
   if (!wall.glossy.empty())
     return section.fault("temperature",
                          "not beside glossy (its emissivity depends on the direction; not in this version); "

@@ -101,7 +101,8 @@ TEST(ReadHeatBalance, IteratesWhereMediaConductOrBandsAreSeveral) {
     const HeatProblem heat = build_heat(input, mesh).value();
     ASSERT_TRUE(heat.media.at(0));
     EXPECT_EQ(heat.media[0]->source.at(Vec3::Zero()), input.media.at("air").heat_source ? 1 : 0);
-    EXPECT_EQ(heat.media[0]->conductivity.at(Vec3::UnitX()), input.media.at("air").conductivity ? 0.2 : 0);
+    EXPECT_EQ(heat.media[0]->conductivity.at(Vec3::UnitX(), 300),
+              input.media.at("air").conductivity ? 0.2 : 0);
   }
   EXPECT_FALSE(iterates_temperatures(case_of(air("absorption = 1\nheat_source = 1\n"))));
 }
@@ -147,7 +148,10 @@ TEST(ReadHeatBalance, RefusesConvectionThatSaysTooLittleOrTooMuch) {
   says("convection = { h = -1, ambient = 300 }\n", "at least 0");
   says("convection = { h = 1, ambient = 300 }\ntemperature = 400\n", "temperature is given too");
   says("convection = { h = 0, ambient = 300 }\nspecular = 1\n", "does not absorb");
-  says("convection = { h = 1, ambient = 300 }\nrefractive_index = 1.5\n", "not beside glossy");
+  says("convection = { h = 1, ambient = 300 }\nheat_flux = 0\nrefractive_index = 1.5\n",
+       "leave heat_flux out");
+  says("convection = { h = 0, ambient = 300 }\nrefractive_index = 1.5\n", "give h above 0");
+  says("convection = { h = 1, ambient = 300 }\nrefractive_index = 1.5\n", "give them the same");
   says("convection = { h = 1, ambient = 300 }\n[solve]\nmethod = \"photons\"\n", "not by photons");
   says("convection = { h = 1, ambient = 300 }\nuncollided = true\n", "not as a light");
   says("convection = { h = 1, ambient = 300 }\nglazing = { transmittance = 0.9 }\n", "beside glazing");
@@ -180,7 +184,7 @@ TEST(ReadHeatBalance, RefusesWhatTheIterationCannot) {
   const std::string all_walls = "[walls.\"*\"]\n";
   mirrored.insert(mirrored.find(all_walls) + all_walls.size(), "specular = 1\n");
   says(mirrored, "nothing takes its heat away");
-  says(conducts + "[walls.zmin]\nrefractive_index = 1.5\n", "n^2 times");
+  says(conducts + "[walls.zmin]\nrefractive_index = 1.5\n", "give them the same");
 }
 
 }  // namespace
