@@ -154,11 +154,44 @@ TEST(CouplingRun, HasTheSameBitsByAnyNumberOfThreads) {
   EXPECT_EQ(texts[0], texts[1]);
 }
 
-TEST(CouplingRun, TakesFieldsOnTheSameCellsUnchanged) {
+/// A box none of whose roof faces is flat, with points that single precision does not hold.
+PolyhedralMesh warped_box() {
   PolyhedralMesh warped = hexahedra(cells, size);
-  for (Vec3& point : warped.points)  // no face of the roof is flat
-    point.z() *= 1 + 0.05 * std::sin(3 * point.x()) * std::cos(4 * point.y());
-  const FoamRun run(warped);
+  for (Vec3& point : warped.points) point.z() *= 1 + 0.05 * std::sin(3 * point.x()) * std::cos(4 * point.y());
+  return warped;
+}
+
+/// Adds a field of the time 0 to the folder `foam`.
+void write_foam_field(const std::filesystem::path& folder, const std::string& name,
+                      const std::vector<double>& values) {
+  std::filesystem::create_directories(folder / "system");
+  std::filesystem::create_directories(folder / "0");
+  write_text(folder / "system/controlDict",
+             "FoamFile { version 2.0; format ascii; class dictionary; object controlDict; }\n"
+             "startTime 0; endTime 1; deltaT 1; writeControl timeStep; writeInterval 1;\n");
+  std::ostringstream text;
+  text.precision(17);
+  text << "FoamFile { version 2.0; format ascii; class volScalarField; object " << name
+       << "; }\ndimensions [0 0 0 1 0 0 0];\ninternalField nonuniform List<scalar>\n"
+       << values.size() << "\n(\n";
+  for (const double value : values) text << value << '\n';
+  write_text(folder / "0" / name, text.str() + ")\n;\nboundaryField { \".*\" { type zeroGradient; } }\n");
+}
+
+TEST(CouplingRun, TakesFieldsOfTheOpenFoamCaseCellByCell) {
+  const FoamRun run(warped_box());
+  std::vector<double> given;
+  for (int c = 0; c < 36; ++c) given.push_back(600 + 25 * c);
+  write_foam_field(run.path() / "foam", "T", given);
+  run.run(
+      {"--set", "media.domain.temperature={file=\"" + (run.path() / "foam").string() + "\",array=\"T\"}"});
+  const std::vector<double> taken = array_of_hexahedra(run.path() / "results/cells.vtu", "temperature");
+  ASSERT_EQ(taken.size(), 36U);
+  for (std::size_t c = 0; c < 36; ++c) EXPECT_NEAR(taken[c], given[c], 1e-9);
+}
+
+TEST(CouplingRun, TakesFieldsOnTheSameCellsUnchanged) {
+  const FoamRun run(warped_box());
   run.run();
   run.run({"--output", (run.path() / "again").string(), "--set",
            "media.domain.temperature={file=\"" + (run.path() / "results/cells.vtu").string() +
