@@ -130,6 +130,7 @@ std::span<const std::int32_t> Mesh::boundary_faces() const {
 }
 
 std::span<const std::int32_t> Mesh::face_walls() const { return impl_->mesh->face_walls(); }
+std::span<const std::int32_t> Mesh::parents() const { return impl_->mesh->parents().cells; }
 const std::vector<std::string>& Mesh::region_names() const { return impl_->mesh->region_names(); }
 const std::vector<std::string>& Mesh::wall_names() const { return impl_->mesh->wall_names(); }
 

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 
 #include "app/case/temperatures.h"
 #include "app/write/csv/sensor_files.h"
 #include "app/write/csv/tables.h"
 #include "app/write/csv/time_tables.h"
 #include "app/write/json/summary.h"
+#include "app/write/parents/foam_fields.h"
 #include "app/write/result/output_folder.h"
 #include "app/write/vtk/solution_file.h"
 #include "app/write/vtk/vtk_files.h"
@@ -49,6 +51,35 @@ void add_steps(const RunResult& result, OutputFolder& folder) {
   folder.add_text(steps.of + ".pvd", frames_pvd(steps));
 }
 
+/// The folder `openfoam` of a run on the mesh of an OpenFOAM case, which is published before the others.
+class FoamFolder {
+ public:
+  FoamFolder(const RunResult& result, const std::filesystem::path& directory) : directory_(directory) {
+    for (const FoamFieldFile& file : foam_fields(result)) {
+      if (!folder_) folder_.emplace(directory / name_);
+      folder_->add_text(file.name, file.text);
+      files_.push_back(name_ + ("/" + file.name));
+    }
+  }
+
+  const std::vector<std::string>& files() const { return files_; }
+
+  /// Removes those of an earlier run where this one has none.
+  void publish() {
+    const std::vector<std::string> earlier = files_of_earlier_run(directory_, name_);
+    if (folder_) return folder_->publish(earlier);
+    std::error_code ignored;
+    for (const std::string& name : earlier) std::filesystem::remove(directory_ / name_ / name, ignored);
+    if (!earlier.empty()) std::filesystem::remove(directory_ / name_, ignored);  // where it is empty
+  }
+
+ private:
+  static constexpr const char* name_ = "openfoam";
+  const std::filesystem::path& directory_;
+  std::optional<OutputFolder> folder_;
+  std::vector<std::string> files_;
+};
+
 }  // namespace
 
 WrittenResults write_results(const RunResult& result) {
@@ -60,6 +91,9 @@ WrittenResults write_results(const RunResult& result) {
   OutputFolder folder(directory);
   write_fields(result, folder.add("fields.vtu"), directory / "fields.vtu");
   write_walls(result, folder.add("walls.vtp"), directory / "walls.vtp");
+  if (result.problem.mesh().parents().mesh)
+    write_parents(result, folder.add("cells.vtu"), directory / "cells.vtu");
+  FoamFolder foam(result, directory);
   if (!result.solution.state.fluence.empty())
     write_solution(result.input, result.problem, result.solution.state, result.solution.direction_error,
                    folder.add("solution.vtu"), directory / "solution.vtu");
@@ -84,8 +118,10 @@ WrittenResults write_results(const RunResult& result) {
   folder.add_text("history.csv", history_csv(result));
   std::vector<std::string> names = folder.names();
   names.push_back("summary.json");
+  names.insert(names.end(), foam.files().begin(), foam.files().end());
   folder.add_text("summary.json", summary_json(result, names, seconds()));
   folder.lock();
+  foam.publish();
   folder.publish(files_of_earlier_run(directory));
   return {directory, names, seconds()};
 }

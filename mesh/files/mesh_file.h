@@ -13,9 +13,10 @@
 
 namespace etendue {
 
-/// A tetrahedral mesh by the ending of its name: Gmsh .msh (2.2 and 4.1 ASCII, physical names kept), VTK
-/// .vtu (cell array `region` on tetrahedra, `wall` on triangles, names in the field data), TetGen .node,
-/// .ele or .face (any of them; siblings are found). Coordinates are multiplied by `scale`, and turned so that
+/// A mesh by the ending of its name: Gmsh .msh (2.2 and 4.1 ASCII, physical names kept), VTK .vtu (cell array
+/// `region` on cells, `wall` on triangles and polygons, names in the field data), TetGen .node, .ele or .face
+/// (any of them; siblings are found), or the folder of an OpenFOAM case. Cells that are not tetrahedra are
+/// cut into tetrahedra, which know their parents. Coordinates are multiplied by `scale`, and turned so that
 /// z is up. Throws FileError where it cannot be opened, InputError with file and line where its content is
 /// wrong. `origin` is that of the key that names the file.
 RawMesh read_mesh(const std::filesystem::path& path, double scale = 1, const Origin& origin = {},

@@ -69,11 +69,7 @@ void check_coordinates(const RawMesh& raw) {
   faults.throw_if_any();
 }
 
-/// Six times the signed volume, and how far from zero it must be to have a sign.
-struct SignedVolume {
-  double six_volumes;
-  double rounding;
-};
+}  // namespace
 
 SignedVolume signed_volume(const RawMesh& raw, const std::array<int, 4>& cell) {
   std::array<Vec3, 4> p;
@@ -84,8 +80,6 @@ SignedVolume signed_volume(const RawMesh& raw, const std::array<int, 4>& cell) {
   const double determinant = (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]);
   return {determinant, kVolumeRounding * longest * longest * longest};
 }
-
-}  // namespace
 
 void check_cells_and_points(const RawMesh& raw) {
   check_array_sizes(raw);

@@ -13,6 +13,15 @@ namespace etendue {
 /// coordinates are finite. Throws InputError.
 void check_cells_and_points(const RawMesh& raw);
 
+/// Six times the signed volume, and how far from zero it must be to have a sign.
+struct SignedVolume {
+  double six_volumes;
+  double rounding;
+};
+
+/// (p1-p0) x (p2-p0) . (p3-p0) of points of the mesh.
+SignedVolume signed_volume(const RawMesh& raw, const std::array<int, 4>& cell);
+
 /// The vertices of each cell, ordered so that (p1-p0) x (p2-p0) . (p3-p0) > 0. Some files have all cells
 /// the other way round; that is a convention. Where only some are, they are inverted, and InputError names
 /// them, as it names cells without volume.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "mesh/tetrahedra/parent_cells.h"
 
 namespace etendue {
 
@@ -24,6 +25,7 @@ struct RawMesh {
   // What the file calls its points and cells, for messages; empty where it counts from 0.
   std::vector<std::int64_t> point_numbers;
   std::vector<std::int64_t> cell_numbers;
+  ParentCells parents;  ///< of cells that were cut from others'
 };
 
 }  // namespace etendue

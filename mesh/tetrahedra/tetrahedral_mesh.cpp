@@ -61,6 +61,15 @@ std::vector<std::array<std::int32_t, 4>> renumbered(std::span<const std::array<s
   return cells;
 }
 
+ParentCells renumbered(const ParentCells& raw, const MeshNumbering& numbering,
+                       const std::vector<std::int32_t>& triangles) {
+  ParentCells parents{raw.mesh, {}, {}};
+  for (const std::int32_t cell : numbering.cells) parents.cells.push_back(raw.cells[position(cell)]);
+  for (const std::int32_t triangle : triangles)
+    parents.faces.push_back(triangle < 0 ? -1 : raw.faces[position(triangle)]);
+  return parents;
+}
+
 }  // namespace
 
 TetrahedralMesh::TetrahedralMesh(const RawMesh& raw) {
@@ -74,7 +83,9 @@ TetrahedralMesh::TetrahedralMesh(const RawMesh& raw) {
   MeshFaces faces = connect_faces(cells, numbering, raw);
   check_boundary_conforms(points_, faces, numbering, raw);
 
-  NamedParts walls = name_walls(faces, numbering, raw);
+  const std::vector<std::int32_t> triangles = boundary_triangles(faces, numbering, raw);
+  NamedParts walls = name_walls(triangles, faces, numbering, raw);
+  if (raw.parents.mesh) parents_ = renumbered(raw.parents, numbering, triangles);
   face_walls_ = std::move(walls.parts);
   wall_names_ = std::move(walls.names);
   std::vector<std::int32_t> regions;

@@ -64,6 +64,9 @@ class TetrahedralMesh {
   std::span<const std::int32_t> cell_regions() const { return cell_regions_; }
   std::span<const std::int32_t> face_walls() const { return face_walls_; }
 
+  /// Where the cells are parts of others': the parent of each cell, and of each boundary face.
+  const ParentCells& parents() const { return parents_; }
+
   const std::vector<std::string>& region_names() const { return region_names_; }
   const std::vector<std::string>& wall_names() const { return wall_names_; }
 
@@ -77,6 +80,7 @@ class TetrahedralMesh {
   std::vector<double> volumes_;
   std::vector<std::int32_t> cell_regions_;
   std::vector<std::int32_t> face_walls_;  ///< [boundary face]
+  ParentCells parents_;
   std::vector<std::string> region_names_;
   std::vector<std::string> wall_names_;
 };

@@ -39,10 +39,25 @@ class FaceLookup {
   std::vector<std::pair<std::array<std::int32_t, 3>, std::int32_t>> faces_;
 };
 
-/// [boundary face] wall of its triangle, or kUnnamed.
-std::vector<std::int32_t> walls_of_triangles(const MeshFaces& faces, const MeshNumbering& numbering,
+void check_all_named(const std::vector<std::int32_t>& triangles, const MeshFaces& faces,
+                     const MeshNumbering& numbering, const RawMesh& raw) {
+  MeshFaults faults(raw);
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    if (triangles[f] != kUnnamed) continue;
+    std::array<std::int32_t, 3> points = faces.vertices[f];
+    for (auto& point : points) point = numbering.vertices[position(point)];
+    faults.add_face(points, {numbering.cells[position(faces.cells[f][0])]},
+                    "boundary face has no wall name although others have one",
+                    "name every boundary face, or none");
+  }
+  faults.throw_if_any();
+}
+
+}  // namespace
+
+std::vector<std::int32_t> boundary_triangles(const MeshFaces& faces, const MeshNumbering& numbering,
                                              const RawMesh& raw) {
-  std::vector<std::int32_t> walls(position(faces.boundary_count), kUnnamed);
+  std::vector<std::int32_t> triangles(position(faces.boundary_count), kUnnamed);
   const FaceLookup lookup(faces);
   const std::vector<std::int32_t> vertex = vertex_of_point(numbering, raw);
   MeshFaults faults(raw);
@@ -54,34 +69,19 @@ std::vector<std::int32_t> walls_of_triangles(const MeshFaces& faces, const MeshN
       faults.add_face(raw.triangles[t], {}, "triangle of wall \"" + name + "\" is no face of a tetrahedron",
                       "walls must be faces of the mesh");
     } else if (face < faces.boundary_count) {
-      std::int32_t& wall = walls[position(face)];
-      if (wall != kUnnamed && raw.wall_names[position(wall)] != name)
-        faults.add_face(
-            raw.triangles[t], {numbering.cells[position(faces.cells[position(face)][0])]},
-            "belongs to both walls \"" + raw.wall_names[position(wall)] + "\" and \"" + name + "\"",
-            "a face has one wall");
-      wall = raw.triangle_walls[t];
+      std::int32_t& triangle = triangles[position(face)];
+      const std::string& other =
+          triangle == kUnnamed ? name : raw.wall_names[position(raw.triangle_walls[position(triangle)])];
+      if (other != name)
+        faults.add_face(raw.triangles[t], {numbering.cells[position(faces.cells[position(face)][0])]},
+                        "belongs to both walls \"" + other + "\" and \"" + name + "\"",
+                        "a face has one wall");
+      triangle = static_cast<std::int32_t>(t);
     }
   }
   faults.throw_if_any();
-  return walls;
+  return triangles;
 }
-
-void check_all_named(const std::vector<std::int32_t>& walls, const MeshFaces& faces,
-                     const MeshNumbering& numbering, const RawMesh& raw) {
-  MeshFaults faults(raw);
-  for (std::size_t f = 0; f < walls.size(); ++f) {
-    if (walls[f] != kUnnamed) continue;
-    std::array<std::int32_t, 3> points = faces.vertices[f];
-    for (auto& point : points) point = numbering.vertices[position(point)];
-    faults.add_face(points, {numbering.cells[position(faces.cells[f][0])]},
-                    "boundary face has no wall name although others have one",
-                    "name every boundary face, or none");
-  }
-  faults.throw_if_any();
-}
-
-}  // namespace
 
 NamedParts used_names(std::vector<std::int32_t> parts, const std::vector<std::string>& names) {
   std::vector<char> used(names.size(), 0);
@@ -99,11 +99,14 @@ NamedParts used_names(std::vector<std::int32_t> parts, const std::vector<std::st
   return named;
 }
 
-NamedParts name_walls(const MeshFaces& faces, const MeshNumbering& numbering, const RawMesh& raw) {
-  std::vector<std::int32_t> walls = walls_of_triangles(faces, numbering, raw);
-  if (std::all_of(walls.begin(), walls.end(), [](std::int32_t wall) { return wall == kUnnamed; }))
-    return {std::vector<std::int32_t>(walls.size(), 0), {"boundary"}};
-  check_all_named(walls, faces, numbering, raw);
+NamedParts name_walls(const std::vector<std::int32_t>& triangles, const MeshFaces& faces,
+                      const MeshNumbering& numbering, const RawMesh& raw) {
+  if (std::ranges::all_of(triangles, [](std::int32_t triangle) { return triangle == kUnnamed; }))
+    return {std::vector<std::int32_t>(triangles.size(), 0), {"boundary"}};
+  check_all_named(triangles, faces, numbering, raw);
+  std::vector<std::int32_t> walls;
+  walls.reserve(triangles.size());
+  for (const std::int32_t triangle : triangles) walls.push_back(raw.triangle_walls[position(triangle)]);
   return used_names(std::move(walls), raw.wall_names);
 }
 

@@ -18,10 +18,15 @@ struct NamedParts {
 /// Keeps the names that are used, in their order, each once.
 NamedParts used_names(std::vector<std::int32_t> parts, const std::vector<std::string>& names);
 
-/// The wall of each boundary face from the named triangles of the raw mesh. Triangles between two cells are
+/// [boundary face] the named triangle of the raw mesh that it is, or -1. Triangles between two cells are
 /// interfaces and count for nothing, those of sheets name their own side. Throws InputError where a triangle
-/// is no face of the mesh, where a face has two names, or where some boundary faces have a name and others
-/// none. Where none has, all are "boundary".
-NamedParts name_walls(const MeshFaces& faces, const MeshNumbering& numbering, const RawMesh& raw);
+/// is no face of the mesh, or where a face has two names.
+std::vector<std::int32_t> boundary_triangles(const MeshFaces& faces, const MeshNumbering& numbering,
+                                             const RawMesh& raw);
+
+/// The wall of each boundary face from its triangle. Throws InputError where some boundary faces have a name
+/// and others none. Where none has, all are "boundary".
+NamedParts name_walls(const std::vector<std::int32_t>& triangles, const MeshFaces& faces,
+                      const MeshNumbering& numbering, const RawMesh& raw);
 
 }  // namespace etendue

@@ -59,6 +59,11 @@ void bind_mesh(py::module_& module) {
                                const auto values = mesh_of(self).boundary_faces();
                                return shown(values, {count(values.size() / 3), 3}, self);
                              })
+      .def_property_readonly("parents",
+                             [](const py::object& self) {
+                               const auto values = mesh_of(self).parents();
+                               return shown(values, {count(values.size())}, self);
+                             })
       .def_property_readonly("face_walls", [](const py::object& self) {
         const auto values = mesh_of(self).face_walls();
         return shown(values, {count(values.size())}, self);

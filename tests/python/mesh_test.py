@@ -44,6 +44,21 @@ class Meshes(unittest.TestCase):
     def test_without_walls_have_one(self):
         self.assertEqual(etendue.Mesh(POINTS, CELLS).wall_names, ["boundary"])
 
+    def test_of_other_cells_know_these(self):
+        hexahedra = """<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian"><UnstructuredGrid>
+<Piece NumberOfPoints="12" NumberOfCells="2"><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+0 0 0  1 0 0  1 1 0  0 1 0  0 0 1  1 0 1  1 1 1  0 1 1  0 0 3  1 0 3  1 1 3  0 1 3</DataArray></Points>
+<Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 3 4 5 6 7  4 5 6 7 8 9 10 11</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">8 16</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">12 12</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>"""
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "two.vtu"
+            file.write_text(hexahedra, encoding="utf-8")
+            mesh = etendue.read_mesh(file)
+        volumes = numpy.bincount(mesh.parents, weights=mesh.volumes)
+        numpy.testing.assert_allclose(volumes, [1, 2], rtol=1e-14)
+        self.assertEqual(etendue.Mesh(POINTS, CELLS).parents.size, 0)
+
     def test_that_are_wrong_are_refused(self):
         with self.assertRaises(etendue.InputError):
             etendue.Mesh(POINTS, [[0, 1, 2, 9]])

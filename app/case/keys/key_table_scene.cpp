@@ -97,7 +97,8 @@ const BoundTable<Units>& unit_table() {
 const BoundTable<MeshCase>& mesh_table() {
   static const BoundTable<MeshCase> table = [] {
     BoundTable<MeshCase> t("mesh");
-    t.key("file", text, {}, "A tetrahedral mesh: Gmsh .msh, .vtu, TetGen .node/.ele/.face.");
+    t.key("file", text, {},
+          "A mesh: Gmsh .msh, .vtu, TetGen .node/.ele/.face, or the folder of an OpenFOAM case.");
     t.key("surface", text, {},
           "A closed surface to fill: TetGen .poly/.smesh, STL, OBJ, PLY, OFF; open ones inside it become "
           "sheets.");

@@ -262,11 +262,17 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   return summary_text(summary);
 }
 
-std::vector<std::string> files_of_earlier_run(const std::filesystem::path& directory) {
+std::vector<std::string> files_of_earlier_run(const std::filesystem::path& directory,
+                                              const std::string& folder) {
   const Json summary = summary_in(directory);
+  const std::string beginning = folder.empty() ? "" : folder + "/";
   std::vector<std::string> names;
-  for (const Json& name : summary.value("files", Json::array()))
-    if (name.is_string() && is_plain_name(name.get<std::string>())) names.push_back(name);
+  for (const Json& entry : summary.value("files", Json::array())) {
+    if (!entry.is_string()) continue;
+    const auto name = entry.get<std::string>();
+    if (name.starts_with(beginning) && is_plain_name(name.substr(beginning.size())))
+      names.push_back(name.substr(beginning.size()));
+  }
   return names;
 }
 

@@ -15,8 +15,9 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
                          double seconds_writing);
 
 /// The names that the summary.json of an earlier run in this directory lists; empty where there is none, or
-/// where it is not ours.
-std::vector<std::string> files_of_earlier_run(const std::filesystem::path& directory);
+/// where it is not ours. Those in a folder of the directory, or in none.
+std::vector<std::string> files_of_earlier_run(const std::filesystem::path& directory,
+                                              const std::string& folder = "");
 
 /// The text of the summary.json in this directory with more names among its files, and with the seconds of
 /// the run's pictures where they are given; empty where there is none.

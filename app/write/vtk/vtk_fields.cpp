@@ -8,6 +8,7 @@
 #include "app/case/temperatures.h"
 #include "app/write/result/temperature_fields.h"
 #include "app/write/result/unit_labels.h"
+#include "app/write/vtk/field_grid.h"
 #include "app/write/vtk/separate_parts.h"
 #include "app/write/vtk/vtk_arrays.h"
 #include "app/write/vtk/vtk_files.h"
@@ -118,11 +119,14 @@ class FieldsOfCells {
 
 }  // namespace
 
+vtkSmartPointer<vtkUnstructuredGrid> field_grid(const RunResult& result) {
+  return FieldsOfCells(result).grid();
+}
+
 void write_fields(const RunResult& result, const std::filesystem::path& path,
                   const std::filesystem::path& shown) {
   const Case& input = result.input;
-  write_vtk(*FieldsOfCells(result).grid(),
-            {path, shown, input.output.encoding, input.title, input.units.length});
+  write_vtk(*field_grid(result), {path, shown, input.output.encoding, input.title, input.units.length});
 }
 
 }  // namespace etendue

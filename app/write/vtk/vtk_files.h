@@ -15,6 +15,11 @@ namespace etendue {
 void write_fields(const RunResult& result, const std::filesystem::path& path,
                   const std::filesystem::path& shown);
 
+/// cells.vtu, of a mesh that was cut from another program's: the cells of that mesh, with the means of the
+/// arrays of fields.vtu over their volumes.
+void write_parents(const RunResult& result, const std::filesystem::path& path,
+                   const std::filesystem::path& shown);
+
 /// walls.vtp: every boundary triangle with three points of its own, 3 f + i, seen from outside; where there
 /// are patches that are finer than faces, the same of their triangles, with the patch of each.
 void write_walls(const RunResult& result, const std::filesystem::path& path,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/files/fields/field_grid.h"
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -16,9 +18,12 @@
 #include <vtkUnstructuredGrid.h>
 
 #include "base/errors.h"
+#include "mesh/files/openfoam/foam_mesh.h"
 #include "mesh/files/vtk/refused_file.h"
 #include "mesh/files/vtk/vtk_cell_check.h"
 #include "mesh/files/vtk/vtk_data_set.h"
+#include "mesh/files/vtk/vtu_polyhedra.h"
+#include "mesh/tetrahedra/generation/cut_polyhedra.h"
 
 namespace etendue {
 namespace {
@@ -138,8 +143,44 @@ class FieldReader {
     return field;
   }
 
+  /// The folder of the OpenFOAM case that is read; empty: the file is of another program.
+  std::optional<std::filesystem::path> foam_folder() const {
+    const std::filesystem::path& path = request_.path;
+    if (std::filesystem::is_directory(path)) return path;
+    if (path.extension() == ".foam") return std::filesystem::absolute(path).parent_path();
+    if (path.filename() == "controlDict") return std::filesystem::absolute(path).parent_path().parent_path();
+    return std::nullopt;
+  }
+
+  /// The tetrahedra that the mesh of the same file has: a value of its cells is that of their parts, up to
+  /// the boundary of cells whose faces are not flat. VTK rounds the points of OpenFOAM to single precision.
+  /// Empty where the cells have no such cut; VTK may have one.
+  std::optional<FieldData> of_polyhedra(vtkUnstructuredGrid& grid) const try {
+    const std::string file = request_.path.string();
+    const auto foam = foam_folder();
+    if (on_ != FieldValues::on_cells || (!foam && !has_other_volumes(file, grid))) return std::nullopt;
+    const std::vector<vtkIdType> parents = volume_cells(grid);
+    auto whole = std::make_shared<const PolyhedralMesh>(foam ? read_foam_mesh(*foam)
+                                                             : polyhedra_of_vtu(file, grid, nullptr));
+    if (whole->cell_count() != parents.size()) return std::nullopt;
+    const RawMesh parts = cut_polyhedra(std::move(whole));
+    FieldData field;
+    field.on = on_;
+    field.points = parts.points;
+    field.cells = parts.cells;
+    const std::vector<double> values = values_of(*grid.GetCellData());
+    for (const std::int32_t parent : parts.parents.cells)
+      field.values.push_back(values[static_cast<std::size_t>(parents[static_cast<std::size_t>(parent)])]);
+    return field;
+  } catch (const InputError&) {
+    return std::nullopt;
+  } catch (const FileError&) {
+    return std::nullopt;
+  }
+
   FieldData of_tetrahedra(vtkUnstructuredGrid& grid) const {
     if (const std::string problem = cell_problem(grid); !problem.empty()) fail(problem);
+    if (std::optional<FieldData> field = of_polyhedra(grid)) return *field;
     const vtkNew<vtkDataSetTriangleFilter> filter;
     filter->SetInputData(&grid);
     filter->TetrahedraOnlyOn();

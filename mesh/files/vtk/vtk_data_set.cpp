@@ -125,6 +125,7 @@ vtkSmartPointer<vtkDataSet> read_open_foam(const std::filesystem::path& path, st
   reader->EnableAllCellArrays();
   reader->EnableAllPointArrays();
   reader->SetReadZones(false);
+  reader->DecomposePolyhedraOff();
   reader->UpdateTimeStep(chosen_time(path, *reader, time));
   if (messages.any())
     refuse_file(path, "VTK cannot read it (" + messages.first() + "); is it cut short or corrupt?");

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <variant>
 
 #include "mesh/files/vtk/mesh_file_options.h"
+#include "mesh/polyhedra/polyhedral_mesh.h"
 #include "mesh/tetrahedra/raw_mesh.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 
@@ -11,8 +13,9 @@ namespace etendue {
 
 /// Reads tetrahedra and named triangles from a VTK unstructured grid: cell array `region` on tetrahedra and
 /// `wall` on triangles (-1: none), numbers into the string arrays `region_names` and `wall_names` of the
-/// field data, or names themselves where there are no such arrays.
-RawMesh read_vtu_file(const std::filesystem::path& path);
+/// field data, or names themselves where there are no such arrays. Polyhedra, and polygons of walls too,
+/// where a cell with a volume is not a tetrahedron.
+std::variant<RawMesh, PolyhedralMesh> read_vtu_file(const std::filesystem::path& path);
 
 /// Writes what read_vtu_file reads: the tetrahedra, then the boundary triangles, seen from outside. The cell
 /// arrays `region_name` and `wall_name` repeat the names for viewers; the reader needs them not.

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/array_bytes.h"
 #include "base/text/text_lines.h"
 #include "mesh/files/vtk/raw_mesh_bytes.h"
 #include "mesh/files/vtk/refused_file.h"
@@ -48,12 +49,21 @@ void check_header(const std::filesystem::path& path) {
 
 }  // namespace
 
-RawMesh read_vtu_file(const std::filesystem::path& path) {
+std::variant<RawMesh, PolyhedralMesh> read_vtu_file(const std::filesystem::path& path) {
   check_header(path);
-  RawMesh mesh =
-      take_raw_mesh(read_in_child(path, [&](std::FILE* file) { write_raw_mesh(file, read_vtu_grid(path)); }));
-  mesh.file = path.string();
-  return mesh;
+  const std::string bytes = read_in_child(path, [&](std::FILE* file) {
+    const std::variant<RawMesh, PolyhedralMesh> mesh = read_vtu_grid(path);
+    write_array(file, std::vector<std::size_t>{mesh.index()});
+    if (const auto* tetrahedra = std::get_if<RawMesh>(&mesh)) write_raw_mesh(file, *tetrahedra);
+    if (const auto* polyhedra = std::get_if<PolyhedralMesh>(&mesh)) write_polyhedral_mesh(file, *polyhedra);
+  });
+  std::string_view rest = bytes;
+  const auto named = [&](auto mesh) {
+    mesh.file = path.string();
+    return mesh;
+  };
+  if (take_array<std::size_t>(rest).at(0) == 0) return named(take_raw_mesh(rest));
+  return named(take_polyhedral_mesh(rest));
 }
 
 }  // namespace etendue

@@ -68,11 +68,13 @@ RawMesh red_refinement(const RawMesh& mesh) {
   fine.region_names = mesh.region_names;
   fine.wall_names = mesh.wall_names;
   fine.file = mesh.file;
+  fine.parents.mesh = mesh.parents.mesh;
   Middles middles(fine.points);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (const Cell& part : parts_of(mesh.cells[c], middles, fine.points)) {
       fine.cells.push_back(part);
       fine.cell_regions.push_back(mesh.cell_regions[c]);
+      if (mesh.parents.mesh) fine.parents.cells.push_back(mesh.parents.cells[c]);
     }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
@@ -81,6 +83,7 @@ RawMesh red_refinement(const RawMesh& mesh) {
          {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}}) {
       fine.triangles.push_back(part);
       fine.triangle_walls.push_back(mesh.triangle_walls[t]);
+      if (mesh.parents.mesh) fine.parents.faces.push_back(mesh.parents.faces[t]);
     }
   }
   return fine;

@@ -184,9 +184,10 @@ TEST(VtuFile, WithCellsThatCannotBeIsRejected) {
   EXPECT_EQ(message_of(replaced(grid(""), "4 7 9", "5 7 9")), "m.vtu: cell 0: has 5 points; must have 4");
   EXPECT_EQ(message_of(replaced(grid(""), "4 7 9", "4 70 90")).find("m.vtu: "), 0u);
   EXPECT_EQ(message_of(replaced(grid(""), "4 7 9", "4 2 9")).find("m.vtu: "), 0u);
-  EXPECT_EQ(
-      message_of(replaced(grid(""), "10 5 3", "24 5 3")),
-      "m.vtu: cell 0: VTK cell type 24 is not a tetrahedron of first order; mesh the volume with those");
+  EXPECT_EQ(message_of(replaced(grid(""), "10 5 3", "24 5 3")),
+            "m.vtu: cell 0: VTK cell type 24 has curved edges or is unknown; use tetrahedra, hexahedra, "
+            "wedges, pyramids "
+            "or polyhedra");
 }
 
 TEST(VtuFile, WithNamesThatCannotBeIsRejected) {
@@ -206,14 +207,17 @@ TEST(VtuFile, WithNamesThatCannotBeIsRejected) {
 TEST(MeshFile, WithAnotherEndingIsRejectedAtTheKey) {
   EXPECT_EQ(
       read_message("room.obj", {"case.toml", 4, "mesh.file"}),
-      "case.toml:4: mesh.file = \"room.obj\": is not the name of a mesh file; use .msh (Gmsh), .vtu (VTK) or "
-      ".node, .ele, .face (TetGen)");
+      "case.toml:4: mesh.file = \"room.obj\": is not the name of a mesh file; use .msh (Gmsh), .vtu (VTK), "
+      ".node, .ele, .face (TetGen) or the folder of an OpenFOAM case");
 }
 
 TEST(MeshFile, ThatIsADirectoryIsAFileError) {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder.path() / "m.msh");
-  EXPECT_EQ(read_message(folder.path() / "m.msh"), "FileError m.msh: is a directory; name a file");
+  EXPECT_EQ(
+      read_message(folder.path() / "m.msh"),
+      "FileError m.msh: is a directory without constant/polyMesh; name a file of a mesh or the folder of an "
+      "OpenFOAM case");
 }
 
 }  // namespace
