@@ -95,6 +95,8 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   const StageDisplay stages{style, shown, interrupted};
   const TetrahedralMesh mesh = mesh_visibly(input, verbose_log(request, err), stages);
   seconds.mesh = watch.lap();
+  if (request.traces != RunTraces::none && mesh.parents().mesh && !mesh.parents().mesh->patch_types.empty())
+    check_output_directory(input.output.directory / "openfoam");
   out << mesh_line(mesh) << std::flush;
   std::optional<ShownStage> setting_up(std::in_place, stages, "setting up");
   Problem problem = build_problem(input, mesh);

@@ -25,7 +25,7 @@ std::string lower_ending(const std::filesystem::path& path) {
 }
 
 std::variant<RawMesh, PolyhedralMesh> read_unscaled(const std::filesystem::path& path, const Origin& origin) {
-  if (std::filesystem::is_directory(path)) return read_foam_mesh(path);
+  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) return read_foam_mesh(path);
   const std::string ending = lower_ending(path);
   if (ending == ".msh") return read_gmsh_file(path);
   if (ending == ".vtu") return read_vtu_file(path);

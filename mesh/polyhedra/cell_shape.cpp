@@ -43,9 +43,19 @@ CellShape prism_on(std::size_t base, const std::vector<std::vector<int>>& faces)
     for (std::size_t f = 0; f < faces.size(); ++f)
       if (f != base && above < 0 && has_point(faces[f], below))
         above = point_above(faces[f], below, faces[base]);
-    if (above < 0) return {};
+    if (above < 0 || has_point(shape.points, above)) return {};
     shape.points.push_back(above);
   }
+  const std::size_t size = faces[base].size();
+  const auto has_face = [&](std::vector<int> points) {
+    return std::ranges::any_of(
+        faces, [&](const std::vector<int>& face) { return std::ranges::is_permutation(face, points); });
+  };
+  if (!has_face({shape.points.begin() + static_cast<std::ptrdiff_t>(size), shape.points.end()})) return {};
+  for (std::size_t i = 0; i < size; ++i)
+    if (const std::size_t k = (i + 1) % size;
+        !has_face({shape.points[i], shape.points[k], shape.points[size + k], shape.points[size + i]}))
+      return {};
   return shape;
 }
 

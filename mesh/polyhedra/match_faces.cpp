@@ -67,7 +67,13 @@ class FaceMatching {
                                "polygon" + names(wanted) + " of wall \"" +
                                    mesh_.wall_names[position(of_walls.owners[w])] +
                                    "\" is no face of a cell; walls must be faces of the mesh"});
-      mesh_.face_walls[position(face_of_polygon_[*found])] = of_walls.owners[w];
+      int& wall = mesh_.face_walls[position(face_of_polygon_[*found])];
+      if (wall >= 0 && wall != of_walls.owners[w])
+        throw InputError(Fault{
+            mesh_.file, 0,
+            "polygon" + names(wanted) + " belongs to both walls \"" + mesh_.wall_names[position(wall)] +
+                "\" and \"" + mesh_.wall_names[position(of_walls.owners[w])] + "\"; a face has one wall"});
+      wall = of_walls.owners[w];
     }
   }
 

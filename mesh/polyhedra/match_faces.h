@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
+#include "base/errors.h"
 #include "mesh/polyhedra/polyhedral_mesh.h"
 
 namespace etendue {
@@ -14,8 +16,11 @@ struct Polygons {
   std::vector<int> ends;    ///< [polygon] where its points end
   std::vector<int> owners;  ///< [polygon] its cell or wall
 
+  /// Throws InputError where points have no numbers any more.
   void add(int owner, std::span<const int> polygon) {
     points.insert(points.end(), polygon.begin(), polygon.end());
+    if (points.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+      throw InputError("the cells of the mesh have too many faces");
     ends.push_back(static_cast<int>(points.size()));
     owners.push_back(owner);
   }

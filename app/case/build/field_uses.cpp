@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include "app/case/build/entry_of.h"
 #include "solver/materials/media/coefficient.h"
+#include "solver/materials/media/sampled_field.h"
 
 namespace etendue {
 namespace {
@@ -50,12 +52,31 @@ void give_wall_corners(const TetrahedralMesh& mesh, int wall, const TakeNode& ta
   }
 }
 
+/// Why a field on the cells of the mesh's own file is not where these are; empty where it is.
+std::string displacement(const PlaceFunction& function, const MeshCase& mesh) {
+  const auto* field = dynamic_cast<const SampledField*>(&function);
+  std::error_code ignored;
+  if (field == nullptr || !mesh.file ||
+      !std::filesystem::equivalent(field->source().file, mesh.file->path, ignored))
+    return "";
+  if (mesh.up == UpAxis::y)
+    return "is of the mesh's own file, which mesh.up turns, and fields are not turned; turn the mesh itself";
+  if (field->source().length_scale == mesh.scale) return "";
+  return fmt::format(
+      "is of the mesh's own file, which mesh.scale = {:g} scales; give the field length_scale = {:g}",
+      mesh.scale, mesh.scale);
+}
+
 /// The fields of a case, use by use.
 class Uses {
  public:
+  explicit Uses(const MeshCase& mesh) : mesh_(mesh) {}
+
   template <class Give>
   void add(const PlaceFunction& function, const char* key, const std::string& place, const Origin& origin,
            const Give& give) {
+    if (const std::string problem = displacement(function, mesh_); !problem.empty())
+      return faults_.push_back(fault_at(origin, "", function.name() + " " + problem));
     FieldUse use{function.name(), key, place, HUGE_VAL, -HUGE_VAL, 0};
     double sum = 0;
     std::optional<Vec3> uncovered;
@@ -85,6 +106,7 @@ class Uses {
   }
 
  private:
+  const MeshCase& mesh_;
   std::vector<FieldUse> uses_;
   std::vector<Fault> faults_;
 };
@@ -124,7 +146,7 @@ void add_medium(const MediumCase& medium, const TetrahedralMesh& mesh, int regio
 }  // namespace
 
 std::vector<FieldUse> field_uses(const Case& input, const TetrahedralMesh& mesh) {
-  Uses uses;
+  Uses uses(input.mesh);
   for (std::size_t region = 0; region < mesh.region_names().size(); ++region)
     add_medium(entry_of(input.media, mesh.region_names()[region]), mesh, static_cast<int>(region), uses);
   for (std::size_t wall = 0; wall < mesh.wall_names().size(); ++wall) {

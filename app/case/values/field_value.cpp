@@ -50,7 +50,8 @@ std::optional<Formula> read_field_value(TomlNode& table, const std::string& func
     FieldData data = read_field(request);
     scale(data, factor, length);
     return Formula(fmt::format("{}(x,y,z)", function),
-                   {{function, std::make_shared<SampledField>(name, std::move(data), outside)}});
+                   {{function, std::make_shared<SampledField>(name, std::move(data), outside,
+                                                              FieldSource{request.path.string(), length})}});
   } catch (const InputError& error) {
     field.fault("file", error.faults().front().text);
   } catch (const FileError& error) {

@@ -32,7 +32,8 @@ Value value_of(std::string_view bytes) {
 std::filesystem::path uncompressed(const std::filesystem::path& path) {
   std::filesystem::path compressed = path;
   compressed += ".gz";
-  if (!std::filesystem::exists(path) && std::filesystem::exists(compressed))
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored) && std::filesystem::exists(compressed, ignored))
     throw InputError(Fault{compressed.string(), 0, "is compressed; unpack it with gunzip"});
   return path;
 }

@@ -25,17 +25,20 @@ struct FoamPatch {
 struct RefusedType {
   std::string_view type, reason;
 };
-constexpr std::array<RefusedType, 4> refused_types = {{
+constexpr std::array<RefusedType, 6> refused_types = {{
     {"empty", "leaves out a dimension; give the case its third dimension, with walls or symmetry planes"},
     {"wedge", "is a sector of a body of revolution; mesh the whole body"},
     {"cyclic", "joins two patches, which is not possible here; use symmetry planes or mesh the whole body"},
+    {"nonuniformTransformCyclic", "joins two patches, which is not possible here"},
+    {"overset", "is of overlapping meshes, which are not possible here"},
     {"processor", "is a part of a divided mesh; join it with reconstructParMesh"},
 }};
 
 std::filesystem::path mesh_folder(const std::filesystem::path& folder) {
   for (const std::filesystem::path& mesh : {folder / "constant" / "polyMesh", folder / "polyMesh"})
-    if (std::filesystem::is_directory(mesh)) return mesh;
-  const bool is_divided = std::filesystem::exists(folder / "processor0");
+    if (std::error_code ignored; std::filesystem::is_directory(mesh, ignored)) return mesh;
+  std::error_code ignored;
+  const bool is_divided = std::filesystem::exists(folder / "processor0", ignored);
   throw FileError(folder.string(),
                   is_divided ? "holds parts of a mesh; join them with reconstructParMesh -constant"
                              : "is a directory without constant/polyMesh; name a file of a mesh or the "
@@ -202,8 +205,9 @@ class FoamMeshReader {
     mesh_.cell_regions.assign(mesh_.cell_count(), none);
     NameTable regions;
     const auto path = folder_ / "cellZones";
-    if (std::filesystem::exists(path) || std::filesystem::exists(path.string() + ".gz")) {
-      FoamFile file(path, {"regIOobject"});
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored) || std::filesystem::exists(path.string() + ".gz", ignored)) {
+      FoamFile file(path, {"regIOobject", "cellZoneList"});
       const std::size_t zones = file.count("number of zones", 2);
       file.expect("(");
       for (std::size_t z = 0; z < zones; ++z) read_zone(file, regions);
@@ -217,12 +221,17 @@ class FoamMeshReader {
   void read_zone(FoamFile& file, NameTable& regions) {
     const std::string name(file.token());
     file.expect("{");
+    bool has_cells = false;
     while (file.peek() != "}") {
       const std::string_view key = file.token();
       if (key.empty()) file.fail("the file ends within a zone (is it cut short?)");
-      if (key == "cellLabels") add_to_zone(file, regions.index(name), regions);
+      if (key == "cellLabels") {
+        has_cells = true;
+        add_to_zone(file, regions.index(name), regions);
+      }
       file.skip_entry();
     }
+    if (!has_cells) file.fail("zone " + shown_word(name) + ": has no cellLabels");
     file.expect("}");
   }
 

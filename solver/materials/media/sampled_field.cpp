@@ -35,12 +35,14 @@ std::uint64_t content_of(const FieldData& data) {
 
 }  // namespace
 
-SampledField::SampledField(std::string name, FieldData data, std::optional<double> outside)
+SampledField::SampledField(std::string name, FieldData data, std::optional<double> outside,
+                           FieldSource source)
     : name_(std::move(name)),
       has_jumps_(data.on == FieldValues::on_cells),
       content_(content_of(data)),
       field_(field_of(std::move(data))),
-      outside_(outside) {}
+      outside_(outside),
+      source_(std::move(source)) {}
 
 std::optional<double> SampledField::inside(const Vec3& point) const {
   return std::visit([&point](const auto& field) { return field.at(point); }, field_);

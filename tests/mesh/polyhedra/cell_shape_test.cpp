@@ -43,6 +43,29 @@ TEST(CellShape, IsFoundOfPrismsWithThePointsAboveEachOther) {
   }
 }
 
+/// A pyramid with a point in the middle of an edge of its sides: as many faces of each size as a wedge.
+PolyhedralMesh pyramid_with_hanging_point() {
+  PolyhedralMesh mesh;
+  mesh.points = {Vec3(0, 0, 0), Vec3(1, 0, 0),   Vec3(1, 1, 0),
+                 Vec3(0, 1, 0), Vec3(.5, .5, 1), Vec3(.25, .25, .5)};
+  const std::vector<std::vector<int>> faces = {
+      {4, 5, 0, 1}, {4, 1, 2}, {4, 2, 3}, {4, 3, 0, 5}, {0, 3, 2, 1}};
+  for (const std::vector<int>& face : faces) {
+    mesh.face_points.insert(mesh.face_points.end(), face.begin(), face.end());
+    mesh.face_ends.push_back(static_cast<int>(mesh.face_points.size()));
+    mesh.owners.push_back(0);
+    mesh.neighbors.push_back(-1);
+    mesh.face_walls.push_back(-1);
+  }
+  mesh.cell_regions = {0};
+  mesh.region_names = {"domain"};
+  return mesh;
+}
+
+TEST(CellShape, IsNoPrismWhoseSidesAreNotItsFaces) {
+  EXPECT_EQ(shape_in(pyramid_with_hanging_point()).kind, CellKind::polyhedron);
+}
+
 TEST(CellShape, IsAPolyhedronOtherwise) {
   for (const PolyhedralMesh& mesh : {hexagonal_prism(), truncated_cube(), cube_of_nine_faces()})
     EXPECT_EQ(shape_in(mesh).kind, CellKind::polyhedron);

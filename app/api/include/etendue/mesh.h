@@ -51,7 +51,7 @@ class ETENDUE_EXPORT Mesh {
   std::span<const double> volumes() const;               ///< [cell] [length^3]
   std::span<const std::int32_t> boundary_faces() const;  ///< [boundary face][3] point
   std::span<const std::int32_t> face_walls() const;      ///< [boundary face] index into wall_names()
-  /// [cell] the cell of the file that it is a part of; empty where the file's cells are tetrahedra.
+  /// [cell] the cell of the file that it is a part of; empty of a .vtu or .msh of tetrahedra alone.
   std::span<const std::int32_t> parents() const;
   const std::vector<std::string>& region_names() const;
   const std::vector<std::string>& wall_names() const;
