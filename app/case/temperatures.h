@@ -12,8 +12,8 @@ bool has_temperatures(const Case& input);
 /// equation.
 bool iterates_temperatures(const Case& input);
 
-/// Whether temperatures are stepped in time: they change by the heat that media and walls store, while light
-/// is at each time that of the temperatures then.
+/// Returns whether temperatures are stepped in time: they change by the heat that media and walls store,
+/// while light is at each time that of the temperatures then.
 bool steps_temperatures(const Case& input);
 
 }  // namespace etendue

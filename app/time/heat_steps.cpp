@@ -12,6 +12,7 @@
 #include "app/time/step_times.h"
 #include "base/errors.h"
 #include "solver/heat/heat_march.h"
+#include "solver/solution/balance.h"
 #include "solver/transport/sweep/finite_check.h"
 #include "solver/uncollided/first_collision/repeated_solver.h"
 
@@ -81,14 +82,23 @@ class HeatSteps {
 
   bool read(const HeatStep& step) {
     StepsInTime& taken = *result_.steps;
+    result_.residual = std::max(result_.residual, step.residual);
+    if (!step.converged && last_) {
+      end_with(
+          fmt::format("the temperatures of the step to {:.6g} s do not converge; take shorter steps, or "
+                      "give time.tolerance",
+                      step.end));
+      return false;
+    }
     setup_.problem.set_following(setup_.temperatures.sources());
     const HeatSolution heat = setup_.temperatures.solution();
     taken.steps.push_back(
         {step.end, step.error, step.missing, numbers_.values(step.solution, heat, step.stored), {}});
-    largest_change_ = std::max(largest_change_, std::abs(step.stored - std::exchange(stored_, step.stored)));
-    taken.largest_energy = std::max({taken.largest_energy, std::abs(step.stored), largest_change_});
+    double radiated = 0;  // in the step
+    for (const Balance& band : balances(setup_.problem, step.solution))
+      radiated += (band.emitted + band.inflow) * (step.end - step.begin);
+    taken.largest_energy = std::max({taken.largest_energy, std::abs(step.stored), radiated});
     taken.sweeps = std::max(taken.sweeps, step.sweeps);
-    result_.residual = std::max(result_.residual, step.residual);
     result_.converged = result_.converged && step.converged;
     const std::vector<double> frames = frame_times(*setup_.input.time);
     if (std::ranges::find(frames, step.end) != frames.end())
@@ -108,7 +118,6 @@ class HeatSteps {
   std::optional<RepeatedSolver> solver_;
   std::optional<Solution> last_;
   SolveSeconds seconds_;
-  double stored_ = 0, largest_change_ = 0;
 };
 
 }  // namespace
@@ -117,7 +126,8 @@ std::string heat_steps_text(const Case& input) {
   const TimeCase& time = *input.time;
   const double count = least_steps(time);
   return fmt::format("temperatures in time: {}{:.0f} steps of {:.4g} s, to {:.4g} s\n",
-                     time.tolerance ? "at least " : "", count, *time.until / count, *time.until);
+                     heat_step_plan(input).tolerance > 0 ? "at least " : "", count, *time.until / count,
+                     *time.until);
 }
 
 std::size_t heat_steps_memory(const Case& input, const Problem& problem, const SolveOptions& options) {

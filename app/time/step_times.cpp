@@ -8,6 +8,9 @@ namespace etendue {
 namespace {
 
 constexpr double usual_steps = 100;
+/// Tolerance of temperatures where neither step nor tolerance is given: temperatures that are far from
+/// balance change within a hundredth of `until`.
+constexpr double usual_tolerance = 1e-3;
 
 }  // namespace
 
@@ -27,6 +30,8 @@ std::vector<double> frame_times(const TimeCase& time) {
 
 StepPlan heat_step_plan(const Case& input) {
   StepPlan plan = step_plan(*input.time);
+  if (!input.time->step && !input.time->tolerance && plan.method == StepMethod::sdirk2)
+    plan.tolerance = usual_tolerance;
   const auto add = [&](const std::optional<InTime>& in_time) {
     if (!in_time) return;
     for (const double t : in_time->times)

@@ -20,7 +20,8 @@ std::vector<double> frame_times(const TimeCase& time);
 /// Its steps, which end at these times too.
 StepPlan step_plan(const TimeCase& time);
 
-/// Steps of temperatures, which also end where tables of heat sources and fluxes have lines.
+/// Steps of temperatures, which also end where tables of heat sources and fluxes have lines, and adapt where
+/// the case says nothing of steps.
 StepPlan heat_step_plan(const Case& input);
 
 }  // namespace etendue

@@ -136,7 +136,8 @@ class View:
         band = self.options.band or (bands[0] if bands else "")
         if self.options.band and band not in bands:
             self.fail(f"no band {band}; there are {', '.join(bands)}")
-        component = bands.index(band) if band in bands and values.shape[1] == len(bands) else 0
+        by_bands = values.shape[1] == len(bands)
+        component = bands.index(band) if band in bands and by_bands else 0
         column = values[:, component]
         table = lookup_table(column, self.options.log, self.options.range)
         table.SetVectorModeToComponent()
@@ -145,7 +146,7 @@ class View:
         mapper.UseLookupTableScalarRangeOn()
         bar = vtkScalarBarActor()
         bar.SetLookupTable(table)
-        bar.SetTitle(name + (f", {band}" if len(bands) > 1 else ""))
+        bar.SetTitle(name + (f", {band}" if by_bands and len(bands) > 1 else ""))
         bar.SetComponentTitle("")
         bar.SetNumberOfLabels(5)
         bar.UnconstrainedFontSizeOn()

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -35,8 +36,9 @@ class HeatMarch {
     const std::vector<double> before = temperatures_.temperature();
     step_ = {};
     const bool by_differences = plan_.method == StepMethod::bdf2 && !last_.empty() && length == last_length_;
-    const double error =
-        by_differences ? differences(before, length, end) : stages(before, begin, length, end);
+    double error = by_differences ? differences(before, length, end) : stages(before, begin, length, end);
+    // Where the iteration fails, shorter steps may help it.
+    if (!step_.converged && plan_.tolerance > 0) error = std::numeric_limits<double>::infinity();
     if (!plan_.accepts(error)) {
       temperatures_.start_from(state);
       return error;

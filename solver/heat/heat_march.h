@@ -30,7 +30,8 @@ using LightSolver = std::function<Solution()>;
 
 /// Steps of temperatures from those at t = 0 on, (T7) of docs/theory/heat.md: heat is stored, and light is at
 /// each time that of the temperatures then. Errors are by how much a step of first order would change the
-/// temperatures, as a root mean square over what holds heat, relative to the highest. Throws what
+/// temperatures, as a root mean square over what holds heat, relative to the highest. Steps that adapt become
+/// shorter where the iteration for their temperatures does not converge. Throws what
 /// take_all_steps() and the solver do, and SolveStopped where a solution was interrupted.
 void march_heat(TemperatureIteration& temperatures, const LightSolver& solver, const StepPlan& plan,
                 const HeatStepReader& reader);

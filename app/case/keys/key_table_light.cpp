@@ -37,7 +37,7 @@ KeyTable wall_keys() {
         "heat; the wall is as warm inside as at its surface. Without it the wall stores nothing. Of a sheet "
         "for "
         "each side.");
-  t.key("initial_temperature", place_value, {.unit = "K", .range = not_negative},
+  t.key("initial_temperature", place_value, {.unit = "K", .range = positive},
         "At t = 0, of a wall with `heat_capacity`. With `solve.initial` its temperatures come first.");
   t.key("emissivity", band_numbers,
         {.default_note = "what is neither reflected nor transmitted", .range = fraction},

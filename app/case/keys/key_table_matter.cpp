@@ -56,7 +56,7 @@ KeyTable medium_keys() {
   t.key("heat_capacity", thermal_value, {.unit = "J/(m^3 K)", .range = not_negative},
         "Density times specific heat, in a case with [time]: the medium stores heat, and its temperature "
         "changes with time. A formula may use the temperature T [K].");
-  t.key("initial_temperature", place_value, {.unit = "K", .range = not_negative},
+  t.key("initial_temperature", place_value, {.unit = "K", .range = positive},
         "At t = 0, of a medium with `heat_capacity`. With `solve.initial` its temperatures come first.");
   t.key("scattering_method", band_texts,
         {.default_value = "\"auto\"", .choices = {"auto", "moments", "dense", "galerkin"}},

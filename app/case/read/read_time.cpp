@@ -33,6 +33,9 @@ std::string conflict_with_heat(const TimeCase& read) {
 /// Why light in time is not solved for beside something else in the case; empty where it is.
 std::string conflict_of(const Case& input, const TimeCase& read) {
   if (input.radiosity) return "not by radiosity in this version; use solve.method = \"auto\"";
+  if (has_temperatures(input) && input.photons)
+    return "temperatures change with time by ordinates alone (not by photons in this version); use "
+           "solve.method = \"auto\"";
   if (input.photons && (!read.modulation.empty() || read.until || read.flight_times))
     return "photons know `times` alone; leave modulation, until and flight_times out";
   if (input.exact) return "not beside [exact]";
@@ -123,7 +126,8 @@ void read_time(Section time, const std::filesystem::path& case_folder, Case& res
   if (const std::optional<InTime> in_time = read_in_time(time, case_folder)) read.in_time = *in_time;
   read.modulation = read_rising(time, "modulation");
   read.times = read_rising(time, "times");
-  if (!time.has("modulation") && !time.has("times") && !time.has("until") && !read.flight_times)
+  if (!has_temperatures(result) && !time.has("modulation") && !time.has("times") && !time.has("until") &&
+      !read.flight_times)
     time.fault("asks for nothing; give modulation, times, until or flight_times");
   check_steps(time, read);
   if (read.times.empty() && !read.until) refuse_courses(time, read, result);

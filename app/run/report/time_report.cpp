@@ -47,6 +47,9 @@ std::string histories_text(const TimeResult& time) {
       time.rates > 0 ? "the inversion leaves" : "the standard error is", worst);
 }
 
+/// Of a step of temperatures, without a caution.
+constexpr double largest_error = 0.02;
+
 std::string steps_text(const StepsInTime& steps, const std::string& unit) {
   double shortest = 0, longest = 0, error = 0, last = 0;
   for (const StepInTime& step : steps.steps) {
@@ -66,7 +69,12 @@ std::string steps_text(const StepsInTime& steps, const std::string& unit) {
          fmt::format(
              "  at most {} sweeps each; a step of first order would change the {} by up to {:.2g} of its "
              "largest\n  {} kept to {:.2g}\n",
-             steps.sweeps, steps.of, error, steps.of == "fluence" ? "energy" : "heat", steps.imbalance());
+             steps.sweeps, steps.of, error, steps.of == "fluence" ? "energy" : "heat", steps.imbalance()) +
+         (steps.of == "temperature" && error > largest_error
+              ? "caution: steps are so long that temperatures may be far off; give time.tolerance, or a "
+                "shorter "
+                "time.step\n"
+              : "");
 }
 
 std::string flight_times_text(const TimeResult& time, const std::string& unit) {

@@ -146,6 +146,23 @@ TEST(HeatStepsRun, RefusesWhatDoesNotSuit) {
   }
 }
 
+// A wall far from balance: steps adapt where the case says nothing of them, and long even ones are cautioned
+// of.
+TEST(HeatStepsRun, AdaptsUnlessStepsAreGiven) {
+  const auto text = [](const std::string& time) {
+    return box_of_gas("absorption = 0",
+                      "emissivity = 0.8\nheat_flux = 0\nheat_capacity = 1e3\ninitial_temperature = 300\n"
+                      "[walls.zmax]\nemissivity = 1\ntemperature = 1300",
+                      time);
+  };
+  const CaseFolder adapted(text("until = 360\n")), even(text("until = 360\nstep = 36\n"));
+  const Outcome one = etendue_says({"run", adapted.file()}), other = etendue_says({"run", even.file()});
+  ASSERT_EQ(one.code, ExitCode::done) << one.out << one.err;
+  for (const double kelvin : values_of(adapted, "temperature", "wall zmin")) EXPECT_LT(kelvin, 1300);
+  EXPECT_FALSE(has(one.out, "steps are so long")) << one.out;
+  EXPECT_TRUE(has(other.out, "steps are so long")) << other.out;
+}
+
 // What fails at a later step leaves the steps before it.
 TEST(HeatStepsRun, KeepsTheStepsBeforeAFault) {
   const CaseFolder folder(

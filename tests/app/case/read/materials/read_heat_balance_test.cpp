@@ -151,7 +151,6 @@ TEST(ReadHeatBalance, RefusesConvectionThatSaysTooLittleOrTooMuch) {
   says("convection = { h = 1, ambient = 300 }\nheat_flux = 0\nrefractive_index = 1.5\n",
        "leave heat_flux out");
   says("convection = { h = 0, ambient = 300 }\nrefractive_index = 1.5\n", "give h above 0");
-  says("convection = { h = 1, ambient = 300 }\nrefractive_index = 1.5\n", "give them the same");
   says("convection = { h = 1, ambient = 300 }\n[solve]\nmethod = \"photons\"\n", "not by photons");
   says("convection = { h = 1, ambient = 300 }\nuncollided = true\n", "not as a light");
   says("convection = { h = 1, ambient = 300 }\nglazing = { transmittance = 0.9 }\n", "beside glazing");
