@@ -35,7 +35,8 @@ class HeatSteps {
       : setup_(setup),
         observer_(observer),
         result_(result),
-        numbers_(setup.input, setup.problem, setup.locator) {}
+        numbers_(setup.input, setup.problem, setup.locator),
+        frames_(frame_times(*setup.input.time)) {}
 
   void take(const UncollidedLight& uncollided) {
     StepsInTime& taken = result_.steps.emplace();
@@ -100,8 +101,7 @@ class HeatSteps {
     taken.largest_energy = std::max({taken.largest_energy, std::abs(step.stored), radiated});
     taken.sweeps = std::max(taken.sweeps, step.sweeps);
     result_.converged = result_.converged && step.converged;
-    const std::vector<double> frames = frame_times(*setup_.input.time);
-    if (std::ranges::find(frames, step.end) != frames.end())
+    if (std::ranges::find(frames_, step.end) != frames_.end())
       taken.frames.push_back({step.end, heat.temperature});
     solver_->keep();
     last_ = std::move(step.solution);
@@ -115,6 +115,7 @@ class HeatSteps {
   const HeatStepsObserver& observer_;
   TimeResult& result_;
   HeatNumbers numbers_;
+  std::vector<double> frames_;  ///< times of which fields are written [s]
   std::optional<RepeatedSolver> solver_;
   std::optional<Solution> last_;
   SolveSeconds seconds_;

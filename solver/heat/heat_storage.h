@@ -16,7 +16,6 @@ class HeatStorage {
   /// InputError where a heat capacity is negative or not finite at the temperatures of the start.
   HeatStorage(const Problem& problem, const HeatProblem& heat, const TemperatureSpace& space);
 
-  bool empty() const { return places_.empty(); }
   /// [unknown] dH/dT at temperatures [J/K]; 0 where none is held.
   std::vector<double> capacity(std::span<const double> temperature) const;
   /// [unknown] Heat from one temperature to another [J]: a Gauss rule of 5 points in the temperature.

@@ -21,7 +21,6 @@ class ThermalProperty {
   explicit ThermalProperty(Expression formula) : formula_(std::move(formula)) {}
 
   bool depends_on_temperature() const { return formula_.has_value(); }
-  bool is_number() const { return !formula_ && of_place_.is_constant(); }
   double at(const Vec3& point, double kelvin) const;
   /// In a tetrahedron with these temperatures at its vertices: the mean over the place, or where it depends
   /// on the temperature the value at the centroid, which differs by the square of the cell's size. Also the

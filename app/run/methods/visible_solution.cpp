@@ -8,36 +8,20 @@
 #include "solver/solution/solve_observer.h"
 
 namespace etendue {
-namespace {
 
-/// Writes the state of a run that continues, every so many sweeps. A disk that is full ends no run.
-class Checkpoints {
- public:
-  Checkpoints(const Case& input, const Problem& problem, std::ostream& err)
-      : input_(input), problem_(problem), err_(err) {}
-
-  void consider(const SweepProgress& progress) {
-    const int every = input_.output.checkpoint_every;
-    if (every == 0 || progress.sweep % every != 0) return;
-    try {
-      write_checkpoint(input_, problem_, progress.state());
-    } catch (const FileError& error) {
-      err_ << "no checkpoint after sweep " << progress.sweep << ": " << error.what() << std::endl;
-    }
+void write_checkpoint_visibly(const VisibleSolving& solving, const SavedState& state,
+                              const std::string& when) {
+  try {
+    write_checkpoint(solving.input, solving.problem, state);
+  } catch (const FileError& error) {
+    solving.err << "no checkpoint" << when << ": " << error.what() << std::endl;
   }
-
- private:
-  const Case& input_;
-  const Problem& problem_;
-  std::ostream& err_;
-};
-
-}  // namespace
+}
 
 std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const VisibleSolving& solving,
                                       const DirectionSetObserver& reader) {
   const Interruption& interruption = solving.interruption;
-  Checkpoints checkpoints(solving.input, solving.problem, solving.err);
+  const int every = solving.input.output.checkpoint_every;
   ProgressDisplay display(solving.stages.style, solving.stages.out);
   std::optional<ShownStage> stage(std::in_place, solving.stages, "sweep orders");
   bool is_sweeping = false;
@@ -45,7 +29,8 @@ std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const Visible
     stage.reset();
     solving.interruption.note_the_first();
     display.show(progress);
-    checkpoints.consider(progress);
+    if (every != 0 && progress.sweep % every == 0)
+      write_checkpoint_visibly(solving, progress.state(), " after sweep " + std::to_string(progress.sweep));
     return interruption.noted() ? SolveControl::stop : SolveControl::proceed;
   };
   SolveOptions options = solving.options;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <ostream>
+#include <string>
 
 #include "app/case/case.h"
 #include "app/progress/interruption.h"
@@ -23,6 +24,11 @@ struct VisibleSolving {
   Interruption& interruption;
   bool leaves_state = true;  ///< whether a solution that is stopped within a sweep leaves its state
 };
+
+/// Writes the state of a run that continues. A disk that is full ends no run: the reason is printed, with
+/// `when`, as " after sweep 5".
+void write_checkpoint_visibly(const VisibleSolving& solving, const SavedState& state,
+                              const std::string& when);
 
 /// Solves, shows how it continues and writes checkpoints. Before the first sweep is done a signal ends the
 /// program at once. Later ones end the iteration after its sweep; where that or the last sweep takes more

@@ -3,13 +3,10 @@
 
 #include <algorithm>
 
-#include "app/write/vtk/solution_file.h"
-#include "base/errors.h"
-
 namespace etendue {
 namespace {
 
-/// Writes the temperatures of a march that continues, after so many sweeps. A disk that is full ends no run.
+/// Writes the temperatures of a march that continues, after so many sweeps.
 class StepCheckpoints {
  public:
   explicit StepCheckpoints(const VisibleSolving& solving) : solving_(solving) {}
@@ -21,11 +18,7 @@ class StepCheckpoints {
     const int every = solving_.input.output.checkpoint_every;
     if (every == 0 || sweeps_ < every) return;
     sweeps_ = 0;
-    try {
-      write_checkpoint(solving_.input, solving_.problem, solution.state);
-    } catch (const FileError& error) {
-      solving_.err << "no checkpoint: " << error.what() << std::endl;
-    }
+    write_checkpoint_visibly(solving_, solution.state, "");
   }
 
  private:

@@ -42,7 +42,6 @@ class FoamFile {
   std::vector<Vec3> vectors(std::string_view what);
 
   [[noreturn]] void fail(const std::string& problem) const;
-  const std::string& file() const { return file_; }
 
  private:
   void read_header(const std::vector<std::string_view>& classes);
