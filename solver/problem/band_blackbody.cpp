@@ -22,18 +22,12 @@ Fraction fraction_between(double one, double other, double kelvin) {
           high * blackbody_fraction_slope(high * kelvin) - low * blackbody_fraction_slope(low * kelvin)};
 }
 
-Fraction weight_of(const GrayGas& gas, const GrayGases& fit, double kelvin) {
-  Fraction weight{0, 0};
-  const double at = std::clamp(kelvin, fit.lowest, fit.highest);
-  for (auto term = gas.weight.rbegin(); term != gas.weight.rend(); ++term)
-    weight = {weight.value * at + *term, weight.slope * at + weight.value};
-  if (at != kelvin) weight.slope = 0;
-  return weight;
-}
-
 Fraction fraction_of(const Bands& bands, int band, double kelvin) {
   const auto b = static_cast<std::size_t>(band);
-  if (!bands.wsgg.gases.empty()) return weight_of(bands.wsgg.gases[b], bands.wsgg, kelvin);
+  if (!bands.gas.gases.empty()) {
+    const TemperatureCurve& weight = bands.gas.gases[b].weight;
+    return {weight.at(kelvin), weight.slope_at(kelvin)};
+  }
   if (bands.edges.empty()) return {};
   return fraction_between(bands.edges[b], bands.edges[b + 1], kelvin);
 }

@@ -53,8 +53,8 @@ std::vector<Sample> samples_of_wall(const TetrahedralMesh& mesh, int wall) {
 /// What to do about a temperature that cannot be; empty where it can.
 std::string kelvin_remedy(double kelvin, const Bands& bands) {
   if (!(kelvin >= 0) || !std::isfinite(kelvin)) return "use kelvin, at least 0";
-  if (!bands.wsgg.gases.empty() && kelvin > bands.wsgg.highest)
-    return fmt::format("the gray gases of bands.wsgg are known up to {:g} K", bands.wsgg.highest);
+  if (!bands.gas.gases.empty() && kelvin > bands.gas.highest)
+    return fmt::format("the gray gases of the bands are known up to {:g} K", bands.gas.highest);
   return "";
 }
 

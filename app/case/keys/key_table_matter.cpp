@@ -41,10 +41,11 @@ KeyTable medium_keys() {
       "Of the whole region, instead of `emission`: divided by 4 pi (flatland: 2 pi) and the meshed volume.");
   t.key("temperature", place_value, {.unit = "K", .range = not_negative},
         "Instead of `emission`: the medium emits absorption times the radiance of a blackbody, divided among "
-        "the bands by `bands.edges` or `bands.wsgg` (docs/user/heat.md).");
+        "the bands by `bands.edges`, `bands.wsgg` or `bands.k_distribution` (docs/user/heat.md).");
   t.key("gas_pressure", place_value, {.unit = "atm", .range = not_negative},
-        "Partial pressure of water vapour and carbon dioxide together: the gray gases of `bands.wsgg` absorb "
-        "in proportion to it, besides `absorption`.");
+        "Partial pressure of the gases that absorb together (of water vapour and carbon dioxide for "
+        "`bands.wsgg`): those of `bands.wsgg` or `bands.k_distribution` absorb in proportion to it, besides "
+        "`absorption`.");
   t.key("heat_source", place_value, {.unit = "W/m^3", .range = not_negative},
         "Instead of `temperature`: the medium sends out or conducts what it absorbs and this heat, and its "
         "temperature follows; 0: no heat but that of radiation.");

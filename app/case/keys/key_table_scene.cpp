@@ -59,6 +59,10 @@ KeyTable band_keys() {
         "Weighted sum of gray gases for mixtures of water vapour and carbon dioxide, instead of names and "
         "edges: bands clear, gray-1, gray-2 and so on (docs/user/heat.md). bordbar: any molar ratio; smith-1 "
         "and smith-2: ratios 1 and 2.");
+  t.key("k_distribution", text, {},
+        "CSV file of a k-distribution with lines of temperature [K], absorption [1/(m atm)] and weight, "
+        "instead "
+        "of wsgg, names and edges: bands gray-1, gray-2 and so on (docs/user/heat.md).");
   t.key("molar_ratio", number, {.range = {.lowest = 0.01, .highest = 4}},
         "Of water vapour to carbon dioxide, for bordbar.");
   return t;

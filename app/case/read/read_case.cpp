@@ -48,7 +48,7 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   Section units = top.section("units");
   unit_table().read(units, result.units);
   result.mesh = read_mesh_section(top.section("mesh"), file.parent_path());
-  result.bands = read_bands(top.section("bands"));
+  result.bands = read_bands(top.section("bands"), file.parent_path());
   read_directions(top.section("directions"), result);
   for (auto& [name, medium] : top.section("media").named())
     if (const auto index = medium.number_if("refractive_index")) result.bands.refractive_index = *index;

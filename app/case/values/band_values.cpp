@@ -7,7 +7,7 @@
 #include <set>
 
 #include "app/case/values/field_value.h"
-#include "app/case/values/gray_gases.h"
+#include "app/case/values/gas_bands.h"
 #include "solver/materials/media/angular_formula.h"
 
 namespace etendue {
@@ -99,42 +99,10 @@ bool has_control_character(const std::string& text) {
   return std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
 }
 
-bool is_sound(const Section& section, std::string_view name) { return !section.node().find(name)->faulty; }
-
-std::optional<GrayGases> read_gray_gases(Section& section) {
-  for (const char* name : {"names", "edges"})
-    if (section.has(name))
-      section.fault(name, "not beside wsgg, whose gray gases are the bands; leave it out");
-  if (!is_sound(section, "wsgg")) return std::nullopt;
-  const std::string model = section.text("wsgg");
-  if (model != "bordbar") {
-    section.unused("molar_ratio", fmt::format("{} is for one ratio", model));
-    return smith_gases(model == "smith-1" ? 1 : 2);
-  }
-  if (!section.has("molar_ratio")) {
-    section.fault("molar_ratio",
-                  "missing; give that of water vapour to carbon dioxide, such as 2 for methane "
-                  "and 1 for oil, burnt in air");
-    return std::nullopt;
-  }
-  if (!is_sound(section, "molar_ratio")) return std::nullopt;
-  return bordbar_gases(section.number("molar_ratio"));
-}
-
-/// One band for each gray gas; no names where they are faulty.
-Bands read_gas_bands(Section& section) {
-  std::optional<GrayGases> gases = read_gray_gases(section);
-  if (!gases) return {.names = {}, .edges = {}};
-  Bands bands{.names = {"clear"}, .edges = {}, .wsgg = std::move(*gases)};
-  for (std::size_t gas = 1; gas < bands.wsgg.gases.size(); ++gas)
-    bands.names.push_back(fmt::format("gray-{}", gas));
-  return bands;
-}
-
 }  // namespace
 
-Bands read_bands(Section section) {
-  if (section.has("wsgg")) return read_gas_bands(section);
+Bands read_bands(Section section, const std::filesystem::path& case_folder) {
+  if (section.has("wsgg") || section.has("k_distribution")) return read_gas_bands(section, case_folder);
   section.unused("molar_ratio", "there is no wsgg");
   Bands bands;
   bands.names = section.texts("names");

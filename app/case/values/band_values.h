@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string_view>
 
@@ -11,7 +12,7 @@
 namespace etendue {
 
 /// The bands of a case. No names where they are faulty: then nothing can be said about a list's length.
-Bands read_bands(Section bands);
+Bands read_bands(Section bands, const std::filesystem::path& case_folder);
 
 /// What formulas may be in.
 enum class FormulaOf { place, place_and_direction, place_and_temperature };

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "app/case/values/curve_value.h"
 #include "app/case/values/value_algebra.h"
 #include "base/blackbody.h"
 #include "solver/problem/band_blackbody.h"
@@ -21,16 +22,6 @@ std::pair<double, double> band_edges(const Bands& bands, int band) {
   return std::minmax(bands.edges[b], bands.edges[b + 1]);
 }
 
-/// Fraction of a blackbody's power that a gray gas has, as a formula of the temperature as a text; below the
-/// temperatures of its fit that of the lowest.
-std::string weight_text(const GrayGases& wsgg, int band, const std::string& kelvin) {
-  const std::vector<double>& weight = wsgg.gases[static_cast<std::size_t>(band)].weight;
-  std::string text = fmt::format("{:.17g}", weight.back());
-  for (std::size_t k = weight.size() - 1; k-- > 0;)
-    text = fmt::format("(({})*max({},{:.17g})+({:.17g}))", text, kelvin, wsgg.lowest, weight[k]);
-  return text;
-}
-
 }  // namespace
 
 Value blackbody_radiance(const Value& temperature, const Bands& bands, int band) {
@@ -39,7 +30,8 @@ Value blackbody_radiance(const Value& temperature, const Bands& bands, int band)
   Formula formula = term(temperature);
   const std::string kelvin = formula.text;
   formula.text = fmt::format("{:.17g}*{}^4", factor, kelvin);
-  if (!bands.wsgg.gases.empty()) formula.text += "*" + weight_text(bands.wsgg, band, kelvin);
+  if (!bands.gas.gases.empty())
+    formula.text += "*" + curve_text(bands.gas.gases[static_cast<std::size_t>(band)].weight, kelvin);
   if (bands.edges.empty()) return formula;
   const auto [low, high] = band_edges(bands, band);
   formula.text += fmt::format("*(blackbody_fraction({:.17g}*{})-blackbody_fraction({:.17g}*{}))", high,

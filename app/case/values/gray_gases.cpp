@@ -48,22 +48,32 @@ double polynomial(const Quartic& terms, double x) {
   return sum;
 }
 
+/// A gray gas of a fit: its absorption [1/(m atm)], and factors of T^0, T^1 and so on [K] of its weight.
+struct FittedGas {
+  double absorption;
+  std::vector<double> weight;
+};
+
 /// The gas that does not absorb and has what the others leave of the power, and then the others.
-GrayGases with_clear_gas(std::vector<GrayGas> gases, double lowest, double highest) {
-  GrayGas clear{0, std::vector<double>(gases.front().weight.size(), 0.0)};
+GrayGases with_clear_gas(std::vector<FittedGas> fitted, double lowest, double highest) {
+  FittedGas clear{0, std::vector<double>(fitted.front().weight.size(), 0.0)};
   clear.weight.front() = 1;
-  for (const GrayGas& gas : gases)
+  for (const FittedGas& gas : fitted)
     for (std::size_t k = 0; k < clear.weight.size(); ++k) clear.weight[k] -= gas.weight[k];
-  gases.insert(gases.begin(), std::move(clear));
-  return {std::move(gases), lowest, highest};
+  fitted.insert(fitted.begin(), std::move(clear));
+  GrayGases mixture{{}, lowest, highest};
+  for (FittedGas& gas : fitted)
+    mixture.gases.push_back(
+        {gas.absorption, TemperatureCurve::Polynomial{std::move(gas.weight), lowest, highest}});
+  return mixture;
 }
 
 }  // namespace
 
 GrayGases bordbar_gases(double molar_ratio) {
-  std::vector<GrayGas> gases;
+  std::vector<FittedGas> gases;
   for (const BordbarGas& fit : bordbar) {
-    GrayGas gas{polynomial(fit.absorption, molar_ratio), {}};
+    FittedGas gas{polynomial(fit.absorption, molar_ratio), {}};
     for (std::size_t k = 0; k < fit.in_kelvin.size(); ++k)
       gas.weight.push_back(polynomial(fit.in_kelvin[k], molar_ratio) / std::pow(1200.0, k));
     gases.push_back(std::move(gas));

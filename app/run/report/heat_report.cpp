@@ -99,10 +99,10 @@ std::string range_caution(const RunResult& result) {
   const Bands& bands = result.problem.bands();
   const double highest =
       std::max(std::ranges::max(result.heat->temperature), std::ranges::max(result.heat->wall_temperature));
-  if (!bands.wsgg.gases.empty() && highest > bands.wsgg.highest)
+  if (!bands.gas.gases.empty() && highest > bands.gas.highest)
     return fmt::format(
-        "caution: temperatures of up to {:.5g} K: the gray gases of bands.wsgg are known up to {:g} K\n",
-        highest, bands.wsgg.highest);
+        "caution: temperatures of up to {:.5g} K: the gray gases of the bands are known up to {:g} K\n",
+        highest, bands.gas.highest);
   const double outside = fraction_outside_bands(highest, bands);
   if (outside <= largest_part_outside) return "";
   return fmt::format(

@@ -3,14 +3,27 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/case/values/band_values.h"
+#include "app/case/values/curve_value.h"
 #include "app/case/values/value_algebra.h"
 
 namespace etendue {
 namespace {
 
-std::string pressure_problem(const Section& section, const ThermalContext& context) {
-  if (context.bands.wsgg.gases.empty()) return "needs gray gases; add bands.wsgg, or give absorption instead";
+bool absorb_alike_at_all_temperatures(const GrayGases& mixture) {
+  return std::ranges::all_of(mixture.gases, [](const GrayGas& gas) { return gas.absorption.is_constant(); });
+}
+
+std::string pressure_problem(const Section& section, const ThermalContext& context,
+                             const MediumCase& medium) {
+  if (context.bands.gas.gases.empty())
+    return "needs gray gases; add bands.wsgg or bands.k_distribution, or give absorption instead";
+  if (!medium.temperature && !absorb_alike_at_all_temperatures(context.bands.gas))
+    return "the gases of bands.k_distribution absorb by the temperature, which is not given here; add "
+           "temperature (one that follows from heat needs a file with the same absorption at all "
+           "temperatures)";
   if (context.units.length != "m")
     return fmt::format(
         "needs meters (the case has {}); write coordinates in meters with units.length = \"m\"",
@@ -26,12 +39,13 @@ std::string pressure_problem(const Section& section, const ThermalContext& conte
 void read_gas_pressure(Section& section, const ThermalContext& context, MediumCase& medium) {
   const std::optional<BandValues> pressure = read_place_value(section, "gas_pressure");
   if (!pressure || context.bands.names.empty()) return;
-  if (const std::string problem = pressure_problem(section, context); !problem.empty())
+  if (const std::string problem = pressure_problem(section, context, medium); !problem.empty())
     return section.fault("gas_pressure", problem);
   BandValues absorption{{}, pressure->origin};
   for (int band = 0; band < context.bands.count(); ++band) {
-    const double by_pressure = context.bands.wsgg.gases[static_cast<std::size_t>(band)].absorption;
-    const Value gray = product(by_pressure, pressure->values.front());
+    const TemperatureCurve& by_pressure = context.bands.gas.gases[static_cast<std::size_t>(band)].absorption;
+    const Value kelvin = medium.temperature ? medium.temperature->values.front() : Value(0.0);
+    const Value gray = product(curve_value(by_pressure, kelvin), pressure->values.front());
     absorption.values.push_back(medium.absorption ? sum(value_of(*medium.absorption, band), gray) : gray);
   }
   medium.absorption = std::move(absorption);

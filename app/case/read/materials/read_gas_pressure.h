@@ -7,7 +7,8 @@
 
 namespace etendue {
 
-/// Reads `gas_pressure` of a medium whose absorption is read, and adds what the gray gases absorb.
+/// Reads `gas_pressure` of a medium whose absorption and temperature are read, and adds what the gray gases
+/// absorb.
 void read_gas_pressure(Section& section, const ThermalContext& context, MediumCase& medium);
 
 }  // namespace etendue

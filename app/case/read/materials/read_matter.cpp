@@ -221,10 +221,12 @@ MediumCase read_medium(Section section, const MatterContext& context) {
     medium.scattering = std::move(scattering);
   medium.uncollided = read_uncollided(section);
   medium.choice = read_choices(section, bands);
-  read_gas_pressure(section, {bands, context.units, context.space}, medium);
+  const ThermalContext thermal{bands, context.units, context.space};
+  medium.temperature = read_medium_temperature(section, thermal);
+  read_gas_pressure(section, thermal, medium);
   check_medium(section, medium, bands);
-  read_thermal_emission(section, {bands, context.units, context.space}, medium);
-  read_heat_source(section, {bands, context.units, context.space}, medium);
+  set_thermal_emission(section, thermal, medium);
+  read_heat_source(section, thermal, medium);
   check_uncollided(section, medium.uncollided, depend_on_direction(medium.emission));
   check_directions(section, medium, bands);
   fill_in(section, medium);

@@ -36,7 +36,7 @@ std::string temperature_problem(const Section& section, const ThermalContext& co
         "needs meters and watts (the case has {} and {}); write coordinates in meters (mesh.scale "
         "multiplies those of files) with units.length = \"m\", and units.power = \"W\"",
         context.units.length, context.units.power);
-  if (context.bands.count() > 1 && context.bands.edges.empty() && context.bands.wsgg.gases.empty())
+  if (context.bands.count() > 1 && context.bands.edges.empty() && context.bands.gas.gases.empty())
     return fmt::format(
         "needs the edges of the {} bands, which divide the power of a blackbody; add "
         "bands.edges [nm], or use one band",
@@ -90,8 +90,8 @@ void read_emissivity(Section& section, const Bands& bands, WallCase& wall) {
 }
 
 /// The key `temperature`, unless it cannot become a radiance or one of `emission_keys` says the same.
-std::optional<BandValues> read_temperature(Section& section, const ThermalContext& context,
-                                           std::initializer_list<const char*> emission_keys) {
+std::optional<BandValues> sound_temperature(Section& section, const ThermalContext& context,
+                                            std::initializer_list<const char*> emission_keys) {
   std::optional<BandValues> temperature = read_place_value(section, "temperature");
   if (!temperature || has_faulty_edges(context.bands)) return std::nullopt;
   const std::string problem = temperature_problem(section, context, emission_keys);
@@ -119,8 +119,11 @@ BandValues times(BandValues values, FactorOf factor_of) {
 
 }  // namespace
 
-void read_thermal_emission(Section& section, const ThermalContext& context, MediumCase& medium) {
-  medium.temperature = read_temperature(section, context, {"emission", "power_density", "power"});
+std::optional<BandValues> read_medium_temperature(Section& section, const ThermalContext& context) {
+  return sound_temperature(section, context, {"emission", "power_density", "power"});
+}
+
+void set_thermal_emission(Section& section, const ThermalContext& context, MediumCase& medium) {
   if (!medium.temperature) return;
   medium.blackbody = blackbody_values(*medium.temperature, context.bands);
   medium.emission =
@@ -132,7 +135,7 @@ void read_thermal_emission(Section& section, const ThermalContext& context, Medi
 
 void read_thermal_wall(Section& section, const ThermalContext& context, WallCase& wall) {
   read_emissivity(section, context.bands, wall);
-  wall.temperature = read_temperature(section, context, {"radiance"});
+  wall.temperature = sound_temperature(section, context, {"radiance"});
   if (!wall.temperature) return;
   if (wall.refractive_index != 1) {
     Bands behind = context.bands;  // where the index is that of vacuum

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 
 #include "app/case/case.h"
@@ -24,9 +25,12 @@ std::string temperature_problem(const Section& section, const ThermalContext& co
 /// What a wall neither reflects nor transmits.
 double absorptivity(const WallCase& wall, int band);
 
-/// Reads the temperature of a medium whose absorption is read, and sets the emission that follows: absorption
-/// times the radiance of a blackbody (Kirchhoff's law).
-void read_thermal_emission(Section& section, const ThermalContext& context, MediumCase& medium);
+/// The temperature of a medium that emits by it; empty where it is absent or faulty.
+std::optional<BandValues> read_medium_temperature(Section& section, const ThermalContext& context);
+
+/// Sets the emission that follows from a medium's temperature, if it has one: absorption times the radiance
+/// of a blackbody (Kirchhoff's law).
+void set_thermal_emission(Section& section, const ThermalContext& context, MediumCase& medium);
 
 /// Reads `emissivity` and `temperature` of a wall whose reflectances and transmittance are read: the diffuse
 /// reflectance and the radiance that follow.

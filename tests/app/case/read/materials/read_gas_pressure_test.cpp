@@ -40,9 +40,9 @@ TEST(ReadGasPressure, MakesEachGasABand) {
   const GrayGases wsgg = bordbar_gases(2);
   for (int band = 0; band < 5; ++band) {
     const GrayGas& gray = wsgg.gases[static_cast<std::size_t>(band)];
-    const double absorption = 0.02 + 0.3 * gray.absorption;
+    const double absorption = 0.02 + 0.3 * gray.absorption.at(1400);
     EXPECT_NEAR(problem.absorption(CellIndex(0), band), absorption, 1e-12 * absorption);
-    const double emission = absorption * gray.weight_at(1400) * blackbody(1400);
+    const double emission = absorption * gray.weight.at(1400) * blackbody(1400);
     EXPECT_NEAR(problem.emission(CellIndex(0), band), emission, 1e-12 * emission);
   }
 }
@@ -74,7 +74,7 @@ TEST(ReadGasPressure, LetsWallsEmitTheWeightsOfTheirTemperature) {
   for (const Wall& wall : problem.walls())
     if (wall.name == "zmin")
       for (std::size_t band = 0; band < 4; ++band) {
-        EXPECT_NEAR(wall.radiance[band], 0.8 * wsgg.gases[band].weight_at(1000) * blackbody(1000), 1e-8);
+        EXPECT_NEAR(wall.radiance[band], 0.8 * wsgg.gases[band].weight.at(1000) * blackbody(1000), 1e-8);
         sum += wall.radiance[band];
       }
   EXPECT_NEAR(sum, 0.8 * blackbody(1000), 1e-8);
@@ -82,7 +82,8 @@ TEST(ReadGasPressure, LetsWallsEmitTheWeightsOfTheirTemperature) {
 
 TEST(ReadGasPressure, RefusesWhatHasNoMeaning) {
   EXPECT_EQ(first_fault(gas("", "gas_pressure = 0.3\n")),
-            "media.air.gas_pressure = 0.3: needs gray gases; add bands.wsgg, or give absorption instead");
+            "media.air.gas_pressure = 0.3: needs gray gases; add bands.wsgg or bands.k_distribution, or "
+            "give absorption instead");
   EXPECT_EQ(first_fault(gas(bordbar, "gas_pressure = 0.3\nextinction = 1\n")),
             "media.air.gas_pressure = 0.3: not beside extinction (gases add to absorption); give absorption "
             "and scattering");
@@ -96,7 +97,7 @@ TEST(ReadGasPressure, RefusesWhatHasNoMeaning) {
                 .find("use a number from 0.01 to 4"),
             std::string::npos);
   EXPECT_NE(first_fault(gas(bordbar, "gas_pressure = 0.3\ntemperature = 2500\n"))
-                .find("the gray gases of bands.wsgg are known up to 2400 K"),
+                .find("the gray gases of the bands are known up to 2400 K"),
             std::string::npos);
 }
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "solver/problem/bands.h"
+
+namespace etendue {
+
+/// The points of a k-distribution as gray gases, from a CSV file with lines of temperature [K], absorption
+/// coefficient by the partial pressure [1/(m atm)] and weight, the fraction of a blackbody's power at that
+/// temperature: for each temperature as many lines as there are points, in the same order (the full-spectrum
+/// k-distribution of Modest and Zhang, J. Heat Transfer 124 (2002) 30; with temperatures of the gas and of
+/// the blackbody the same for k and the weights, each by itself). Throws FileError where it cannot be read,
+/// InputError where it is not such a file.
+GrayGases k_distribution(const std::filesystem::path& path);
+
+}  // namespace etendue
