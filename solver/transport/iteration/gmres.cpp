@@ -107,6 +107,12 @@ class GmresRun : public IterationRun {
     else
       cycle();
     measured_ = true;
+    if (options_.trusts_estimate && cycle_.found_done) end_unconfirmed();
+  }
+
+  void end_unconfirmed() {
+    for (BandConvergence& band : result_.bands) band.converged = true;
+    end();
   }
 
   void abandon() override { add_correction(state_); }

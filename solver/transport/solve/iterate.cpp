@@ -74,13 +74,13 @@ SweepsUsed iterate_linearly(const IterationSetup& setup, TransportState& state, 
   // The sweep that is recorded is one of those that are allowed: the last of the iteration or one more.
   const bool records = iteration->records() && options.positivity == Positivity::none;
   if (!records) ++used;
-  const IterationOptions limits{options.tolerance,
-                                options.max_sweeps - used,
-                                setup.low_order.acceleration(),
-                                setup.low_order.judge(),
-                                setup.single,
-                                setup.coarse,
-                                records ? &record : nullptr};
+  const IterationOptions limits{.tolerance = options.tolerance,
+                                .max_sweeps = options.max_sweeps - used,
+                                .acceleration = setup.low_order.acceleration(),
+                                .judge = setup.low_order.judge(),
+                                .single = setup.single,
+                                .coarse = setup.coarse,
+                                .record = records ? &record : nullptr};
   IterationResult result = starts_positive(options)
                                ? untouched(bands)
                                : iteration->run(setup.sweep, state, limits, setup.observer);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/field_view.h"
 #include "solver/solution/following_emission.h"
@@ -13,8 +14,12 @@
 namespace etendue {
 namespace {
 
-/// Error of the light for each error of the emission: a tenth hardly slows the emission down.
-constexpr double share_of_light = 0.1;
+/// Error of the light for each error of the emission, at most and at least: a tenth hardly slows the emission
+/// down where little light returns, and where much does errors of the light become larger ones of the
+/// emission.
+constexpr double largest_share = 0.1, smallest_share = 0.01;
+/// Of the error that a step leaves, the part above which the share is divided by three.
+constexpr double slow_step = 0.5;
 constexpr double coarsest = 0.02;  ///< error of the first light
 /// Sweeps of the tolerance that the last iteration is left with.
 constexpr int last_sweeps = 2;
@@ -55,9 +60,10 @@ class EmissionSteps {
     const double tolerance = setup_.options.tolerance;
     problem_.set_following(emission_.sources());
     while (has_sweeps_left()) {
-      find_light(std::clamp(share_of_light * error_, tolerance / 2, coarsest));
+      find_light(std::clamp(share_ * error_, tolerance / 2, coarsest));
       ++steps_;
-      error_ = improve();
+      const double before = std::exchange(error_, improve());
+      if (error_ > slow_step * before) share_ = std::max(share_ / 3, smallest_share);
       problem_.set_following(emission_.sources());
       if (error_ <= tolerance || interrupted_) return;
     }
@@ -79,12 +85,13 @@ class EmissionSteps {
   /// Brings the state to the light of this emission.
   void find_light(double tolerance) {
     if (setup_.sweep.is_direct()) return sweep_once();
-    const IterationOptions limits{tolerance,
-                                  setup_.options.max_sweeps - sweeps_ - last_sweeps + 1,
-                                  setup_.low_order.acceleration(),
-                                  setup_.low_order.judge(),
-                                  setup_.single,
-                                  setup_.coarse};
+    const IterationOptions limits{.tolerance = tolerance,
+                                  .max_sweeps = setup_.options.max_sweeps - sweeps_ - last_sweeps + 1,
+                                  .acceleration = setup_.low_order.acceleration(),
+                                  .judge = setup_.low_order.judge(),
+                                  .single = setup_.single,
+                                  .coarse = setup_.coarse,
+                                  .trusts_estimate = true};
     const auto shifted = [&](const SweepProgress& progress) { return observe(progress); };
     const IterationResult result =
         make_iteration(setup_.options.method)->run(setup_.sweep, state_, limits, SolveObserver(shifted));
@@ -137,6 +144,7 @@ class EmissionSteps {
   Problem& problem_;
   TransportState& state_;
   double error_ = 1;
+  double share_ = largest_share;
   int steps_ = 0;
   int sweeps_ = 0;
   bool interrupted_ = false;

@@ -54,9 +54,9 @@ TEST(GrayGases, OfTwoFitsEmitAlike) {
       }
 }
 
-/// Of a column of one gas in air at a total pressure of 1 atm: a chart as a polynomial and what its partial
-/// pressure changes (Leckner, Combustion and Flame 19 (1972) 33; Modest, Radiative Heat Transfer, eqs.
-/// (11.177) and (11.178)).
+/// Emissivity of a column of one gas in air at a total pressure of 1 atm: a chart as a polynomial and what
+/// its partial pressure changes (Leckner, Combustion and Flame 19 (1972) 33; Modest, Radiative Heat Transfer,
+/// eqs. (11.177) and (11.178)).
 struct Leckner {
   double terms[3][4];  ///< by the power of log10 of the path, and of the temperature
   double (*effective)(double t, double pressure);  ///< [bar]
