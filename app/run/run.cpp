@@ -33,6 +33,7 @@
 #include "app/write/csv/sensor_files.h"
 #include "app/write/result/output_folder.h"
 #include "app/write/result/program_version.h"
+#include "app/write/result/temperature_fields.h"
 #include "app/write/results.h"
 #include "app/write/vtk/solution_file.h"
 #include "base/errors.h"
@@ -202,6 +203,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   result.seconds.measures = watch.lap();
   result.probes = read_probes(input.probes, lights, solution, locator, options.threads,
                               ShownStage(stages, "probes").observer());
+  set_probe_temperatures(locator, result);
   result.seconds.probes = watch.lap();
   result.sensors = read_sensors(input.sensors, {lights, ordinates, options, solution, scene, locator},
                                 ShownStage(stages, "sensors").observer());

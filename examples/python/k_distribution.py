@@ -3,7 +3,7 @@
 """A k-distribution of the full spectrum for bands.k_distribution, from the spectrum of a gas.
 
 The spectrum is a CSV file with a line for each wave number: wavenumber [1/cm], then the absorption coefficient by the
-partial pressure [1/(m atm)] at each temperature; the first line names the columns: wavenumber,300,600,900. From a single
+partial pressure [1/(m atm)] at each temperature [K]; the first line names the columns: wavenumber,300,600,900. From a single
 temperature the absorption is the same at all, as temperatures that follow from heat need it.
 
     examples/python/k_distribution.py spectrum.csv --points 8 > gas.csv
@@ -69,10 +69,22 @@ def k_distribution(wavenumber, absorption, kelvin, weights_at, points=8, referen
 
 
 def read_spectrum(path):
-    """Wave numbers, absorption by temperature, temperatures."""
+    """Wave numbers, absorption by temperature, temperatures: both rise. Raises ValueError where the file is no spectrum."""
     with open(path, encoding="utf-8") as file:
-        kelvin = [float(name) for name in file.readline().split(",")[1:]]
-    table = numpy.loadtxt(path, delimiter=",", skiprows=1)
+        names = file.readline().strip().split(",")[1:]
+        table = numpy.loadtxt(file, delimiter=",", ndmin=2)
+    kelvin = numpy.array([float(name) for name in names])
+    if table.shape[1] != 1 + len(kelvin) or not len(kelvin):
+        raise ValueError(f"the first line names {len(kelvin)} temperatures where the others have {table.shape[1] - 1} values")
+    table = table[numpy.argsort(table[:, 0])][:, numpy.concatenate([[0], 1 + numpy.argsort(kelvin)])]
+    table, kelvin = table[table[:, 0] != 0], numpy.sort(kelvin)
+    if not numpy.isfinite(table).all() or (table < 0).any():
+        raise ValueError("wave numbers and absorption have to be finite and not below 0")
+    for what, values in (("wave number", table[:, 0]), ("temperature", kelvin)):
+        if (numpy.diff(values) <= 0).any():
+            raise ValueError(f"a {what} is there twice")
+    if len(table) < 2 or kelvin[0] <= 0:
+        raise ValueError("needs two wave numbers above 0 and temperatures above 0 K")
     return table[:, 0], table[:, 1:].T, kelvin
 
 
@@ -90,7 +102,12 @@ def main():
     parser.add_argument("--reference", type=float, default=1000.0, help="temperature of the reference [K] (default: 1000)")
     parser.add_argument("--to", type=float, default=2500.0, help="highest temperature of the table [K] (default: 2500)")
     given = parser.parse_args()
-    wavenumber, absorption, kelvin = read_spectrum(given.spectrum)
+    if given.points < 1 or given.to < 300 or given.reference <= 0:
+        parser.error("use at least one point, --to of at least 300 K, and a reference above 0 K")
+    try:
+        wavenumber, absorption, kelvin = read_spectrum(given.spectrum)
+    except (OSError, ValueError) as error:
+        parser.error(f"{given.spectrum}: {error}")
     weights_at = numpy.arange(300.0, given.to + 1, 100.0)
     write_table(weights_at, *k_distribution(wavenumber, absorption, kelvin, weights_at, given.points, given.reference), sys.stdout)
 

@@ -16,7 +16,7 @@
 namespace etendue {
 namespace {
 
-constexpr std::size_t remembered_steps = 6;
+constexpr std::size_t remembered_steps = 5;
 /// Largest factor between two temperatures that follow each other: emission grows as T^4. And of T^4.
 constexpr double largest_factor = 1.5, largest_factor_of_power = 5;
 /// Largest change of T^4 over the highest of them, where it may pass through zero.

@@ -2,6 +2,7 @@
 import io
 import pathlib
 import sys
+import tempfile
 import unittest
 
 import numpy
@@ -45,6 +46,30 @@ class KDistribution(unittest.TestCase):
         lines = file.getvalue().splitlines()
         self.assertEqual(lines[0], "temperature,absorption,weight")
         self.assertEqual(len(lines), 13)
+
+
+class Spectrum(unittest.TestCase):
+    def read(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "spectrum.csv"
+            path.write_text(text, encoding="utf-8")
+            return example.read_spectrum(path)
+
+    def test_is_put_in_order(self):
+        wavenumber, absorption, kelvin = self.read("wavenumber,1500,300\n30,5,6\n10,1,2\n20,3,4\n")
+        self.assertEqual(list(wavenumber), [10, 20, 30])
+        self.assertEqual(list(kelvin), [300, 1500])
+        self.assertEqual(absorption.tolist(), [[2, 4, 6], [1, 3, 5]])
+
+    def test_has_no_wave_number_of_zero(self):
+        self.assertEqual(list(self.read("wavenumber,300\n0,1\n10,1\n20,3\n")[0]), [10, 20])
+
+    def test_is_refused_where_it_is_none(self):
+        for text in ("wavenumber,300\n10,nan\n20,1\n", "wavenumber,300\n10,-1\n20,1\n", "wavenumber,300\n10,1\n10,2\n",
+                     "wavenumber,300,300\n10,1,1\n20,2,2\n", "wavenumber,300\n10,1,2\n20,1,2\n", "wavenumber,300\n10,1\n",
+                     "wavenumber,a\n10,1\n20,1\n", "wavenumber\n10\n20\n"):
+            with self.assertRaises(ValueError, msg=text):
+                self.read(text)
 
 
 if __name__ == "__main__":

@@ -38,8 +38,7 @@ std::optional<GrayGases> read_distribution(Section& section, const std::filesyst
   try {
     return k_distribution(resolve_path(*node, case_folder));
   } catch (const InputError& error) {
-    const std::vector<Fault>& faults = error.faults();
-    section.faults().insert(section.faults().end(), faults.begin(), faults.end());
+    section.fault("k_distribution", "is no k-distribution: " + to_string(error.faults().front()));
     return std::nullopt;
   }
 }
@@ -61,8 +60,10 @@ Bands read_gas_bands(Section& section, const std::filesystem::path& case_folder)
   for (const char* name : {"names", "edges"})
     if (section.has(name))
       section.fault(name, fmt::format("not beside {}, whose gray gases are the bands; leave it out", key));
-  if (is_sum && section.has("k_distribution"))
+  if (is_sum && section.has("k_distribution")) {
     section.fault("k_distribution", "not beside wsgg, which gives the bands too; use one of them");
+    return {.names = {}, .edges = {}};
+  }
   std::optional<GrayGases> mixture = is_sum ? read_wsgg(section) : read_distribution(section, case_folder);
   if (!mixture) return {.names = {}, .edges = {}};
   return {.names = gas_names(*mixture, is_sum), .edges = {}, .gas = std::move(*mixture)};

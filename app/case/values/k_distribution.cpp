@@ -64,6 +64,13 @@ void normalize(const std::filesystem::path& path, double kelvin, std::span<doubl
   for (double& weight : weights) weight /= sum;
 }
 
+/// By the temperatures; one number where a file means the same but rounds it.
+TemperatureCurve absorption_curve(const std::vector<double>& kelvin, std::vector<double> values) {
+  const auto [lowest, highest] = std::ranges::minmax(values);
+  if (highest - lowest <= 1e-6 * highest) return values.front();
+  return TemperatureCurve::Table{kelvin, std::move(values)};
+}
+
 /// Every `points`-th value, from a point on.
 std::vector<double> of_point(const std::vector<double>& column, std::size_t point, std::size_t points) {
   std::vector<double> values;
@@ -78,7 +85,7 @@ GrayGases k_distribution(const std::filesystem::path& path) {
   const std::vector<double>& kelvin = columns[0];
   const std::vector<double>& absorption = columns[1];
   std::vector<double>& weight = columns[2];
-  if (kelvin.empty()) fail(path, "has no lines of temperature, absorption and weight");
+  if (kelvin.empty()) fail(path, "has no lines of temperature, absorption and weight between commas");
   check_not_negative(path, absorption, "an absorption");
   check_not_negative(path, weight, "a weight");
   const std::size_t points = point_count(kelvin);
@@ -89,7 +96,7 @@ GrayGases k_distribution(const std::filesystem::path& path) {
     normalize(path, rising[t], std::span(weight).subspan(t * points, points));
   GrayGases mixture{{}, rising.front(), rising.back()};
   for (std::size_t point = 0; point < points; ++point)
-    mixture.gases.push_back({TemperatureCurve::Table{rising, of_point(absorption, point, points)},
+    mixture.gases.push_back({absorption_curve(rising, of_point(absorption, point, points)),
                              TemperatureCurve::Table{rising, of_point(weight, point, points)}});
   return mixture;
 }

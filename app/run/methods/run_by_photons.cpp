@@ -14,6 +14,7 @@
 #include "app/setup/memory.h"
 #include "app/setup/run_context.h"
 #include "app/time/photon_times.h"
+#include "app/write/result/temperature_fields.h"
 #include "app/write/results.h"
 
 namespace etendue {
@@ -45,6 +46,7 @@ ExitCode run_by_photons(const RunContext& run, std::ostream& out, std::ostream& 
   seconds.measures = run.watch.lap() - found.solution.seconds.sweep - found.probe_seconds;
   run.interruption.note_all();
   RunResult result = result_of(run, found.solution, std::move(found.probes), threads);
+  set_probe_temperatures(locator, result);
   result.errors = std::move(found.errors);
   bound_unreached(result, locator, found.walked_back);
   if (run.input.time && !interrupted())

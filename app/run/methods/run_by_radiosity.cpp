@@ -17,6 +17,7 @@
 #include "app/setup/memory.h"
 #include "app/setup/run_context.h"
 #include "app/write/csv/sensor_files.h"
+#include "app/write/result/temperature_fields.h"
 #include "app/write/results.h"
 
 namespace etendue {
@@ -77,6 +78,7 @@ ExitCode run_by_radiosity(const RunContext& run, std::ostream& out, std::ostream
     scene.emplace(lights, directions, options, found.solution.state, threads);
   seconds.rays = run.watch.lap();
   RunResult result = result_of(run, found.solution, std::move(found.probes), threads);
+  set_probe_temperatures(locator, result);
   result.radiosity = std::move(found.report);
   result.passes = std::move(found.passes);
   result.patches = std::move(found.patches);

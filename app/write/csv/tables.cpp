@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <iterator>
 
+#include "app/case/temperatures.h"
 #include "app/write/csv/csv_field.h"
 #include "app/write/result/heat_rows.h"
 
@@ -40,17 +41,21 @@ std::string probes_csv(const RunResult& result) {
   const std::vector<std::string>& bands = result.problem.bands().names;
   const bool with_field = !result.solution.lights.fluence.empty();
   std::string table = "probe,index,x,y,z,band,fluence,flux_x,flux_y,flux_z,irradiance";
+  const bool with_temperature = has_temperatures(result.input);
   table += with_field ? ",fluence_field" : "";
+  table += with_temperature ? ",temperature" : "";
   table +=
       with_errors(result) ? ",fluence_error,flux_x_error,flux_y_error,flux_z_error,irradiance_error\n" : "\n";
   for (const ProbeRow& row : result.probes)
     for (std::size_t b = 0; b < bands.size(); ++b) {
       const ProbeValue& value = row.values[b];
-      add_row(table, "{},{},{},{},{},{},{},{},{},{},{}{}{}", csv_field(row.name), row.index, row.point.x(),
+      add_row(table, "{},{},{},{},{},{},{},{},{},{},{}{}{}{}", csv_field(row.name), row.index, row.point.x(),
               row.point.y(), row.point.z(), csv_field(bands[b]), value.fluence, value.net_flux[0],
               value.net_flux[1], value.net_flux[2],
               row.irradiance ? fmt::to_string((*row.irradiance)[b]) : "",
-              with_field ? fmt::format(",{}", (*row.fluence_field)[b]) : "", probe_errors(row, b));
+              with_field ? fmt::format(",{}", (*row.fluence_field)[b]) : "",
+              with_temperature ? "," + (row.temperature ? fmt::to_string(*row.temperature) : "") : "",
+              probe_errors(row, b));
     }
   return table;
 }

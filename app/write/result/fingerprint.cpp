@@ -76,8 +76,19 @@ void add_fields(const BandValues& values, ContentHash& hash) {
         if (const auto* field = dynamic_cast<const SampledField*>(function.get())) hash.add(field->content());
 }
 
+void add_curve(const TemperatureCurve& curve, ContentHash& hash) {
+  if (const auto* table = std::get_if<TemperatureCurve::Table>(&curve.form()))
+    for (const auto* numbers : {&table->kelvin, &table->values})
+      for (const double number : *numbers) hash.add(number);
+}
+
 /// What files hold that tables of this name take numbers from: the text of the case has their names alone.
 void add_files_of_table(const Case& input, const std::string& table, ContentHash& hash) {
+  if (table == "bands")
+    for (const GrayGas& gas : input.bands.gas.gases) {
+      add_curve(gas.absorption, hash);
+      add_curve(gas.weight, hash);
+    }
   if (table == "media")
     for (const auto& [name, medium] : input.media)
       for (const auto* values :

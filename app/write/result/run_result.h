@@ -48,6 +48,7 @@ struct ProbeRow {
   /// [band] of the P1 field, where uncollided light makes `values` differ from it
   std::optional<std::vector<double>> fluence_field = {};
   std::optional<ProbeErrors> errors = {};  ///< where values are Monte Carlo estimates
+  std::optional<double> temperature = {};  ///< of the medium, given or following [K]
 };
 
 /// What a sensor of the case showed.

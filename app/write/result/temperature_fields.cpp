@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "app/case/build/entry_of.h"
+#include "app/case/temperatures.h"
 #include "app/case/values/value_algebra.h"
 #include "base/blackbody.h"
 #include "mesh/tetrahedra/corners.h"
@@ -33,37 +33,65 @@ double equilibrium_temperature(const Problem& problem, CellIndex cell, double fl
                    : 0;
 }
 
-/// Of values [cell][4], at the centroid of a cell.
-double mean_of_vertices(const std::vector<double>& values, CellIndex cell) {
-  const auto first = values.begin() + static_cast<std::ptrdiff_t>(4 * cell.at());
-  return std::accumulate(first, first + 4, 0.0) / 4;
+/// Of values [cell][4].
+double at_point(const std::vector<double>& values, const CellPoint& point) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) sum += point.barycentric[i] * values[4 * point.cell.at() + i];
+  return sum;
 }
+
+/// Temperatures of the media of a run.
+class MediumTemperatures {
+ public:
+  explicit MediumTemperatures(const RunResult& result) : result_(result) {
+    for (const std::string& name : result.problem.mesh().region_names()) {
+      const MediumCase entry = entry_of(result.input.media, name);
+      follows_.push_back(entry.iterates_temperature());
+      given_.push_back(entry.temperature ? std::optional(coefficient_of(entry.temperature->values.front()))
+                                         : std::nullopt);
+    }
+  }
+
+  /// At a place in a cell, with the fluence there in the first band; 0 where the case gives none [K].
+  double at(const CellPoint& place, const Vec3& point, double fluence) const {
+    const Problem& problem = result_.problem;
+    const auto region = static_cast<std::size_t>(problem.mesh().region(place.cell));
+    if (follows_[region] != 0 && result_.heat) return at_point(result_.heat->temperature, place);
+    if (given_[region]) return given_[region]->at(point);
+    if (problem.medium(static_cast<int>(region)).reradiation.empty()) return 0;
+    return equilibrium_temperature(problem, place.cell, fluence);
+  }
+
+ private:
+  const RunResult& result_;
+  std::vector<char> follows_;                      ///< [region] by iteration
+  std::vector<std::optional<Coefficient>> given_;  ///< [region]
+};
 
 }  // namespace
 
 std::vector<double> cell_temperatures(const RunResult& result) {
-  const Problem& problem = result.problem;
-  const TetrahedralMesh& mesh = problem.mesh();
-  std::vector<std::optional<Coefficient>> given;
-  std::vector<char> follows;
-  for (const std::string& name : mesh.region_names()) {
-    const MediumCase entry = entry_of(result.input.media, name);
-    follows.push_back(entry.iterates_temperature());
-    given.push_back(entry.temperature ? std::optional(coefficient_of(entry.temperature->values.front()))
-                                      : std::nullopt);
-  }
-  const std::vector<double> fluence = node_means(result.solution.fluence, 4, problem.bands().names.size());
-  std::vector<double> kelvin(static_cast<std::size_t>(mesh.cell_count()), 0);
+  const TetrahedralMesh& mesh = result.problem.mesh();
+  const MediumTemperatures temperatures(result);
+  const std::vector<double> fluence =
+      node_means(result.solution.fluence, 4, result.problem.bands().names.size());
+  std::vector<double> kelvin;
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
     const CellIndex cell(c);
-    if (follows[static_cast<std::size_t>(mesh.region(cell))] != 0 && result.heat)
-      kelvin[cell.at()] = mean_of_vertices(result.heat->temperature, cell);
-    else if (const auto& formula = given[static_cast<std::size_t>(mesh.region(cell))])
-      kelvin[cell.at()] = formula->at(mesh.centroid(cell));
-    else if (!problem.medium(mesh.region(cell)).reradiation.empty())
-      kelvin[cell.at()] = equilibrium_temperature(problem, cell, fluence[cell.at()]);
+    kelvin.push_back(
+        temperatures.at({cell, {0.25, 0.25, 0.25, 0.25}}, mesh.centroid(cell), fluence[cell.at()]));
   }
   return kelvin;
+}
+
+void set_probe_temperatures(const CellLocator& locator, RunResult& result) {
+  if (!has_temperatures(result.input)) return;
+  const MediumTemperatures temperatures(result);
+  for (ProbeRow& row : result.probes)
+    for (const CellPoint& place : locator.find(row.point)) {
+      const double kelvin = temperatures.at(place, row.point, row.values.front().fluence);
+      if (kelvin > 0 && !row.temperature) row.temperature = kelvin;
+    }
 }
 
 WallTemperature::WallTemperature(const RunResult& result, int wall) : bands_(result.problem.bands()) {

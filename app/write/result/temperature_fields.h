@@ -6,11 +6,16 @@
 #include <vector>
 
 #include "app/write/result/run_result.h"
+#include "mesh/tetrahedra/search/cell_locator.h"
 
 namespace etendue {
 
 /// [cell] temperature at the centroid, given or from the heat balance [K]; 0 where the case gives none.
 std::vector<double> cell_temperatures(const RunResult& result);
+
+/// Sets the temperature of the medium at each probe; where media meet that of one of them that has a
+/// temperature.
+void set_probe_temperatures(const CellLocator& locator, RunResult& result);
 
 /// Temperature of one wall [K], given by the case or following.
 class WallTemperature {

@@ -107,7 +107,12 @@ class GmresRun : public IterationRun {
     else
       cycle();
     measured_ = true;
-    if (options_.trusts_estimate && cycle_.found_done) end_unconfirmed();
+    if (options_.trusts_estimate && meets_tolerance_by_estimate()) end_unconfirmed();
+  }
+
+  /// A cycle in single precision may have a goal above the tolerance.
+  bool meets_tolerance_by_estimate() const {
+    return cycle_.found_done && std::ranges::max(cycle_.goal) <= options_.tolerance;
   }
 
   void end_unconfirmed() {

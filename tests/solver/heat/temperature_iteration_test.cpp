@@ -211,6 +211,30 @@ TEST(TemperatureIteration, TakesFewSweepsWhereNothingScatters) {
     }
 }
 
+// Errors of light that is scattered back become larger ones of the temperature.
+TEST(TemperatureIteration, TakesFewSweepsWhereMuchLightReturns) {
+  const TetrahedralMesh mesh = cube_mesh(4e-3);
+  Medium medium = medium_of(kTwoBands, 0.05);
+  for (Coefficient& scattering : medium.scattering) scattering = Coefficient(4.0);
+  const Room room{mesh, kTwoBands, medium, 0.5, walls_of(mesh, 300, 1500)};
+  const auto solved_to = [&](double tolerance) {
+    Problem problem = room.problem();
+    const HeatProblem heat = room.heat();
+    TemperatureIteration temperatures(problem, heat);
+    SolveOptions options;
+    options.tolerance = tolerance;
+    options.following_emission = &temperatures;
+    const Solution solution = solve(problem, directions_product(4), options);
+    EXPECT_TRUE(solution.converged());
+    return std::pair(solution.convergence.front().sweeps, temperatures.solution().temperature);
+  };
+  const auto [sweeps, kelvin] = solved_to(1e-6);
+  EXPECT_LE(sweeps, 70);
+  const auto [more, exact] = solved_to(1e-9);
+  ASSERT_EQ(kelvin.size(), exact.size());
+  for (std::size_t i = 0; i < kelvin.size(); ++i) EXPECT_NEAR(kelvin[i], exact[i], 1e-5 * 1500);
+}
+
 TEST(TemperatureIteration, RefusesWhatHasNoTemperature) {
   const TetrahedralMesh mesh = cube_mesh(4e-2);
   const Room room{mesh, Bands{}, uniform_medium(1, 0, 0, 0), 1, walls_of(mesh, 300, 300)};

@@ -16,11 +16,10 @@ bool absorb_alike_at_all_temperatures(const GrayGases& mixture) {
   return std::ranges::all_of(mixture.gases, [](const GrayGas& gas) { return gas.absorption.is_constant(); });
 }
 
-std::string pressure_problem(const Section& section, const ThermalContext& context,
-                             const MediumCase& medium) {
+std::string pressure_problem(const Section& section, const ThermalContext& context) {
   if (context.bands.gas.gases.empty())
     return "needs gray gases; add bands.wsgg or bands.k_distribution, or give absorption instead";
-  if (!medium.temperature && !absorb_alike_at_all_temperatures(context.bands.gas))
+  if (!section.has("temperature") && !absorb_alike_at_all_temperatures(context.bands.gas))
     return "the gases of bands.k_distribution absorb by the temperature, which is not given here; add "
            "temperature (one that follows from heat needs a file with the same absorption at all "
            "temperatures)";
@@ -39,8 +38,9 @@ std::string pressure_problem(const Section& section, const ThermalContext& conte
 void read_gas_pressure(Section& section, const ThermalContext& context, MediumCase& medium) {
   const std::optional<BandValues> pressure = read_place_value(section, "gas_pressure");
   if (!pressure || context.bands.names.empty()) return;
-  if (const std::string problem = pressure_problem(section, context, medium); !problem.empty())
+  if (const std::string problem = pressure_problem(section, context); !problem.empty())
     return section.fault("gas_pressure", problem);
+  if (section.has("temperature") && !medium.temperature) return;  // a faulty one
   BandValues absorption{{}, pressure->origin};
   for (int band = 0; band < context.bands.count(); ++band) {
     const TemperatureCurve& by_pressure = context.bands.gas.gases[static_cast<std::size_t>(band)].absorption;

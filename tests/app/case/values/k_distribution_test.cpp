@@ -48,9 +48,16 @@ TEST(KDistribution, AddsUpToOneWhereWeightsAreRounded) {
   for (const GrayGas& gas : mixture.gases) EXPECT_NEAR(gas.weight.at(400), 1.0 / 3, 1e-15);
 }
 
+TEST(KDistribution, AbsorbsAlikeWhereAFileRoundsTheSame) {
+  const TestFolder folder;
+  const GrayGases mixture = k_distribution(folder.write("k.csv", "300,0.3,1\n400,0.30000000001,1\n"));
+  ASSERT_EQ(mixture.gases.size(), 1u);
+  EXPECT_TRUE(mixture.gases.front().absorption.is_constant());
+}
+
 TEST(KDistribution, RefusesWhatIsNone) {
   EXPECT_EQ(fault_of("temperature,absorption,weight\n"),
-            "has no lines of temperature, absorption and weight");
+            "has no lines of temperature, absorption and weight between commas");
   EXPECT_EQ(fault_of("300,1,0.4\n300,2,0.5\n"),
             "the weights at 300 K add up to 0.9; they are fractions of a blackbody's power, and add up to 1");
   EXPECT_EQ(fault_of("300,-1,1\n"), "has an absorption of -1; use values of at least 0");
@@ -93,6 +100,33 @@ TEST(KDistribution, AbsorbsByTheTemperatureOfThePlace) {
   const Problem problem = build_problem(input, mesh);
   EXPECT_NEAR(problem.absorption(CellIndex(0), 0), 0.2, 1e-12);
   EXPECT_NEAR(problem.absorption(CellIndex(0), 1), 4.5, 1e-12);
+}
+
+TEST(KDistribution, SaysNothingOfAbsorptionWhereTheTemperatureIsFaulty) {
+  const TestFolder folder;
+  for (const char* wrong :
+       {"temperature = -5\n", "temperature = \"1 +\"\n", "temperature = 5\nemission = 1\n"})
+    try {
+      case_of(case_with(folder, std::string("gas_pressure = 1\n") + wrong));
+      ADD_FAILURE() << wrong << " was accepted";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.faults().size(), 1u) << wrong << error.what();
+    }
+}
+
+TEST(KDistribution, NamesTheKeyAndTheFileOfAFault) {
+  const TestFolder folder;
+  const auto file = folder.write("bad.csv", "300,1,0.5\n");
+  try {
+    case_of(cube + "[bands]\nk_distribution = \"" + file.string() + "\"\n");
+    FAIL() << "was accepted";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.faults().size(), 1u) << error.what();
+    EXPECT_NE(error.faults().front().text.find("bad.csv: the weights at 300 K add up to 0.5"),
+              std::string::npos)
+        << error.what();
+    EXPECT_NE(std::string(error.what()).find("bands.k_distribution"), std::string::npos);
+  }
 }
 
 TEST(KDistribution, NeedsATemperatureWhereAbsorptionFollowsIt) {

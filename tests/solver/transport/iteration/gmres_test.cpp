@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/solution/balance.h"
@@ -85,6 +86,49 @@ TEST(Gmres, RestartsWhereMemoryBoundsItsBasis) {
   EXPECT_GT(many.bands[0].sweeps, one.bands[0].sweeps);
   for (std::size_t i = 0; i < longer.fluence().size(); ++i)
     EXPECT_NEAR(shorter.fluence()[i], longer.fluence()[i], 1e-7 * longer.fluence()[i]);
+}
+
+/// The end of a run of GMRES whose estimate is trusted or not.
+struct Ending {
+  IterationResult result;
+  double change;  ///< by one more sweep, relative to the largest fluence
+};
+
+Ending ending(bool trusts_estimate, int max_sweeps, const SolveObserver& observer = {}) {
+  const TetrahedralMesh mesh = cube_mesh(3e-2);
+  const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.1, 5, 1), uniform_wall(1, 0.2, 0.5, 0));
+  const DirectionSet directions = directions_triangular(4);
+  const std::vector<double> extinction(static_cast<std::size_t>(mesh.cell_count()), 5.1);
+  TransportSweep sweep(problem, directions, extinction, tight_options());
+  TransportState state(sweep.layout()), next(sweep.layout());
+  IterationOptions limits{1e-6, max_sweeps};
+  limits.trusts_estimate = trusts_estimate;
+  Ending end{Gmres().run(sweep, state, limits, observer), 0};
+  sweep.apply(state, next);
+  double largest = 0;
+  for (std::size_t i = 0; i < state.fluence().size(); ++i) {
+    end.change = std::max(end.change, std::abs(next.fluence()[i] - state.fluence()[i]));
+    largest = std::max(largest, next.fluence()[i]);
+  }
+  end.change /= largest;
+  return end;
+}
+
+TEST(Gmres, LeavesOutTheLastSweepWhereItsEstimateIsTrusted) {
+  const Ending confirmed = ending(false, 500), trusted = ending(true, 500);
+  EXPECT_TRUE(confirmed.result.bands[0].converged);
+  EXPECT_TRUE(trusted.result.bands[0].converged);
+  EXPECT_EQ(trusted.result.sweeps, confirmed.result.sweeps - 1);
+  EXPECT_LT(trusted.change, 1e-6);
+}
+
+TEST(Gmres, DoesNotTrustWhatItHasNotFinished) {
+  EXPECT_FALSE(ending(true, 4).result.bands[0].converged);
+  const Ending stopped = ending(true, 500, [](const SweepProgress& progress) {
+    return progress.sweep < 3 ? SolveControl::proceed : SolveControl::stop;
+  });
+  EXPECT_TRUE(stopped.result.interrupted);
+  EXPECT_FALSE(stopped.result.bands[0].converged);
 }
 
 TEST(Gmres, SameBitsForAnyNumberOfThreads) {
