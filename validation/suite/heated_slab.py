@@ -12,6 +12,17 @@ HOT, COLD = 1500.0, 700.0  # [K] of the plates
 MU, MU_WEIGHTS = NODES ** 2, 2 * NODES * WEIGHTS
 
 
+def march(up, down, passes):
+    """Light [face][cosine][source] through even cells that send out 1 - passes, from the first face of `up` and the last of `down` on."""
+    cells = len(up) - 1
+    for f in range(cells):
+        up[f + 1] = up[f] * passes[:, None]
+        up[f + 1, :, f] += 1 - passes
+        g = cells - 1 - f
+        down[g] = down[g + 1] * passes[:, None]
+        down[g, :, g] += 1 - passes
+
+
 class Light:
     """One band on even cells: flux and fluence at the faces, linear in the sources of the cells and of both plates."""
 
@@ -21,12 +32,7 @@ class Light:
         up = numpy.zeros((cells + 1, len(MU), cells + 2))  # [face][cosine][source], plates last
         down = numpy.zeros_like(up)
         up[0, :, cells], down[cells, :, cells + 1] = 1, 1
-        for f in range(cells):
-            up[f + 1] = up[f] * passes[:, None]
-            up[f + 1, :, f] += 1 - passes
-            g = cells - 1 - f
-            down[g] = down[g + 1] * passes[:, None]
-            down[g, :, g] += 1 - passes
+        march(up, down, passes)
         self.flux = 2 * math.pi * numpy.einsum("m,fms->fs", MU_WEIGHTS * MU, up - down)
         self.fluence = 2 * math.pi * numpy.einsum("m,fms->fs", MU_WEIGHTS, up + down)
 

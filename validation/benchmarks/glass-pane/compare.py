@@ -7,6 +7,7 @@ import math
 import numpy
 
 from suite import planck
+from suite.heated_slab import march
 from suite.row import Row
 
 THICKNESS, INDEX = 0.01, 1.5  # [m]
@@ -41,8 +42,8 @@ class Light:
         passes = numpy.exp(-kappa * THICKNESS / cells / mu)
         up = numpy.zeros((cells + 1, len(mu), cells + 1))  # [face][cosine][source], outside last
         down = numpy.zeros_like(up)
-        self.march(up, down, passes)
-        # Without what enters: then the light that leaves the lower face is found from what both faces send back.
+        march(up, down, passes)
+        # That of the cells alone: from it follows what leaves the lower face, with what both faces reflect and let in.
         whole = passes ** cells
         entering = numpy.zeros((len(mu), cells + 1))
         entering[:, -1] = 1 - rho
@@ -51,20 +52,9 @@ class Light:
         up[0] = first / (1 - both ** 2)
         down[-1] = rho[:, None] * (up[-1] + whole[:, None] * up[0]) + entering
         up[1:], down[:-1] = 0, 0
-        self.march(up, down, passes)
+        march(up, down, passes)
         self.flux = 2 * math.pi * INDEX ** 2 * numpy.einsum("m,fms->fs", weight * mu, up - down)
         self.fluence = 2 * math.pi * INDEX ** 2 * numpy.einsum("m,fms->fs", weight, up + down)
-
-    @staticmethod
-    def march(up, down, passes):
-        """Light through the cells from what is at the first face of `up` and the last of `down`."""
-        cells = len(up) - 1
-        for f in range(cells):
-            up[f + 1] = up[f] * passes[:, None]
-            up[f + 1, :, f] += 1 - passes
-            g = cells - 1 - f
-            down[g] = down[g + 1] * passes[:, None]
-            down[g, :, g] += 1 - passes
 
 
 class Pane:
