@@ -5,6 +5,7 @@
 
 #include "app/case/build/entry_of.h"
 #include "app/write/result/heat_rows.h"
+#include "app/write/result/temperature_fields.h"
 
 namespace etendue {
 namespace {
@@ -50,12 +51,7 @@ std::vector<double> HeatNumbers::values(const Solution& solution, const HeatSolu
                       .seconds = {},
                       .heat = heat};
   std::vector<double> values;
-  for (const CellPoint& place : places_) {
-    double kelvin = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      kelvin += place.barycentric[i] * heat.temperature[4 * place.cell.at() + i];
-    values.push_back(kelvin);
-  }
+  for (const CellPoint& place : places_) values.push_back(iterated_temperature(heat, place));
   for (const HeatRow& row : heat_rows(now)) {
     values.push_back(row.temperature);
     values.push_back(row.net);

@@ -10,25 +10,17 @@
 namespace etendue {
 namespace {
 
-/// A fraction of a blackbody's power, and its derivative by the temperature.
-struct Fraction {
-  double value = 1;
-  double slope = 0;  ///< [1/K]
-};
-
-Fraction fraction_between(double one, double other, double kelvin) {
+ValueAndSlope fraction_between(double one, double other, double kelvin) {
   const auto [low, high] = std::minmax(one, other);
   return {planck_fraction(high, kelvin) - planck_fraction(low, kelvin),
           high * blackbody_fraction_slope(high * kelvin) - low * blackbody_fraction_slope(low * kelvin)};
 }
 
-Fraction fraction_of(const Bands& bands, int band, double kelvin) {
+/// The fraction of a blackbody's power that is in a band, and its derivative by the temperature [1/K].
+ValueAndSlope fraction_of(const Bands& bands, int band, double kelvin) {
   const auto b = static_cast<std::size_t>(band);
-  if (!bands.gas.gases.empty()) {
-    const TemperatureCurve& weight = bands.gas.gases[b].weight;
-    return {weight.at(kelvin), weight.slope_at(kelvin)};
-  }
-  if (bands.edges.empty()) return {};
+  if (!bands.gas.gases.empty()) return bands.gas.gases[b].weight.with_slope_at(kelvin);
+  if (bands.edges.empty()) return {1, 0};
   return fraction_between(bands.edges[b], bands.edges[b + 1], kelvin);
 }
 
@@ -40,7 +32,7 @@ double band_blackbody(const Bands& bands, int band, double kelvin) {
 }
 
 double band_share_of_change(const Bands& bands, int band, double kelvin) {
-  const Fraction fraction = fraction_of(bands, band, kelvin);
+  const ValueAndSlope fraction = fraction_of(bands, band, kelvin);
   return fraction.value + kelvin / 4 * fraction.slope;
 }
 

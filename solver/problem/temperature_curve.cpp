@@ -6,11 +6,6 @@
 namespace etendue {
 namespace {
 
-struct ValueAndSlope {
-  double value = 0;
-  double slope = 0;
-};
-
 ValueAndSlope read(const TemperatureCurve::Polynomial& form, double kelvin) {
   ValueAndSlope result;
   const double at = std::clamp(kelvin, form.lowest, form.highest);
@@ -21,12 +16,7 @@ ValueAndSlope read(const TemperatureCurve::Polynomial& form, double kelvin) {
 }
 
 ValueAndSlope read(const TemperatureCurve::Table& form, double kelvin) {
-  const auto above = std::ranges::upper_bound(form.kelvin, kelvin);
-  if (above == form.kelvin.begin()) return {form.values.front(), 0};
-  if (above == form.kelvin.end()) return {form.values.back(), 0};
-  const auto k = static_cast<std::size_t>(above - form.kelvin.begin());
-  const double slope = (form.values[k] - form.values[k - 1]) / (form.kelvin[k] - form.kelvin[k - 1]);
-  return {form.values[k - 1] + slope * (kelvin - form.kelvin[k - 1]), slope};
+  return piecewise_linear(form.kelvin, form.values, kelvin);
 }
 
 bool is_constant(const TemperatureCurve::Polynomial& form) {
@@ -39,12 +29,8 @@ bool is_constant(const TemperatureCurve::Table& form) {
 
 }  // namespace
 
-double TemperatureCurve::at(double kelvin) const {
-  return std::visit([&](const auto& form) { return read(form, kelvin).value; }, form_);
-}
-
-double TemperatureCurve::slope_at(double kelvin) const {
-  return std::visit([&](const auto& form) { return read(form, kelvin).slope; }, form_);
+ValueAndSlope TemperatureCurve::with_slope_at(double kelvin) const {
+  return std::visit([&](const auto& form) { return read(form, kelvin); }, form_);
 }
 
 bool TemperatureCurve::is_constant() const {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <utility>
 #include <variant>
 #include <vector>
+
+#include "base/piecewise_linear.h"
 
 namespace etendue {
 
@@ -24,9 +27,9 @@ class TemperatureCurve {
   TemperatureCurve(Polynomial form) : form_(std::move(form)) {}
   TemperatureCurve(Table form) : form_(std::move(form)) {}
 
-  double at(double kelvin) const;
-  /// Derivative by the temperature [1/K]; 0 beyond the temperatures for which it is known.
-  double slope_at(double kelvin) const;
+  /// With the derivative by the temperature [1/K], which is 0 beyond the temperatures for which it is known.
+  ValueAndSlope with_slope_at(double kelvin) const;
+  double at(double kelvin) const { return with_slope_at(kelvin).value; }
   bool is_constant() const;
 
   const std::variant<Polynomial, Table>& form() const { return form_; }

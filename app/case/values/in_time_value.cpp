@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/case/keys/resolve_path.h"
+#include "base/piecewise_linear.h"
 #include "base/text/number_columns.h"
 
 namespace etendue {
@@ -56,15 +57,7 @@ std::function<double(double)> factor_by_formula(const InTime& in_time) {
 }
 
 std::function<double(double)> factor_by_table(const InTime& in_time) {
-  return [in_time](double t) {
-    const std::vector<double>& times = in_time.times;
-    const std::vector<double>& factors = in_time.factors;
-    const auto next = std::ranges::upper_bound(times, t);
-    if (next == times.begin()) return factors.front();
-    if (next == times.end()) return factors.back();
-    const auto i = static_cast<std::size_t>(next - times.begin());
-    return std::lerp(factors[i - 1], factors[i], (t - times[i - 1]) / (times[i] - times[i - 1]));
-  };
+  return [in_time](double t) { return piecewise_linear(in_time.times, in_time.factors, t).value; };
 }
 
 }  // namespace

@@ -33,13 +33,6 @@ double equilibrium_temperature(const Problem& problem, CellIndex cell, double fl
                    : 0;
 }
 
-/// Of values [cell][4].
-double at_point(const std::vector<double>& values, const CellPoint& point) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 4; ++i) sum += point.barycentric[i] * values[4 * point.cell.at() + i];
-  return sum;
-}
-
 /// Temperatures of the media of a run.
 class MediumTemperatures {
  public:
@@ -56,7 +49,7 @@ class MediumTemperatures {
   double at(const CellPoint& place, const Vec3& point, double fluence) const {
     const Problem& problem = result_.problem;
     const auto region = static_cast<std::size_t>(problem.mesh().region(place.cell));
-    if (follows_[region] != 0 && result_.heat) return at_point(result_.heat->temperature, place);
+    if (follows_[region] != 0 && result_.heat) return iterated_temperature(*result_.heat, place);
     if (given_[region]) return given_[region]->at(point);
     if (problem.medium(static_cast<int>(region)).reradiation.empty()) return 0;
     return equilibrium_temperature(problem, place.cell, fluence);
@@ -69,6 +62,13 @@ class MediumTemperatures {
 };
 
 }  // namespace
+
+double iterated_temperature(const HeatSolution& heat, const CellPoint& place) {
+  double kelvin = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    kelvin += place.barycentric[i] * heat.temperature[4 * place.cell.at() + i];
+  return kelvin;
+}
 
 std::vector<double> cell_temperatures(const RunResult& result) {
   const TetrahedralMesh& mesh = result.problem.mesh();

@@ -13,6 +13,9 @@ namespace etendue {
 /// [cell] temperature at the centroid, given or from the heat balance [K]; 0 where the case gives none.
 std::vector<double> cell_temperatures(const RunResult& result);
 
+/// Temperature of a medium by iteration at a place in a cell [K].
+double iterated_temperature(const HeatSolution& heat, const CellPoint& place);
+
 /// Sets the temperature of the medium at each probe; where media meet that of one of them that has a
 /// temperature.
 void set_probe_temperatures(const CellLocator& locator, RunResult& result);

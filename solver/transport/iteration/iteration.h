@@ -25,8 +25,8 @@ struct IterationOptions {
   SingleTransportSweep* single = nullptr;
   /// A sweep of fewer directions on which GMRES corrects its vectors, as long as that pays. Null: none.
   CoarseDirections* coarse = nullptr;
-  /// Whether GMRES ends where the estimate of a cycle meets the tolerance, without a sweep that confirms it:
-  /// then `converged` is an estimate too.
+  /// Ends GMRES where the estimate of a cycle meets the tolerance, without a sweep that confirms it: then
+  /// `converged` is an estimate too.
   bool trusts_estimate = false;
   /// Filled, where it is not null, by a sweep that is expected to be the last (IterationResult::recorded).
   SweepRecord* record = nullptr;

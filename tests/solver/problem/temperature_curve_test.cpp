@@ -14,23 +14,23 @@ TEST(TemperatureCurve, IsLinearBetweenTheEntriesOfATable) {
   EXPECT_DOUBLE_EQ(table.at(350), 2.5);
   EXPECT_DOUBLE_EQ(table.at(500), 4);
   EXPECT_DOUBLE_EQ(table.at(750), 1.5);
-  EXPECT_DOUBLE_EQ(table.slope_at(350), 0.01);
-  EXPECT_DOUBLE_EQ(table.slope_at(750), -0.01);
+  EXPECT_DOUBLE_EQ(table.with_slope_at(350).slope, 0.01);
+  EXPECT_DOUBLE_EQ(table.with_slope_at(750).slope, -0.01);
 }
 
 TEST(TemperatureCurve, IsAPolynomial) {
   EXPECT_DOUBLE_EQ(parabola.at(4), 7);
-  EXPECT_DOUBLE_EQ(parabola.slope_at(4), 2.5);
+  EXPECT_DOUBLE_EQ(parabola.with_slope_at(4).slope, 2.5);
 }
 
 TEST(TemperatureCurve, StaysBeyondWhatIsKnown) {
   EXPECT_DOUBLE_EQ(table.at(100), 2);
   EXPECT_DOUBLE_EQ(table.at(2000), -1);
-  EXPECT_EQ(table.slope_at(100), 0);
-  EXPECT_EQ(table.slope_at(2000), 0);
+  EXPECT_EQ(table.with_slope_at(100).slope, 0);
+  EXPECT_EQ(table.with_slope_at(2000).slope, 0);
   EXPECT_DOUBLE_EQ(parabola.at(0), 3);
   EXPECT_DOUBLE_EQ(parabola.at(100), 13);
-  EXPECT_EQ(parabola.slope_at(100), 0);
+  EXPECT_EQ(parabola.with_slope_at(100).slope, 0);
 }
 
 TEST(TemperatureCurve, KnowsWhetherItIsConstant) {

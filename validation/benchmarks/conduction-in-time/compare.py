@@ -2,7 +2,7 @@
 """The temperature by finite volumes and steps of first order (suite.heated_slab), extrapolated in both."""
 
 from suite import planck
-from suite.heated_slab import Slab
+from suite.heated_slab import Slab, extrapolated
 from suite.row import Row
 
 GASES = [(0.5, lambda kelvin: planck.radiance(kelvin, 1e-9, 3e-6)), (4.0, lambda kelvin: planck.radiance(kelvin, 3e-6, 1.0))]
@@ -29,10 +29,6 @@ def exact():
     """Cells of second order and steps of first: the halves of each extrapolate."""
     steps = {cells: extrapolated(course(cells, 80), course(cells, 160), 2) for cells in (40, 80)}
     return extrapolated(steps[40], steps[80], 4)
-
-
-def extrapolated(coarse, fine, factor):
-    return {key: (factor * fine[key] - coarse[key]) / (factor - 1) for key in fine}
 
 
 def course(cells, steps):

@@ -7,7 +7,7 @@ import math
 import numpy
 
 from suite import planck
-from suite.heated_slab import march
+from suite.heated_slab import extrapolated, march
 from suite.row import Row
 
 THICKNESS, INDEX = 0.01, 1.5  # [m]
@@ -43,7 +43,7 @@ class Light:
         up = numpy.zeros((cells + 1, len(mu), cells + 1))  # [face][cosine][source], outside last
         down = numpy.zeros_like(up)
         march(up, down, passes)
-        # That of the cells alone: from it follows what leaves the lower face, with what both faces reflect and let in.
+        # That of the cells alone: from it follows the exitance of the lower face, with reflection at both and the light that enters.
         whole = passes ** cells
         entering = numpy.zeros((len(mu), cells + 1))
         entering[:, -1] = 1 - rho
@@ -117,8 +117,7 @@ def values(pane):
 
 
 def exact():
-    coarse, fine = (values(Pane(cells).solve()) for cells in (40, 80))
-    return {key: (4 * fine[key] - coarse[key]) / 3 for key in fine}
+    return extrapolated(*(values(Pane(cells).solve()) for cells in (40, 80)))
 
 
 def compare(runs):

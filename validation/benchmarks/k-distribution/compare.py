@@ -9,7 +9,7 @@ import numpy
 
 from suite import bordbar, line_spectrum, planck
 from suite.emitting_slab import HEIGHTS
-from suite.heated_slab import Slab
+from suite.heated_slab import Slab, extrapolated
 from suite.row import Row
 
 PRESSURE, SOOT = 0.4, 0.3  # [atm], [1/m]
@@ -98,8 +98,7 @@ def heated():
     gases = [(HEATED["soot"] + HEATED["pressure"] * k,
               lambda t, w=weight[:, point]: numpy.interp(t, kelvin, w) * bordbar.STEFAN_BOLTZMANN * t ** 4 / math.pi)
              for point, k in enumerate(absorption[0])]
-    coarse, fine = (values(Slab(gases, 0.0, None, HEATED["source"], cells).solve()) for cells in (60, 120))
-    return {key: (4 * fine[key] - coarse[key]) / 3 for key in fine}
+    return extrapolated(*(values(Slab(gases, 0.0, None, HEATED["source"], cells).solve()) for cells in (60, 120)))
 
 
 def values(slab):
