@@ -36,6 +36,8 @@ std::string reason_against_acceleration(const Problem& problem, const SolveOptio
   if (options.acceleration == Acceleration::none) return "as asked";
   if (options.method == Method::source_iteration)
     return "source iteration is plain unless diffusion is asked for";
+  // Solved for each of the temperatures, so that it pays even where a single solution would do without.
+  if (options.following_emission != nullptr && largest_albedo(problem) > 0) return "";
   return reason_to_do_without(problem);
 }
 

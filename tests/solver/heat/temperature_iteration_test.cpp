@@ -235,6 +235,35 @@ TEST(TemperatureIteration, TakesFewSweepsWhereMuchLightReturns) {
   for (std::size_t i = 0; i < kelvin.size(); ++i) EXPECT_NEAR(kelvin[i], exact[i], 1e-5 * 1500);
 }
 
+// Each temperature takes light of its own, so that diffusion pays where a single solution would do without.
+TEST(TemperatureIteration, IsAcceleratedWhereMediaScatter) {
+  const TetrahedralMesh mesh = cube_mesh(4e-3);
+  const auto solved_by = [&](double scattering, Acceleration acceleration) {
+    Medium medium = medium_of(kTwoBands, 2);
+    for (Coefficient& value : medium.scattering) value = Coefficient(scattering);
+    const Room room{mesh, kTwoBands, medium, 0.7, walls_of(mesh, 300, 1500)};
+    Problem problem = room.problem();
+    const HeatProblem heat = room.heat();
+    TemperatureIteration temperatures(problem, heat);
+    SolveOptions options;
+    options.tolerance = 1e-6;
+    options.acceleration = acceleration;
+    options.following_emission = &temperatures;
+    return solve(problem, directions_product(4), options);
+  };
+  const auto without = [](const Solution& solution) {
+    return std::ranges::any_of(solution.notes,
+                               [](const std::string& note) { return note.starts_with("not accelerated"); });
+  };
+  EXPECT_TRUE(without(solved_by(0, Acceleration::automatic)));
+  const Solution fast = solved_by(1.5, Acceleration::automatic);
+  const Solution plain = solved_by(1.5, Acceleration::none);
+  EXPECT_FALSE(without(fast));
+  EXPECT_TRUE(fast.converged());
+  EXPECT_TRUE(plain.converged());
+  EXPECT_LT(fast.convergence.front().sweeps, plain.convergence.front().sweeps);
+}
+
 TEST(TemperatureIteration, RefusesWhatHasNoTemperature) {
   const TetrahedralMesh mesh = cube_mesh(4e-2);
   const Room room{mesh, Bands{}, uniform_medium(1, 0, 0, 0), 1, walls_of(mesh, 300, 300)};
