@@ -315,6 +315,8 @@ struct Case {
   Units units;
   MeshCase mesh;
   Bands bands;
+  /// One value; of gases that are mixed differently from place to place, where it is no number.
+  std::optional<BandValues> molar_ratio;
   std::map<std::string, MediumCase> media;  ///< by region; "*" stands for the rest
   std::map<std::string, WallCase> walls;    ///< by wall; "*" stands for the rest
   std::vector<LightCase> lights;            ///< beams of walls too

@@ -82,6 +82,8 @@ class Evaluation {
         return extreme(node, [](double a, double b) { return a < b; });
       case Operation::largest:
         return extreme(node, [](double a, double b) { return a > b; });
+      case Operation::polynomial:
+        return polynomial(node);
       default:
         return Number{comparison(node) ? 1.0 : 0.0};
     }
@@ -117,6 +119,15 @@ class Evaluation {
     Number total = operand(node, 0);
     for (std::size_t i = 1; i < node.operands.size(); ++i) total = add(total, operand(node, i));
     return total;
+  }
+
+  /// By Horner's rule.
+  Number polynomial(const SyntaxNode& node) const {
+    const Number x = operand(node, 0);
+    Number result = operand(node, node.operands.size() - 1);
+    for (std::size_t i = node.operands.size() - 1; i-- > 1;)
+      result = add(multiply(result, x), operand(node, i));
+    return result;
   }
 
   template <class Before>

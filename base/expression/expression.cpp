@@ -53,6 +53,14 @@ double call(void* function, double x, double y, double z) {
   return static_cast<const PlaceFunction*>(function)->at(Vec3(x, y, z));
 }
 
+/// The first argument is that of the polynomial, the others its terms from the constant one on.
+double polynomial(const double* arguments, int count) {
+  if (count < 2) throw mu::ParserError("polynomial() needs a variable and terms");
+  double sum = arguments[count - 1];
+  for (int i = count - 1; i-- > 1;) sum = sum * arguments[0] + arguments[i];
+  return sum;
+}
+
 }  // namespace
 
 struct Expression::Parser {
@@ -61,6 +69,7 @@ struct Expression::Parser {
     parser.DefineConst("pi", std::numbers::pi);
     parser.DefineConst("e", std::numbers::e);
     parser.DefineFun("blackbody_fraction", blackbody_fraction);
+    parser.DefineFun("polynomial", polynomial);
     for (std::size_t i = 0; i < variables.size(); ++i) parser.DefineVar(variables[i], &values[i]);
     for (const auto& [name, function] : formula.functions)
       parser.DefineFunUserData(name, call, const_cast<PlaceFunction*>(function.get()), false);

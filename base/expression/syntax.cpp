@@ -33,12 +33,13 @@ const std::array<std::vector<BinaryOperator>, 5> levels = {{
     {{"*", Operation::multiply}, {"/", Operation::divide}},
 }};
 
-constexpr std::array<std::pair<std::string_view, Operation>, 5> functions_of_several = {
+constexpr std::array<std::pair<std::string_view, Operation>, 6> functions_of_several = {
     {{"atan2", Operation::atan2},
      {"sum", Operation::sum},
      {"avg", Operation::average},
      {"min", Operation::smallest},
-     {"max", Operation::largest}}};
+     {"max", Operation::largest},
+     {"polynomial", Operation::polynomial}}};
 
 /// A parser by recursive descent: one function for each strength of binding.
 class FormulaParser {
@@ -119,7 +120,8 @@ class FormulaParser {
     for (const auto& [known, operation] : functions_of_several)
       if (known == name) {
         const bool two = operation == Operation::atan2;
-        return add({.operation = operation, .operands = arguments(two ? 2 : 1, two ? 2 : 1000)});
+        const bool least_two = two || operation == Operation::polynomial;
+        return add({.operation = operation, .operands = arguments(least_two ? 2 : 1, two ? 2 : 1000)});
       }
     fail();
   }

@@ -32,7 +32,8 @@ enum class Operation {
   sum,
   average,
   smallest,
-  largest
+  largest,
+  polynomial  ///< of the first operand, constant term first
 };
 
 /// One operation of a formula; its operands stand before it.

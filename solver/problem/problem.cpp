@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "solver/problem/problem.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
+#include "base/parallel/parallel_for.h"
 #include "mesh/tetrahedra/corners.h"
 #include "solver/problem/plane_checks.h"
 #include "solver/problem/problem_checks.h"
@@ -50,8 +52,8 @@ struct CoefficientKind {
 class CellSampler {
  public:
   /// The problem's mesh, bands and media must be there.
-  CellSampler(const Problem& problem, std::vector<Fault>& faults)
-      : problem_(problem), cells_(cells_by_region(problem.mesh())), faults_(faults) {}
+  CellSampler(const Problem& problem, int threads, std::vector<Fault>& faults)
+      : problem_(problem), threads_(threads), cells_(cells_by_region(problem.mesh())), faults_(faults) {}
 
   /// Calls take(cell, band, sample) in the cells of media that have such a list.
   template <class Take>
@@ -60,13 +62,8 @@ class CellSampler {
       const Medium& medium = problem_.media()[region];
       const std::vector<Coefficient>& list = medium.*kind.list;
       for (std::size_t band = 0; band < list.size(); ++band)
-        for (const CellIndex cell : cells_[region]) {
-          const CellSample found = list[band].sample(corners_of(problem_.mesh(), cell));
-          if (!check_sample({origin_of(medium, kind.key), problem_.bands().names[band]}, list[band], found,
-                            faults_))
-            break;
-          take(cell, band, found);
-        }
+        sample_band({origin_of(medium, kind.key), problem_.bands().names[band]}, list[band], cells_[region],
+                    [&](CellIndex cell, const CellSample& found) { take(cell, band, found); });
     }
   }
 
@@ -81,7 +78,36 @@ class CellSampler {
   }
 
  private:
+  template <class Take>
+  void sample_band(const CoefficientPlace& place, const Coefficient& coefficient,
+                   std::span<const CellIndex> cells, const Take& take) const {
+    std::vector<CellSample> found;
+    for (std::size_t first = 0; first < cells.size(); first += block) {
+      const std::span<const CellIndex> some = cells.subspan(first, std::min(block, cells.size() - first));
+      found.resize(some.size());
+      sample_cells(coefficient, some, found);
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        if (!check_sample(place, coefficient, found[i], faults_)) return;
+        take(some[i], found[i]);
+      }
+    }
+  }
+
+  /// Each thread has the coefficient for itself.
+  void sample_cells(const Coefficient& coefficient, std::span<const CellIndex> cells,
+                    std::span<CellSample> found) const {
+    parallel_for(
+        cells.size(), coefficient.is_constant() ? 1 : threads_, 64, [&] { return coefficient; },
+        [&](std::size_t i, const Coefficient& own) {
+          found[i] = own.sample(corners_of(problem_.mesh(), cells[i]));
+          return true;
+        });
+  }
+
+  static constexpr std::size_t block = 16384;  ///< cells whose samples are held at a time
+
   const Problem& problem_;
+  int threads_;
   CellsByRegion cells_;
   std::vector<Fault>& faults_;
 };
@@ -106,7 +132,7 @@ CellEmission emission_of(const CellSampler& sampler, std::span<const double> abs
 }  // namespace
 
 Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls,
-                 AngularSpace space, std::vector<Light> lights)
+                 AngularSpace space, std::vector<Light> lights, int threads)
     : mesh_(mesh),
       bands_(std::move(bands)),
       media_(std::move(media)),
@@ -118,7 +144,7 @@ Problem::Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> m
     for (Medium& medium : media_)
       for (PhaseFunction& phase : medium.phase) phase = in_plane(phase);
   std::vector<Fault> faults;
-  const CellSampler sampler(*this, faults);
+  const CellSampler sampler(*this, threads, faults);
   absorption_ = sampler.means({&Medium::absorption, "absorption"});
   scattering_ = sampler.means({&Medium::scattering, "scattering"});
   emission_ = emission_of(sampler, absorption_, bands_.names.size());

@@ -115,9 +115,10 @@ class Problem {
   /// each wall, in their order. Throws InputError where a coefficient is negative or not finite in some cell
   /// (naming its coordinates), where reflectances exceed 1, or where a band has no steady state because
   /// something emits while nothing absorbs and every wall reflects fully. In the plane phase functions become
-  /// those of the plane, and walls must stand upright or be cold mirrors across z.
+  /// those of the plane, and walls must stand upright or be cold mirrors across z. `threads` sample the
+  /// coefficients.
   Problem(const TetrahedralMesh& mesh, Bands bands, std::vector<Medium> media, std::vector<Wall> walls,
-          AngularSpace space = AngularSpace::sphere, std::vector<Light> lights = {});
+          AngularSpace space = AngularSpace::sphere, std::vector<Light> lights = {}, int threads = 1);
 
   /// The same in some bands alone, in this order. The mesh must outlive that too.
   Problem of_bands(std::span<const int> bands) const;

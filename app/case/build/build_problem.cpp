@@ -9,6 +9,8 @@
 #include "app/case/values/band_values.h"
 #include "app/case/values/medium_coefficients.h"
 #include "app/case/values/value_algebra.h"
+#include "base/parallel/require_threads.h"
+#include "base/parallel/thread_count.h"
 #include "solver/angular/kernels/kernel_coefficient.h"
 
 #include <fmt/format.h>
@@ -210,6 +212,8 @@ std::vector<DirectionSet> rotated_and_fitted(const DirectionSet& set, const Case
 }  // namespace
 
 Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
+  const int threads = thread_count(input.solve.threads);
+  require_threads(threads);
   check_names(input, names_of(mesh));
   field_uses(input, mesh);          // all fields cover what they are used in
   temperature_ranges(input, mesh);  // none is negative
@@ -232,7 +236,7 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
   }
   std::vector<Light> lights = build_lights(input, mesh, walls);
   return Problem(mesh, input.bands, std::move(media), std::move(walls), input.angular_space,
-                 std::move(lights));
+                 std::move(lights), threads);
 }
 
 void check_kernels(const Case& input) {

@@ -88,6 +88,21 @@ void add_range(const BandValues& temperature, const std::string& place, const st
   ranges.push_back(std::move(range));
 }
 
+/// Adds the fault of the first cell or face of a place with a temperature where the molar ratio is no number.
+void check_molar_ratio(const BandValues& molar_ratio, const std::string& place,
+                       const std::vector<Sample>& samples, std::vector<Fault>& faults) {
+  const Coefficient ratio = coefficient_of(molar_ratio.values.front());
+  for (const Sample& sample : samples) {
+    const Vec3 point = sample.centroid();
+    if (const double value = ratio.at(point); std::isnan(value))
+      return faults.push_back(fault_at(
+          molar_ratio.origin, "",
+          fmt::format(
+              "no number at ({:.6g}, {:.6g}, {:.6g}) in {}; give any number where there is neither gas",
+              point.x(), point.y(), point.z(), place)));
+  }
+}
+
 }  // namespace
 
 std::vector<TemperatureRange> temperature_ranges(const Case& input, const TetrahedralMesh& mesh) {
@@ -96,6 +111,8 @@ std::vector<TemperatureRange> temperature_ranges(const Case& input, const Tetrah
   for (std::size_t region = 0; region < mesh.region_names().size(); ++region) {
     const std::string& name = mesh.region_names()[region];
     const MediumCase entry = entry_of(input.media, name);
+    if (input.molar_ratio && entry.temperature)
+      check_molar_ratio(*input.molar_ratio, name, samples_of_region(mesh, static_cast<int>(region)), faults);
     for (const auto* temperature : {&entry.temperature, &entry.initial_temperature})
       if (*temperature)
         add_range(**temperature, name, samples_of_region(mesh, static_cast<int>(region)), input.bands, ranges,
@@ -104,6 +121,8 @@ std::vector<TemperatureRange> temperature_ranges(const Case& input, const Tetrah
   for (std::size_t wall = 0; wall < mesh.wall_names().size(); ++wall) {
     const std::string& name = mesh.wall_names()[wall];
     const WallCase entry = entry_of(input.walls, name);
+    if (input.molar_ratio && entry.temperature)
+      check_molar_ratio(*input.molar_ratio, name, samples_of_wall(mesh, static_cast<int>(wall)), faults);
     for (const auto* temperature : {&entry.temperature, &entry.initial_temperature})
       if (*temperature)
         add_range(**temperature, name, samples_of_wall(mesh, static_cast<int>(wall)), input.bands, ranges,

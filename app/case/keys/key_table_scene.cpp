@@ -63,8 +63,10 @@ KeyTable band_keys() {
         "CSV file of a k-distribution with lines of temperature [K], absorption [1/(m atm)] and weight, "
         "instead "
         "of wsgg, names and edges: bands gray-1, gray-2 and so on (docs/user/heat.md).");
-  t.key("molar_ratio", number, {.range = {.lowest = 0.01, .highest = 4}},
-        "Of water vapour to carbon dioxide, for bordbar.");
+  t.key("molar_ratio", place_value, {.range = {.lowest = 0.01, .highest = 4}},
+        "Of water vapour to carbon dioxide, for bordbar. Where a formula or field is beyond 0.01 to 4 the "
+        "nearest "
+        "of them is used.");
   return t;
 }
 

@@ -28,6 +28,7 @@
 #include "app/case/toml/render_toml.h"
 #include "app/case/toml/toml_document.h"
 #include "app/case/values/band_values.h"
+#include "app/case/values/value_algebra.h"
 
 namespace etendue {
 namespace {
@@ -48,19 +49,22 @@ Case read_tables(Section& top, const std::filesystem::path& file) {
   Section units = top.section("units");
   unit_table().read(units, result.units);
   result.mesh = read_mesh_section(top.section("mesh"), file.parent_path());
-  result.bands = read_bands(top.section("bands"), file.parent_path());
+  Section bands = top.section("bands");
+  result.molar_ratio = read_place_value(bands, "molar_ratio");
+  result.bands = read_bands(std::move(bands), file.parent_path(), result.molar_ratio);
+  if (result.molar_ratio && is_number(result.molar_ratio->values.front())) result.molar_ratio.reset();
   read_directions(top.section("directions"), result);
   for (auto& [name, medium] : top.section("media").named())
     if (const auto index = medium.number_if("refractive_index")) result.bands.refractive_index = *index;
   result.media =
-      read_media(top.section("media"), {result.bands, result.units, result.angular_space, file.parent_path(),
-                                        [&result] { return ordinate_count(result); }});
+      read_media(top.section("media"), {result.bands, result.molar_ratio, result.units, result.angular_space,
+                                        file.parent_path(), [&result] { return ordinate_count(result); }});
   result.walls =
-      read_walls(top.section("walls"), {result.bands, result.units, result.angular_space, file.parent_path(),
-                                        std::ranges::any_of(result.media, [](const auto& entry) {
-                                          return entry.second.conductivity.has_value() ||
-                                                 entry.second.heat_capacity.has_value();
-                                        })});
+      read_walls(top.section("walls"),
+                 {result.bands, result.molar_ratio, result.units, result.angular_space, file.parent_path(),
+                  std::ranges::any_of(result.media, [](const auto& entry) {
+                    return entry.second.conductivity.has_value() || entry.second.heat_capacity.has_value();
+                  })});
   result.lights = read_lights(top, {result.bands, result.units, file.parent_path()});
   for (const auto& [name, wall] : result.walls)
     if (wall.beam) result.lights.push_back(*wall.beam);

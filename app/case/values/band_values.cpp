@@ -101,8 +101,10 @@ bool has_control_character(const std::string& text) {
 
 }  // namespace
 
-Bands read_bands(Section section, const std::filesystem::path& case_folder) {
-  if (section.has("wsgg") || section.has("k_distribution")) return read_gas_bands(section, case_folder);
+Bands read_bands(Section section, const std::filesystem::path& case_folder,
+                 const std::optional<BandValues>& molar_ratio) {
+  if (section.has("wsgg") || section.has("k_distribution"))
+    return read_gas_bands(section, case_folder, molar_ratio);
   section.unused("molar_ratio", "there is no wsgg");
   Bands bands;
   bands.names = section.texts("names");

@@ -12,7 +12,8 @@
 namespace etendue {
 
 /// The bands of a case. No names where they are faulty: then nothing can be said about a list's length.
-Bands read_bands(Section bands, const std::filesystem::path& case_folder);
+Bands read_bands(Section bands, const std::filesystem::path& case_folder,
+                 const std::optional<BandValues>& molar_ratio);
 
 /// What formulas may be in.
 enum class FormulaOf { place, place_and_direction, place_and_temperature };

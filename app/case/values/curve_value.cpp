@@ -9,11 +9,10 @@ namespace etendue {
 namespace {
 
 std::string text_of(const TemperatureCurve::Polynomial& form, const std::string& kelvin) {
-  std::string text = fmt::format("{:.17g}", form.terms.back());
-  for (std::size_t k = form.terms.size() - 1; k-- > 0;)
-    text = fmt::format("(({})*min(max({},{:.17g}),{:.17g})+({:.17g}))", text, kelvin, form.lowest,
-                       form.highest, form.terms[k]);
-  return text;
+  std::string text =
+      fmt::format("polynomial(min(max({},{:.17g}),{:.17g})", kelvin, form.lowest, form.highest);
+  for (const double term : form.terms) text += fmt::format(",{:.17g}", term);
+  return text + ")";
 }
 
 /// The first value, and for each interval its slope times how far the temperature is in it.

@@ -8,13 +8,14 @@
 #include "app/case/keys/resolve_path.h"
 #include "app/case/values/gray_gases.h"
 #include "app/case/values/k_distribution.h"
+#include "app/case/values/value_algebra.h"
 
 namespace etendue {
 namespace {
 
 bool is_sound(const Section& section, std::string_view name) { return !section.node().find(name)->faulty; }
 
-std::optional<GrayGases> read_wsgg(Section& section) {
+std::optional<GrayGases> read_wsgg(Section& section, const std::optional<BandValues>& molar_ratio) {
   if (!is_sound(section, "wsgg")) return std::nullopt;
   const std::string model = section.text("wsgg");
   if (model != "bordbar") {
@@ -27,8 +28,9 @@ std::optional<GrayGases> read_wsgg(Section& section) {
                   "and 1 for oil, burnt in air");
     return std::nullopt;
   }
-  if (!is_sound(section, "molar_ratio")) return std::nullopt;
-  return bordbar_gases(section.number("molar_ratio"));
+  if (!molar_ratio || !is_sound(section, "molar_ratio")) return std::nullopt;
+  const Value& ratio = molar_ratio->values.front();
+  return bordbar_gases(is_number(ratio) ? std::get<double>(ratio) : 1);
 }
 
 std::optional<GrayGases> read_distribution(Section& section, const std::filesystem::path& case_folder) {
@@ -54,7 +56,8 @@ std::vector<std::string> gas_names(const GrayGases& mixture, bool first_is_clear
 
 }  // namespace
 
-Bands read_gas_bands(Section& section, const std::filesystem::path& case_folder) {
+Bands read_gas_bands(Section& section, const std::filesystem::path& case_folder,
+                     const std::optional<BandValues>& molar_ratio) {
   const bool is_sum = section.has("wsgg");
   const char* key = is_sum ? "wsgg" : "k_distribution";
   for (const char* name : {"names", "edges"})
@@ -64,7 +67,8 @@ Bands read_gas_bands(Section& section, const std::filesystem::path& case_folder)
     section.fault("k_distribution", "not beside wsgg, which gives the bands too; use one of them");
     return {.names = {}, .edges = {}};
   }
-  std::optional<GrayGases> mixture = is_sum ? read_wsgg(section) : read_distribution(section, case_folder);
+  std::optional<GrayGases> mixture =
+      is_sum ? read_wsgg(section, molar_ratio) : read_distribution(section, case_folder);
   if (!mixture) return {.names = {}, .edges = {}};
   return {.names = gas_names(*mixture, is_sum), .edges = {}, .gas = std::move(*mixture)};
 }

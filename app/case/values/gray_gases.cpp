@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/values/gray_gases.h"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -41,14 +42,17 @@ GrayGases with_clear_gas(std::vector<FittedGas> fitted, double lowest, double hi
 GrayGases bordbar_gases(double molar_ratio) {
   std::vector<FittedGas> gases;
   for (const BordbarLine& line : bordbar_lines()) {
+    gases.resize(std::max(gases.size(), static_cast<std::size_t>(line.gas)),
+                 {0, std::vector<double>(5, 0.0)});
+    FittedGas& gas = gases[static_cast<std::size_t>(line.gas - 1)];
+    const int power = line.quantity - BordbarLine::weight_0;
+    const double value = at_ratio(line, molar_ratio);
     if (line.quantity == BordbarLine::absorption)
-      gases.push_back({at_ratio(line, molar_ratio), {}});
+      gas.absorption = value;
     else
-      gases.back().weight.push_back(at_ratio(line, molar_ratio) /
-                                    std::pow(1200.0, line.quantity - BordbarLine::weight_0));
+      gas.weight[static_cast<std::size_t>(power)] = value / std::pow(bordbar_kelvin, power);
   }
-  // The fit begins at 300 K, where for some ratios it gives the gray gases more than all power.
-  return with_clear_gas(std::move(gases), 330, 2400);
+  return with_clear_gas(std::move(gases), bordbar_lowest, bordbar_highest);
 }
 
 GrayGases smith_gases(int molar_ratio) {

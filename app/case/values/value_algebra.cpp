@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace etendue {
 
 bool is_number(const Value& value) { return std::holds_alternative<double>(value); }
@@ -29,6 +31,23 @@ Value product(const Value& a, const Value& b) {
 Value sum(const Value& a, const Value& b) {
   if (is_number(a) && is_number(b)) return std::get<double>(a) + std::get<double>(b);
   return joined(a, "+", b);
+}
+
+Value polynomial(const Value& x, const std::vector<Value>& terms) {
+  if (is_number(x) && std::ranges::all_of(terms, is_number)) {
+    double sum = 0;
+    for (auto term = terms.rbegin(); term != terms.rend(); ++term)
+      sum = sum * std::get<double>(x) + std::get<double>(*term);
+    return sum;
+  }
+  Formula formula = term(x);
+  for (const Value& value : terms) {
+    Formula other = term(value);
+    formula.text += "," + other.text;
+    formula.functions.merge(other.functions);
+  }
+  formula.text = "polynomial(" + formula.text + ")";
+  return formula;
 }
 
 Coefficient coefficient_of(const Value& value) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "app/case/case.h"
 #include "solver/materials/media/coefficient.h"
 
@@ -17,6 +19,9 @@ Formula joined(const Value& a, const char* sign, const Value& b);
 /// Numbers where both are numbers.
 Value product(const Value& a, const Value& b);
 Value sum(const Value& a, const Value& b);
+
+/// Terms of x^0, x^1 and so on, at least one.
+Value polynomial(const Value& x, const std::vector<Value>& terms);
 
 /// The value as a coefficient that depends on the place.
 Coefficient coefficient_of(const Value& value);

@@ -80,6 +80,8 @@ void add_curve(const TemperatureCurve& curve, ContentHash& hash) {
   if (const auto* table = std::get_if<TemperatureCurve::Table>(&curve.form()))
     for (const auto* numbers : {&table->kelvin, &table->values})
       for (const double number : *numbers) hash.add(number);
+  if (const auto* polynomial = std::get_if<TemperatureCurve::Polynomial>(&curve.form()))
+    for (const double term : polynomial->terms) hash.add(term);
 }
 
 /// What files hold that tables of this name take numbers from: the text of the case has their names alone.
@@ -89,6 +91,7 @@ void add_files_of_table(const Case& input, const std::string& table, ContentHash
       add_curve(gas.absorption, hash);
       add_curve(gas.weight, hash);
     }
+  if (table == "bands" && input.molar_ratio) add_fields(*input.molar_ratio, hash);
   if (table == "media")
     for (const auto& [name, medium] : input.media)
       for (const auto* values :

@@ -2,6 +2,8 @@
 #include "solver/materials/media/sampled_field.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <limits>
 #include <utility>
 
@@ -33,11 +35,23 @@ std::uint64_t content_of(const FieldData& data) {
   return hash.value();
 }
 
+std::uint64_t next_number() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
+struct Lookup {
+  std::uint64_t field = 0;
+  Vec3 point = Vec3::Zero();
+  double value = 0;
+};
+
 }  // namespace
 
 SampledField::SampledField(std::string name, FieldData data, std::optional<double> outside,
                            FieldSource source)
     : name_(std::move(name)),
+      number_(next_number()),
       has_jumps_(data.on == FieldValues::on_cells),
       content_(content_of(data)),
       field_(field_of(std::move(data))),
@@ -49,7 +63,13 @@ std::optional<double> SampledField::inside(const Vec3& point) const {
 }
 
 double SampledField::at(const Vec3& point) const {
-  return inside(point).value_or(outside_.value_or(std::numeric_limits<double>::quiet_NaN()));
+  // A formula may ask for one place a dozen times, of several fields in turn.
+  thread_local std::array<Lookup, 4> lookups;
+  Lookup& last = lookups[number_ % lookups.size()];
+  if (last.field != number_ || last.point != point)
+    last = {number_, point,
+            inside(point).value_or(outside_.value_or(std::numeric_limits<double>::quiet_NaN()))};
+  return last.value;
 }
 
 bool SampledField::covers(const Vec3& point) const { return outside_ || inside(point); }

@@ -38,6 +38,7 @@ class SampledField : public PlaceFunction {
   std::optional<double> inside(const Vec3& point) const;
 
   std::string name_;
+  std::uint64_t number_;  ///< of all fields there were
   bool has_jumps_;
   std::uint64_t content_;
   std::variant<ImageField, TetrahedralField> field_;

@@ -42,6 +42,7 @@ const std::vector<std::string> formulas = {
     "atan2(x, y) + atan2(-y, -z)",
     "sum(x, y, z) + avg(x, y, z*2)",
     "min(x, y, z) + 2*max(x, y, z)",
+    "polynomial(x*y, 1, z, -2, 0.5*x)",
     "x^y + (x + 1)^3 + y^0.5 + z^2",
     "(x - 1)^3 + (x - 1)^-2",
     "pi*x + e^y",

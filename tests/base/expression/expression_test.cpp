@@ -49,6 +49,13 @@ TEST(Expression, KnowsItsConstantsInFullPrecision) {
   EXPECT_DOUBLE_EQ(value_at(in_xyz("log(e)"), 0, 0, 0), 1);  // log is natural
 }
 
+TEST(Expression, KnowsPolynomials) {
+  EXPECT_EQ(value_at(in_xyz("polynomial(x, 3, y, 2)"), 10, 5, 0), 253);
+  EXPECT_EQ(value_at(in_xyz("polynomial(x, 3)"), 10, 5, 0), 3);
+  EXPECT_NE(message_of("polynomial(x)").find("needs a variable and terms"), std::string::npos);
+  EXPECT_NE(message_of("polynomial()"), "");
+}
+
 TEST(Expression, KnowsTheSpectrumOfABlackbody) {
   EXPECT_EQ(value_at(in_xyz("blackbody_fraction(x*y)"), 700, 3000, 0), blackbody_fraction(2.1e6));
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -64,6 +65,25 @@ TEST(Problem, HoldsTheCoefficientsOfEveryCellAndBand) {
   }
   EXPECT_EQ(problem.wall(1).name, "rest");
   EXPECT_EQ(problem.band_count(), 2);
+}
+
+TEST(Problem, IsTheSameForAnyNumberOfThreads) {
+  Asked asked;
+  asked.media[0].absorption[0] = formula("1 + sin(9*x*y) + z");
+  asked.media[1].scattering[1] = formula("exp(x - y)");
+  asked.media[0].emission[1] = formula("x*x + z");
+  const TetrahedralMesh mesh = cube_mesh();
+  const auto sampled_by = [&](int threads) {
+    return Problem(mesh, asked.bands, asked.media, asked.walls, AngularSpace::sphere, {}, threads);
+  };
+  const Problem one = sampled_by(1);
+  for (const int threads : {2, 5}) {
+    const Problem several = sampled_by(threads);
+    EXPECT_TRUE(std::ranges::equal(one.absorption(), several.absorption()));
+    EXPECT_TRUE(std::ranges::equal(one.scattering(), several.scattering()));
+    for (int c = 0; c < mesh.cell_count(); ++c)
+      EXPECT_EQ(one.emission(CellIndex(c), 1), several.emission(CellIndex(c), 1));
+  }
 }
 
 TEST(Problem, NamesTheFirstNegativePointOfACoefficient) {

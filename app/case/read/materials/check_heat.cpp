@@ -66,6 +66,8 @@ void check_heat(const Case& input, std::vector<Fault>& faults) {
                                           "heat_capacity, convection, or several bands), {}",
                                           what)));
   };
+  if (input.molar_ratio)
+    refuse("not where bands.molar_ratio is a formula or field (not in this version); use a number");
   if (input.photons) refuse("not by photons (not in this version); use solve.method = \"auto\"");
   if (input.radiosity) refuse("not by radiosity (not in this version); use solve.method = \"auto\"");
   if (input.rotations > 1)

@@ -7,6 +7,7 @@
 
 #include "app/case/values/band_values.h"
 #include "app/case/values/curve_value.h"
+#include "app/case/values/mixture_values.h"
 #include "app/case/values/value_algebra.h"
 
 namespace etendue {
@@ -33,6 +34,13 @@ std::string pressure_problem(const Section& section, const ThermalContext& conte
   return "";
 }
 
+/// Absorption of the gas of a band by the pressure [1/(m atm)].
+Value absorption_by_pressure(const MediumCase& medium, const ThermalContext& context, int band) {
+  if (context.molar_ratio) return bordbar_absorption(band, context.molar_ratio->values.front());
+  const Value kelvin = medium.temperature ? medium.temperature->values.front() : Value(0.0);
+  return curve_value(context.bands.gas.gases[static_cast<std::size_t>(band)].absorption, kelvin);
+}
+
 }  // namespace
 
 void read_gas_pressure(Section& section, const ThermalContext& context, MediumCase& medium) {
@@ -43,9 +51,7 @@ void read_gas_pressure(Section& section, const ThermalContext& context, MediumCa
   if (section.has("temperature") && !medium.temperature) return;  // a faulty one
   BandValues absorption{{}, pressure->origin};
   for (int band = 0; band < context.bands.count(); ++band) {
-    const TemperatureCurve& by_pressure = context.bands.gas.gases[static_cast<std::size_t>(band)].absorption;
-    const Value kelvin = medium.temperature ? medium.temperature->values.front() : Value(0.0);
-    const Value gray = product(curve_value(by_pressure, kelvin), pressure->values.front());
+    const Value gray = product(absorption_by_pressure(medium, context, band), pressure->values.front());
     absorption.values.push_back(medium.absorption ? sum(value_of(*medium.absorption, band), gray) : gray);
   }
   medium.absorption = std::move(absorption);

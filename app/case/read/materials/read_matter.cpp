@@ -221,7 +221,7 @@ MediumCase read_medium(Section section, const MatterContext& context) {
     medium.scattering = std::move(scattering);
   medium.uncollided = read_uncollided(section);
   medium.choice = read_choices(section, bands);
-  const ThermalContext thermal{bands, context.units, context.space};
+  const ThermalContext thermal{bands, context.molar_ratio, context.units, context.space};
   medium.temperature = read_medium_temperature(section, thermal);
   read_gas_pressure(section, thermal, medium);
   check_medium(section, medium, bands);
@@ -273,8 +273,9 @@ WallCase read_wall(const std::string& name, Section section, const WallContext& 
       !(section.has("temperature") || section.has("heat_flux") || section.has("convection")))
     wall.radiance = read_band_values_or_default(section, "radiance", bands, FormulaOf::place_and_direction);
   if (!any_faulty(section, {"diffuse", "specular", "transmittance"})) {
-    read_thermal_wall(section, {bands, context.units, context.space}, wall);
-    read_wall_heat(section, {bands, context.units, context.space}, context.beside_conductors, wall);
+    read_thermal_wall(section, {bands, context.molar_ratio, context.units, context.space}, wall);
+    read_wall_heat(section, {bands, context.molar_ratio, context.units, context.space},
+                   context.beside_conductors, wall);
   }
   wall.uncollided = read_uncollided(section);
   check_uncollided(section, wall.uncollided,

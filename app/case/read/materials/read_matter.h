@@ -14,6 +14,7 @@ namespace etendue {
 /// What media are read with.
 struct MatterContext {
   const Bands& bands;
+  const std::optional<BandValues>& molar_ratio;  ///< Case::molar_ratio
   const Units& units;
   AngularSpace space;
   std::filesystem::path case_folder;
@@ -23,6 +24,7 @@ struct MatterContext {
 /// What walls are read with.
 struct WallContext {
   const Bands& bands;
+  const std::optional<BandValues>& molar_ratio;  ///< Case::molar_ratio
   const Units& units;
   AngularSpace space;
   std::filesystem::path case_folder;

@@ -8,6 +8,7 @@
 #include "app/case/values/band_values.h"
 #include "app/case/values/blackbody_values.h"
 #include "app/case/values/medium_coefficients.h"
+#include "app/case/values/mixture_values.h"
 #include "app/case/values/value_algebra.h"
 
 namespace etendue {
@@ -100,12 +101,20 @@ std::optional<BandValues> sound_temperature(Section& section, const ThermalConte
   return std::nullopt;
 }
 
-/// Radiance of a blackbody in each band.
-BandValues blackbody_values(const BandValues& temperature, const Bands& bands) {
+/// Radiance of a blackbody in each band, in a refractive index.
+BandValues blackbody_values(const BandValues& temperature, const ThermalContext& context,
+                            double refractive_index) {
+  Bands bands = context.bands;
+  bands.refractive_index = refractive_index;
+  const Bands whole{.edges = {}, .refractive_index = refractive_index};
+  const Value& kelvin = temperature.values.front();
   BandValues radiance;
   radiance.origin = temperature.origin;
   for (int band = 0; band < bands.count(); ++band)
-    radiance.values.push_back(blackbody_radiance(temperature.values.front(), bands, band));
+    radiance.values.push_back(context.molar_ratio
+                                  ? product(blackbody_radiance(kelvin, whole, 0),
+                                            bordbar_weight(band, context.molar_ratio->values.front(), kelvin))
+                                  : blackbody_radiance(kelvin, bands, band));
   return radiance;
 }
 
@@ -125,7 +134,7 @@ std::optional<BandValues> read_medium_temperature(Section& section, const Therma
 
 void set_thermal_emission(Section& section, const ThermalContext& context, MediumCase& medium) {
   if (!medium.temperature) return;
-  medium.blackbody = blackbody_values(*medium.temperature, context.bands);
+  medium.blackbody = blackbody_values(*medium.temperature, context, context.bands.refractive_index);
   medium.emission =
       times(*medium.blackbody, [&](int band) { return matter_values(medium, band).absorption; });
   if (depend_on_direction(medium.emission))
@@ -138,16 +147,14 @@ void read_thermal_wall(Section& section, const ThermalContext& context, WallCase
   wall.temperature = sound_temperature(section, context, {"radiance"});
   if (!wall.temperature) return;
   if (wall.refractive_index != 1) {
-    Bands behind = context.bands;  // where the index is that of vacuum
-    behind.refractive_index = 1;
-    wall.radiance = blackbody_values(*wall.temperature, behind);
+    wall.radiance = blackbody_values(*wall.temperature, context, 1);  // from behind, out of vacuum
     return;
   }
   if (!wall.glossy.empty())
     return section.fault("temperature",
                          "not beside glossy (its emissivity depends on the direction; not in this version); "
                          "use radiance");
-  wall.radiance = times(blackbody_values(*wall.temperature, context.bands),
+  wall.radiance = times(blackbody_values(*wall.temperature, context, context.bands.refractive_index),
                         [&](int band) { return Value(absorptivity(wall, band)); });
 }
 

@@ -13,6 +13,7 @@ namespace etendue {
 /// What a temperature needs to become a radiance in each band.
 struct ThermalContext {
   const Bands& bands;
+  const std::optional<BandValues>& molar_ratio;  ///< Case::molar_ratio
   const Units& units;
   AngularSpace space;
 };

@@ -146,6 +146,11 @@ TEST(GrayGases, AreThePolynomialsOfTheirFits) {
   ASSERT_EQ(wsgg.gases.size(), 5u);
   EXPECT_NEAR(wsgg.gases[1].absorption.at(0), 0.065328197, 1e-9);
   EXPECT_NEAR(wsgg.gases[4].absorption.at(0), 77.6011669, 1e-7);
+  // At 1200 K the weight is the sum of all 25 terms of a gas.
+  EXPECT_NEAR(wsgg.gases[1].weight.at(1200), 0.309684367, 1e-9);
+  EXPECT_NEAR(wsgg.gases[2].weight.at(1200), 0.322445423, 1e-9);
+  EXPECT_NEAR(wsgg.gases[3].weight.at(1200), 0.191718939, 1e-9);
+  EXPECT_NEAR(wsgg.gases[4].weight.at(1200), 0.0705441424, 1e-9);
   const GrayGases smith = smith_gases(2);
   EXPECT_NEAR(smith.gases[1].weight.at(1000), 0.6508 - 0.5551 + 0.3029 - 0.05353, 1e-12);
   EXPECT_NEAR(smith.gases[2].weight.at(1000), -0.02504 + 0.6112 - 0.3882 + 0.06528, 1e-12);

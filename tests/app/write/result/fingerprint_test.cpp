@@ -51,5 +51,24 @@ TEST(Fingerprint, CoversTheNumbersInFiles) {
   EXPECT_EQ(different(with_field(2), other_lamp), std::vector<std::string>{"light"});
 }
 
+// The text of a case names the gases, and their coefficients lie elsewhere.
+TEST(Fingerprint, CoversTheCoefficientsOfGases) {
+  const auto with_weight = [](double weight) {
+    Case input = with_text("[bands]\nwsgg = \"bordbar\"\n");
+    input.bands.gas.gases = {{0.0, TemperatureCurve::Polynomial{{1 - weight}, 300, 2400}},
+                             {1.0, TemperatureCurve::Polynomial{{weight}, 300, 2400}}};
+    return input;
+  };
+  EXPECT_TRUE(different(with_weight(0.2), with_weight(0.2)).empty());
+  EXPECT_EQ(different(with_weight(0.2), with_weight(0.3)), std::vector<std::string>{"bands"});
+  const auto with_ratio = [](double ratio) {
+    Case input = with_text("[bands]\nmolar_ratio = { file = \"gas.vti\" }\n");
+    input.molar_ratio = with_field(ratio).media["gas"].absorption;
+    return input;
+  };
+  EXPECT_TRUE(different(with_ratio(2), with_ratio(2)).empty());
+  EXPECT_EQ(different(with_ratio(2), with_ratio(3)), std::vector<std::string>{"bands"});
+}
+
 }  // namespace
 }  // namespace etendue::fingerprint_test

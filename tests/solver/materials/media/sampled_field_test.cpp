@@ -60,6 +60,24 @@ Coefficient coefficient_of(FieldData data) {
 
 Coefficient formula(const char* text) { return Coefficient(Expression(text, {"x", "y", "z"})); }
 
+// Fields remember where they were asked last: so many are asked in turn that some share a memory.
+TEST(SampledField, KeepsFieldsApartThatAreAskedInTurn) {
+  const TetrahedralMesh mesh = cube_mesh();
+  std::vector<SampledField> fields;
+  for (int i = 0; i < 9; ++i) {
+    FieldData data = field_on(mesh, FieldValues::on_points);
+    for (const Vec3& point : data.points) data.values.push_back(i + linear(point));
+    fields.emplace_back("field", data, std::nullopt);
+  }
+  const Vec3 outside(3, 3, 3);
+  for (const Vec3& point : {Vec3(0.3, 0.2, 0.9), Vec3(0.3, 0.2, 0.8)})
+    for (int repetition = 0; repetition < 2; ++repetition)
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        EXPECT_NEAR(fields[i].at(point), static_cast<double>(i) + linear(point), 1e-13);
+        EXPECT_TRUE(std::isnan(fields[i].at(outside)));
+      }
+}
+
 TEST(SampledField, OnPointsOfTetrahedraIsExactForLinearFunctions) {
   const TetrahedralMesh mesh = cube_mesh();
   FieldData data = field_on(mesh, FieldValues::on_points);

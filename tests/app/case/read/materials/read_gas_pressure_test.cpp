@@ -7,7 +7,10 @@
 #include <numbers>
 
 #include "app/case/build/build.h"
+#include "app/case/values/band_values.h"
 #include "app/case/values/gray_gases.h"
+#include "app/case/values/medium_coefficients.h"
+#include "app/case/values/value_algebra.h"
 #include "base/blackbody.h"
 #include "tests/app/case/case_text.h"
 
@@ -64,6 +67,53 @@ TEST(ReadGasPressure, TakesFormulas) {
   }
 }
 
+// A ratio by a formula is as one by a number, in media and walls.
+TEST(ReadGasPressure, TakesAMixtureOfThePlace) {
+  const auto with_ratio = [](const std::string& ratio) {
+    return gas("[bands]\nwsgg = \"bordbar\"\nmolar_ratio = " + ratio +
+                   "\n[walls.zmin]\nemissivity = 0.8\ntemperature = 1000\n",
+               "gas_pressure = 0.3\nabsorption = 0.02\ntemperature = 1400\n");
+  };
+  const Case whole = case_of(with_ratio("0.7"));
+  EXPECT_FALSE(whole.molar_ratio);
+  const TetrahedralMesh mesh = build_mesh(whole);
+  const Problem expected = build_problem(whole, mesh);
+  for (const std::string ratio : {"\"0.7 + 0*x\"", "\"z < 2 ? 0.7 : 1\""}) {
+    const Case input = case_of(with_ratio(ratio));
+    const Problem own = build_problem(input, mesh);
+    for (int band = 0; band < 5; ++band) {
+      const double absorption = expected.absorption(CellIndex(0), band);
+      EXPECT_NEAR(own.absorption(CellIndex(0), band), absorption, 1e-12 * absorption) << ratio;
+      const double emission = expected.emission(CellIndex(0), band);
+      EXPECT_NEAR(own.emission(CellIndex(0), band), emission, 1e-11 * emission) << ratio;
+      const double radiance = std::get<double>(value_of(whole.walls.at("zmin").radiance, band));
+      const Value& by_place = value_of(input.walls.at("zmin").radiance, band);
+      EXPECT_NEAR(coefficient_of(by_place).at(Vec3(0.5, 0.5, 0)), radiance, 1e-11 * radiance) << ratio;
+    }
+  }
+}
+
+TEST(ReadGasPressure, TakesAnotherMixtureAtEachPlace) {
+  const std::string keys = "gas_pressure = 0.3\ntemperature = 1400\n";
+  const Case input = case_of(gas("[bands]\nwsgg = \"bordbar\"\nmolar_ratio = \"x < 0.5 ? -3 : 9\"\n", keys));
+  const Coefficient absorption = coefficient_of(matter_values(input.media.at("air"), 2).absorption);
+  for (const auto& [x, ratio] : {std::pair(0.2, 0.01), std::pair(0.8, 4.0)})
+    EXPECT_NEAR(absorption.at(Vec3(x, 0, 0)), 0.3 * bordbar_gases(ratio).gases[2].absorption.at(0), 1e-12);
+}
+
+TEST(ReadGasPressure, RefusesMixturesThatAreNotKnown) {
+  const auto by_ratio = [](const std::string& ratio) {
+    return "[bands]\nwsgg = \"bordbar\"\nmolar_ratio = " + ratio + "\n";
+  };
+  EXPECT_EQ(first_fault(gas(by_ratio("\"0/(x-x)\""), "gas_pressure = 0.3\ntemperature = 1000\n"))
+                .find("bands.molar_ratio: no number at ("),
+            0u);
+  EXPECT_NE(first_fault(gas(by_ratio("\"1+x\""), "gas_pressure = 0.3\nheat_source = 1e4\n"))
+                .find("not where bands.molar_ratio is a formula or field"),
+            std::string::npos);
+  EXPECT_NE(first_fault(gas(by_ratio("[1, 2]"), "gas_pressure = 0.3\n")), "");
+}
+
 TEST(ReadGasPressure, LetsWallsEmitTheWeightsOfTheirTemperature) {
   const Case input = case_of(cube +
                              "[bands]\nwsgg = \"smith-1\"\n[walls.zmin]\nemissivity = 0.8\n"
@@ -93,9 +143,9 @@ TEST(ReadGasPressure, RefusesWhatHasNoMeaning) {
   EXPECT_NE(first_fault(gas("[bands]\nwsgg = \"bordbar\"\n", "gas_pressure = 0.3\n"))
                 .find("give that of water vapour to carbon dioxide"),
             std::string::npos);
-  EXPECT_NE(first_fault(gas("[bands]\nwsgg = \"bordbar\"\nmolar_ratio = 5\n", ""))
-                .find("use a number from 0.01 to 4"),
-            std::string::npos);
+  EXPECT_NE(
+      first_fault(gas("[bands]\nwsgg = \"bordbar\"\nmolar_ratio = 5\n", "")).find("each from 0.01 to 4"),
+      std::string::npos);
   EXPECT_NE(first_fault(gas(bordbar, "gas_pressure = 0.3\ntemperature = 2500\n"))
                 .find("the gray gases of the bands are known up to 2400 K"),
             std::string::npos);
