@@ -13,6 +13,7 @@
 #include "solver/materials/phase/phase_function.h"
 #include "solver/problem/band_blackbody.h"
 #include "solver/transport/diffusion/diffusion_matrix.h"
+#include "solver/transport/diffusion/diffusion_solver.h"
 
 namespace etendue {
 namespace {
@@ -28,6 +29,10 @@ constexpr double least_absorption = 1e-8;
 
 /// Part of the emission of all bands for each kelvin, of what emits least.
 constexpr double least_slope = 1e-3;
+
+/// Absorption lengths in a cell above which light jumps between cells.
+constexpr double thick = 2;
+constexpr double accuracy_of_jumps = 0.1;
 
 Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
@@ -253,10 +258,9 @@ std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
   for (std::int32_t c = 0; c < mesh.cell_count(); ++c) cells.push_back(gray.at(CellIndex(c)));
   GraySystem system(space_.unknowns_before_cells(), static_cast<std::size_t>(mesh.vertex_count()), kelvin);
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    const double floor = least_absorption * cells[c].diffusion / (longest_path_ * longest_path_);
     const CellIndex cell(static_cast<std::int32_t>(c));
     add_cell(mesh, space_, cell, balance_.conduction().conductivity(cell), cells[c],
-             eliminated(cell, cells[c], temperature, inertia), floor, gains, system);
+             eliminated(cell, cells[c], temperature, inertia), floor_of(cells[c]), gains, system);
   }
   for (std::size_t unknown = 0; unknown < space_.unknowns_before_cells(); ++unknown) {
     system.add_right(unknown, gains[unknown]);
@@ -274,6 +278,7 @@ std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
                        per_value, system);
   }
   const Eigen::VectorXd solution = system.solve();
+  const NodalVector light = light_of(solution, cells, temperature, gains, inertia);
   std::vector<double> changes(space_.size(), 0);
   for (std::size_t i = 0; i < space_.unknowns_before_cells(); ++i) changes[i] = solution[at(i)];
   for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -282,7 +287,7 @@ std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
     const std::array<EliminatedTemperature, 4> own = eliminated(cell, cells[c], temperature, inertia);
     for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t unknown = unknown_of(space_, cell, i);
-      changes[unknown] = own[i].change(gains[unknown], solution[at(system.fluence(mesh.vertices(cell)[i]))]);
+      changes[unknown] = own[i].change(gains[unknown], light[4 * c + i]);
     }
   }
   return changes;
@@ -299,6 +304,63 @@ std::array<EliminatedTemperature, 4> GrayDiffusion::eliminated(CellIndex cell, c
                  inertia[unknown] * space_.kelvin_per_value(unknown, temperature[unknown])};
   }
   return result;
+}
+
+double GrayDiffusion::floor_of(const GrayCell& cell) const {
+  return least_absorption * cell.diffusion / (longest_path_ * longest_path_);
+}
+
+bool GrayDiffusion::eliminates(CellIndex cell) const { return space_.has(cell) && !space_.conducts(cell); }
+
+bool GrayDiffusion::has_jumps(const std::vector<GrayCell>& cells) const {
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const CellIndex cell(static_cast<std::int32_t>(c));
+    if (eliminates(cell) && cells[c].absorption * std::cbrt(problem_.mesh().volume(cell)) > thick)
+      return true;
+  }
+  return false;
+}
+
+NodalVector GrayDiffusion::light_of(const Eigen::VectorXd& solution, const std::vector<GrayCell>& cells,
+                                    std::span<const double> temperature, std::span<const double> gains,
+                                    std::span<const double> inertia) const {
+  const TetrahedralMesh& mesh = problem_.mesh();
+  NodalVector light;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (const std::int32_t vertex : mesh.vertices(CellIndex(static_cast<std::int32_t>(c))))
+      light.push_back(solution[at(space_.unknowns_before_cells() + static_cast<std::size_t>(vertex))]);
+  if (!has_jumps(cells)) return light;
+  DiffusionCoefficients form;
+  NodalVector right;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const CellIndex cell(static_cast<std::int32_t>(c));
+    const double volume = mesh.volume(cell);
+    const std::array<EliminatedTemperature, 4> own = eliminated(cell, cells[c], temperature, inertia);
+    double absorption = floor_of(cells[c]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t unknown = space_.has(cell) ? unknown_of(space_, cell, i) : 0;
+      if (eliminates(cell)) {
+        absorption += (1 - own[i].emitted_part()) * own[i].absorbing / volume;
+        right.push_back(own[i].emitted_part() * gains[unknown]);
+      } else {
+        absorption += cells[c].absorption / 4;
+        right.push_back(space_.has(cell) ? volume / 4 * cells[c].emission[i] * solution[at(unknown)] : 0);
+      }
+    }
+    form.absorption.push_back(absorption);
+    form.diffusion.push_back(cells[c].diffusion * Eigen::Matrix3d::Identity());
+    form.lumped.push_back(1);
+  }
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    form.reflectance.push_back(
+        mean_reflectance(problem_, FaceIndex(f), cells[mesh.owner(FaceIndex(f)).at()].share));
+  const VertexSpace vertices(mesh);
+  const DiffusionSolver solver(mesh, vertices, form, accuracy_of_jumps, 1);
+  NodalVector rest(light.size()), jumps(light.size());
+  solver.matrix().residual(right, light, rest, 1);
+  solver.approximate(rest, jumps);
+  for (std::size_t i = 0; i < light.size(); ++i) light[i] += jumps[i];
+  return light;
 }
 
 /// What absorbs in bands where it hardly emits is not heated at once [W/(m^3 K)].

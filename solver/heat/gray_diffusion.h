@@ -8,6 +8,7 @@
 
 #include "base/vector_sums.h"
 #include "solver/heat/heat_balance.h"
+#include "solver/transport/diffusion/block_matrix.h"
 
 namespace etendue {
 
@@ -61,6 +62,16 @@ class GrayDiffusion {
                                                   std::span<const double> temperature,
                                                   std::span<const double> inertia) const;
   double least_emission(CellIndex cell) const;
+  double floor_of(const GrayCell& cell) const;  ///< absorption that it has at least [1/m]
+  /// Whether its temperatures are eliminated: those of a medium that does not conduct.
+  bool eliminates(CellIndex cell) const;
+  /// Whether such a medium has cells of many absorption lengths.
+  bool has_jumps(const std::vector<GrayCell>& cells) const;
+  /// F at the corners of cells [4 cell + corner]: of the solution, whose F is continuous, and what cells of
+  /// many absorption lengths have besides, by the interior penalty form of (D7).
+  NodalVector light_of(const Eigen::VectorXd& solution, const std::vector<GrayCell>& cells,
+                       std::span<const double> temperature, std::span<const double> gains,
+                       std::span<const double> inertia) const;
 
   const Problem& problem_;
   const TemperatureSpace& space_;
