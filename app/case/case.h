@@ -86,7 +86,8 @@ struct MeshCase {
 
 struct MediumCase {
   std::optional<BandValues> absorption, scattering, extinction, albedo;
-  std::optional<BandValues> temperature;  ///< one value [K], from which `blackbody` and `emission` follow
+  std::optional<BandValues> temperature;   ///< one value [K], from which `blackbody` and `emission` follow
+  std::optional<BandValues> gas_pressure;  ///< one value [atm]; `absorption` is that of the gases too
   /// Radiance of a blackbody of this temperature; `emission` is the absorption times it.
   std::optional<BandValues> blackbody;
   std::optional<BandValues> heat_source;          ///< one value [W/m^3]; the temperature follows

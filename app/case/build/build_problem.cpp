@@ -216,6 +216,7 @@ Problem build_problem(const Case& input, const TetrahedralMesh& mesh) {
   require_threads(threads);
   check_names(input, names_of(mesh));
   field_uses(input, mesh);          // all fields cover what they are used in
+  molar_ratio_range(input, mesh);   // all are numbers
   temperature_ranges(input, mesh);  // none is negative
   check_indices(input, mesh);
   const int bands = input.bands.count();

@@ -115,7 +115,9 @@ struct Key {
   std::optional<BandValues> MediumCase::*values;
   const char* name;
 };
-constexpr std::array<Key, 11> medium_fields = {{{&MediumCase::absorption, "absorption"},
+// The absorption has the fields of the pressure too.
+constexpr std::array<Key, 12> medium_fields = {{{&MediumCase::gas_pressure, "gas_pressure"},
+                                                {&MediumCase::absorption, "absorption"},
                                                 {&MediumCase::scattering, "scattering"},
                                                 {&MediumCase::extinction, "extinction"},
                                                 {&MediumCase::albedo, "albedo"},
@@ -127,34 +129,43 @@ constexpr std::array<Key, 11> medium_fields = {{{&MediumCase::absorption, "absor
                                                 {&MediumCase::emission, "emission"},
                                                 {&MediumCase::power_density, "power_density"}}};
 
-void add_medium(const MediumCase& medium, const TetrahedralMesh& mesh, int region, Uses& uses) {
-  Functions seen;  // leaves and flakes make two coefficients of one field
-  for (const Key& key : medium_fields) {
-    const std::optional<BandValues>& values = medium.*key.values;
-    if (!values) continue;
-    for (const PlaceFunction* function : functions_in(*values)) {
+void add_medium(const MediumCase& medium, const std::optional<BandValues>& molar_ratio,
+                const TetrahedralMesh& mesh, int region, Uses& uses) {
+  Functions seen;  // leaves and flakes make two coefficients of one field, gases have several in one
+  const auto add = [&](const BandValues& values, const char* key) {
+    for (const PlaceFunction* function : functions_in(values)) {
       if (!seen.insert(function).second) continue;
       // Not owned: it lives as long as the case.
       const Coefficient alone(
           Expression(Formula("f(x,y,z)", {{"f", {std::shared_ptr<void>(), function}}}), {"x", "y", "z"}));
-      uses.add(*function, key.name, mesh.region_names()[static_cast<std::size_t>(region)], values->origin,
+      uses.add(*function, key, mesh.region_names()[static_cast<std::size_t>(region)], values.origin,
                [&](const TakeNode& take) { give_nodes(mesh, region, alone, take); });
     }
-  }
+  };
+  if (molar_ratio && (medium.gas_pressure || medium.temperature)) add(*molar_ratio, "molar_ratio");
+  for (const Key& key : medium_fields)
+    if (const std::optional<BandValues>& values = medium.*key.values) add(*values, key.name);
 }
 
 }  // namespace
 
 std::vector<FieldUse> field_uses(const Case& input, const TetrahedralMesh& mesh) {
   Uses uses(input.mesh);
+  const Functions of_mixture = input.molar_ratio ? functions_in(*input.molar_ratio) : Functions();
   for (std::size_t region = 0; region < mesh.region_names().size(); ++region)
-    add_medium(entry_of(input.media, mesh.region_names()[region]), mesh, static_cast<int>(region), uses);
+    add_medium(entry_of(input.media, mesh.region_names()[region]), input.molar_ratio, mesh,
+               static_cast<int>(region), uses);
   for (std::size_t wall = 0; wall < mesh.wall_names().size(); ++wall) {
     const WallCase entry = entry_of(input.walls, mesh.wall_names()[wall]);
-    for (const PlaceFunction* function : functions_in(entry.radiance))
-      uses.add(*function, entry.temperature ? "temperature" : "radiance", mesh.wall_names()[wall],
-               entry.radiance.origin,
+    for (const PlaceFunction* function : functions_in(entry.radiance)) {
+      const bool of_ratio = of_mixture.contains(function);
+      uses.add(*function,
+               of_ratio            ? "molar_ratio"
+               : entry.temperature ? "temperature"
+                                   : "radiance",
+               mesh.wall_names()[wall], of_ratio ? input.molar_ratio->origin : entry.radiance.origin,
                [&](const TakeNode& take) { give_wall_corners(mesh, static_cast<int>(wall), take); });
+    }
   }
   return uses.all();
 }

@@ -10,6 +10,7 @@
 
 #include "app/case/build/entry_of.h"
 #include "app/case/values/blackbody_values.h"
+#include "app/case/values/mixture_values.h"
 #include "app/case/values/value_algebra.h"
 #include "mesh/tetrahedra/corners.h"
 
@@ -88,20 +89,29 @@ void add_range(const BandValues& temperature, const std::string& place, const st
   ranges.push_back(std::move(range));
 }
 
-/// Adds the fault of the first cell or face of a place with a temperature where the molar ratio is no number.
-void check_molar_ratio(const BandValues& molar_ratio, const std::string& place,
-                       const std::vector<Sample>& samples, std::vector<Fault>& faults) {
-  const Coefficient ratio = coefficient_of(molar_ratio.values.front());
-  for (const Sample& sample : samples) {
+/// Ratios at centroids; throws where one is no number.
+class MolarRatios {
+ public:
+  explicit MolarRatios(const BandValues& values)
+      : origin_(values.origin), ratio_(coefficient_of(values.values.front())) {}
+
+  double at(const Sample& sample, const std::string& place) const {
     const Vec3 point = sample.centroid();
-    if (const double value = ratio.at(point); std::isnan(value))
-      return faults.push_back(fault_at(
-          molar_ratio.origin, "",
+    const double value = ratio_.at(point);
+    if (std::isnan(value))
+      throw InputError(fault_at(
+          origin_, "",
           fmt::format(
-              "no number at ({:.6g}, {:.6g}, {:.6g}) in {}; give any number where there is neither gas",
+              "no number at ({:.6g}, {:.6g}, {:.6g}) in {}; give any number where there is neither gas "
+              "(walls emit by the ratio beside them)",
               point.x(), point.y(), point.z(), place)));
+    return value;
   }
-}
+
+ private:
+  Origin origin_;
+  Coefficient ratio_;
+};
 
 }  // namespace
 
@@ -111,8 +121,6 @@ std::vector<TemperatureRange> temperature_ranges(const Case& input, const Tetrah
   for (std::size_t region = 0; region < mesh.region_names().size(); ++region) {
     const std::string& name = mesh.region_names()[region];
     const MediumCase entry = entry_of(input.media, name);
-    if (input.molar_ratio && entry.temperature)
-      check_molar_ratio(*input.molar_ratio, name, samples_of_region(mesh, static_cast<int>(region)), faults);
     for (const auto* temperature : {&entry.temperature, &entry.initial_temperature})
       if (*temperature)
         add_range(**temperature, name, samples_of_region(mesh, static_cast<int>(region)), input.bands, ranges,
@@ -121,8 +129,6 @@ std::vector<TemperatureRange> temperature_ranges(const Case& input, const Tetrah
   for (std::size_t wall = 0; wall < mesh.wall_names().size(); ++wall) {
     const std::string& name = mesh.wall_names()[wall];
     const WallCase entry = entry_of(input.walls, name);
-    if (input.molar_ratio && entry.temperature)
-      check_molar_ratio(*input.molar_ratio, name, samples_of_wall(mesh, static_cast<int>(wall)), faults);
     for (const auto* temperature : {&entry.temperature, &entry.initial_temperature})
       if (*temperature)
         add_range(**temperature, name, samples_of_wall(mesh, static_cast<int>(wall)), input.bands, ranges,
@@ -130,6 +136,34 @@ std::vector<TemperatureRange> temperature_ranges(const Case& input, const Tetrah
   }
   if (!faults.empty()) throw InputError(std::move(faults));
   return ranges;
+}
+
+std::optional<MolarRatioRange> molar_ratio_range(const Case& input, const TetrahedralMesh& mesh) {
+  if (!input.molar_ratio) return std::nullopt;
+  const MolarRatios ratios(*input.molar_ratio);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  MolarRatioRange range{infinity, -infinity};
+  double volume = 0, beyond = 0;
+  for (std::size_t region = 0; region < mesh.region_names().size(); ++region) {
+    const std::string& name = mesh.region_names()[region];
+    const MediumCase entry = entry_of(input.media, name);
+    if (!entry.gas_pressure && !entry.temperature) continue;
+    for (const Sample& sample : samples_of_region(mesh, static_cast<int>(region))) {
+      const double ratio = ratios.at(sample, name);
+      range.lowest = std::min(range.lowest, ratio);
+      range.highest = std::max(range.highest, ratio);
+      volume += sample.weight;
+      if (ratio < lowest_molar_ratio || ratio > highest_molar_ratio) beyond += sample.weight;
+    }
+  }
+  for (std::size_t wall = 0; wall < mesh.wall_names().size(); ++wall) {
+    const std::string& name = mesh.wall_names()[wall];
+    if (!entry_of(input.walls, name).temperature) continue;
+    for (const Sample& sample : samples_of_wall(mesh, static_cast<int>(wall))) ratios.at(sample, name);
+  }
+  if (volume <= 0) return std::nullopt;
+  range.beyond = beyond / volume;
+  return range;
 }
 
 }  // namespace etendue

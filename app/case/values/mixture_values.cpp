@@ -11,8 +11,6 @@
 namespace etendue {
 namespace {
 
-constexpr double lowest_ratio = 0.01, highest_ratio = 4;
-
 /// A quantity of a gas by the molar ratio, constant term first. The clear gas, number 0, has the power that
 /// the others leave.
 std::vector<double> terms_of(int gas, BordbarLine::Quantity quantity) {
@@ -28,8 +26,9 @@ std::vector<double> terms_of(int gas, BordbarLine::Quantity quantity) {
 }
 
 Value by_ratio(int gas, BordbarLine::Quantity quantity, const Value& molar_ratio) {
-  return curve_value(TemperatureCurve::Polynomial{terms_of(gas, quantity), lowest_ratio, highest_ratio},
-                     molar_ratio);
+  return curve_value(
+      TemperatureCurve::Polynomial{terms_of(gas, quantity), lowest_molar_ratio, highest_molar_ratio},
+      molar_ratio);
 }
 
 }  // namespace

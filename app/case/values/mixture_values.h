@@ -5,6 +5,8 @@
 
 namespace etendue {
 
+inline constexpr double lowest_molar_ratio = 0.01, highest_molar_ratio = 4;
+
 /// Absorption of a gas of bordbar_gases() by the partial pressure [1/(m atm)], where the molar ratio is one
 /// of the place: a formula where it is one. Beyond 0.01 to 4 it is that of the nearest.
 Value bordbar_absorption(int gas, const Value& molar_ratio);

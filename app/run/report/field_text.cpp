@@ -7,6 +7,7 @@
 
 #include "app/case/build/field_uses.h"
 #include "app/case/build/temperature_range.h"
+#include "app/case/values/mixture_values.h"
 
 namespace etendue {
 namespace {
@@ -16,7 +17,12 @@ std::string unit_of(const std::string& key, const Units& units) {
   if (key == "emission") return fmt::format(" {}/({}^3 sr)", units.power, units.length);
   if (key == "power_density") return fmt::format(" {}/{}^3", units.power, units.length);
   if (key == "radiance") return fmt::format(" {}/({}^2 sr)", units.power, units.length);
-  if (key == "temperature") return " K";
+  if (key == "temperature" || key == "initial_temperature") return " K";
+  if (key == "molar_ratio") return "";
+  if (key == "gas_pressure") return " atm";
+  if (key == "heat_source") return " W/m^3";
+  if (key == "conductivity") return " W/(m K)";
+  if (key == "heat_capacity") return " J/(m^3 K)";
   return fmt::format(" 1/{}", units.length);
 }
 
@@ -51,6 +57,16 @@ std::string temperature_text(const TemperatureRange& range, const Bands& bands) 
   return text;
 }
 
+std::string mixture_text(const MolarRatioRange& range) {
+  std::string text =
+      fmt::format("molar ratio of the gases: from {:.6g} to {:.6g}", range.lowest, range.highest);
+  if (range.beyond > 0)
+    text +=
+        fmt::format("; caution: beyond {:g} to {:g} in {:.3g} % of their volume, where the nearest is used",
+                    lowest_molar_ratio, highest_molar_ratio, 100 * range.beyond);
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> field_texts(const Case& input, const TetrahedralMesh& mesh) {
@@ -59,6 +75,7 @@ std::vector<std::string> field_texts(const Case& input, const TetrahedralMesh& m
     texts.push_back(fmt::format("{} of {}: {}, from {:.6g} to {:.6g}, mean {:.6g}{}", use.key, use.place,
                                 use.field, use.smallest, use.largest, use.mean,
                                 unit_of(use.key, input.units)));
+  if (const auto range = molar_ratio_range(input, mesh)) texts.push_back(mixture_text(*range));
   for (const TemperatureRange& range : joined_places(temperature_ranges(input, mesh)))
     texts.push_back(temperature_text(range, input.bands));
   return texts;

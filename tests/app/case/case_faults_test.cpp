@@ -57,7 +57,9 @@ const Check later[] = {
      "extinction, emission and a wall's radiance may, this may not); use x, y, z"},
     {"UncollidedRadianceFormula", "[walls.xmin]\nradiance = \"x\"\nuncollided = true\n",
      "slab.toml:9: walls.xmin.uncollided = true: not for emission that depends on the direction, nor for "
-     "radiance by a formula (not in this version); use \"auto\" or false"},
+     "radiance by a formula, as that of a hot wall is where bands.molar_ratio is one (not in this version); "
+     "use "
+     "\"auto\" or false"},
     {"SpaceOrder", "[space]\norder = 2\n", "slab.toml:8: space.order = 2: not in this version; use 0 or 1"},
     {"DirectionErrorOfOneSet", "[output]\nfields = [\"direction_error\"]\n",
      "slab.toml:8: output.fields = [\"direction_error\"]: \"direction_error\" is the spread over rotated "

@@ -67,7 +67,12 @@ void check_heat(const Case& input, std::vector<Fault>& faults) {
                                           what)));
   };
   if (input.molar_ratio)
-    refuse("not where bands.molar_ratio is a formula or field (not in this version); use a number");
+    faults.push_back(
+        fault_at(input.molar_ratio->origin, "",
+                 fmt::format("a formula or field, but the temperature of {} follows by iteration "
+                             "(heat_source, conductivity or convection); use a number (not in "
+                             "this version), or give temperature there",
+                             origin->key)));
   if (input.photons) refuse("not by photons (not in this version); use solve.method = \"auto\"");
   if (input.radiosity) refuse("not by radiosity (not in this version); use solve.method = \"auto\"");
   if (input.rotations > 1)

@@ -55,6 +55,7 @@ void read_gas_pressure(Section& section, const ThermalContext& context, MediumCa
     absorption.values.push_back(medium.absorption ? sum(value_of(*medium.absorption, band), gray) : gray);
   }
   medium.absorption = std::move(absorption);
+  medium.gas_pressure = pressure;
 }
 
 }  // namespace etendue

@@ -166,10 +166,10 @@ void check_directions(Section& section, const MediumCase& medium, const Bands& b
 // Rays carry numbers, the same in all directions.
 void check_uncollided(Section& section, Uncollided asked, bool by_formula) {
   if (asked == Uncollided::yes && by_formula)
-    section.fault(
-        "uncollided",
-        "not for emission that depends on the direction, nor for radiance by a formula (not in this "
-        "version); use \"auto\" or false");
+    section.fault("uncollided",
+                  "not for emission that depends on the direction, nor for radiance by a formula, as that of "
+                  "a hot wall is "
+                  "where bands.molar_ratio is one (not in this version); use \"auto\" or false");
 }
 
 // Writes what an absent key means into the resolved case.

@@ -28,6 +28,28 @@ TEST(TemperatureRange, IsThatOfRegionsAndWalls) {
   EXPECT_EQ(ranges[1].highest, 300);
 }
 
+// By the cells that hold gases, and how much of them the fit does not reach.
+TEST(MolarRatioRange, IsThatOfCellsWithGases) {
+  const auto with_ratio = [](const std::string& ratio) {
+    return cube + "[bands]\nwsgg = \"bordbar\"\nmolar_ratio = " + ratio +
+           "\n[media.air]\ngas_pressure = 0.2\ntemperature = 900\n[walls.zmin]\ntemperature = 300\n";
+  };
+  const auto range_of = [&](const std::string& ratio) {
+    const Case input = case_of(with_ratio(ratio), {"mesh.max_volume=0.001"});
+    return molar_ratio_range(input, build_mesh(input));
+  };
+  EXPECT_FALSE(range_of("2"));
+  const auto range = range_of("\"4 * x + 2\"");
+  ASSERT_TRUE(range);
+  EXPECT_GT(range->lowest, 2);
+  EXPECT_LT(range->lowest, 2.3);
+  EXPECT_GT(range->highest, 5.7);
+  EXPECT_LT(range->highest, 6);
+  EXPECT_NEAR(range->beyond, 0.5, 0.05);
+  EXPECT_EQ(range_of("\"3 - x\"")->beyond, 0);
+  EXPECT_THROW(range_of("\"z < 0.001 ? 0/(x-x) : 1\""), InputError);  // at a hot wall alone
+}
+
 TEST(TemperatureRange, RefusesNegativeTemperaturesWithTheirPlace) {
   const Case input = case_of(hot_air("\"10 - 100*x\""));
   try {
