@@ -40,6 +40,11 @@ std::size_t unknown_of(const TemperatureSpace& space, CellIndex cell, std::size_
   return static_cast<std::size_t>(space.unknown(cell, i));
 }
 
+/// Whether the temperatures of a cell are eliminated: those of a medium that does not conduct.
+bool eliminates(const TemperatureSpace& space, CellIndex cell) {
+  return space.has(cell) && !space.conducts(cell);
+}
+
 /// Assembles the system row by row. Temperatures are in units of `kelvin`, so that all unknowns are alike.
 class GraySystem {
  public:
@@ -147,7 +152,7 @@ Eigen::Matrix4d stiffness(const TetrahedralMesh& mesh, CellIndex cell, double co
 /// Adds the rows of a cell. What does not conduct sends out again what it absorbs and gains and does not
 /// store.
 void add_cell(const TetrahedralMesh& mesh, const TemperatureSpace& space, CellIndex cell, double conductivity,
-              const GrayCell& gray, const std::array<EliminatedTemperature, 4>& eliminated, double floor,
+              const GrayCell& gray, const EliminatedCell& eliminated, double floor,
               std::span<const double> gains, GraySystem& system) {
   const double quarter = mesh.volume(cell) / 4;
   const Eigen::Matrix4d diffusion = stiffness(mesh, cell, gray.diffusion);
@@ -157,7 +162,7 @@ void add_cell(const TetrahedralMesh& mesh, const TemperatureSpace& space, CellIn
     for (std::size_t k = 0; k < 4; ++k)
       system.add(light, system.fluence(mesh.vertices(cell)[k]), diffusion(at(i), at(k)));
     system.add(light, light, quarter * floor);
-    if (space.has(cell) && !space.conducts(cell)) {
+    if (eliminates(space, cell)) {
       const double emitted = eliminated[i].emitted_part();
       system.add_right(light, emitted * gains[unknown_of(space, cell, i)]);
       system.add(light, light, (1 - emitted) * eliminated[i].absorbing);
@@ -255,12 +260,16 @@ std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
   const double kelvin = 1 / (16 * stefan_boltzmann * std::pow(highest, 3));
   const GrayCells gray(problem_, space_, blackbodies, highest, longest_path_);
   std::vector<GrayCell> cells;
-  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) cells.push_back(gray.at(CellIndex(c)));
+  std::vector<EliminatedCell> eliminated;
+  for (std::int32_t c = 0; c < mesh.cell_count(); ++c) {
+    cells.push_back(gray.at(CellIndex(c)));
+    eliminated.push_back(eliminated_at(CellIndex(c), cells.back(), temperature, inertia));
+  }
   GraySystem system(space_.unknowns_before_cells(), static_cast<std::size_t>(mesh.vertex_count()), kelvin);
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const CellIndex cell(static_cast<std::int32_t>(c));
-    add_cell(mesh, space_, cell, balance_.conduction().conductivity(cell), cells[c],
-             eliminated(cell, cells[c], temperature, inertia), floor_of(cells[c]), gains, system);
+    add_cell(mesh, space_, cell, balance_.conduction().conductivity(cell), cells[c], eliminated[c],
+             floor_of(cells[c]), gains, system);
   }
   for (std::size_t unknown = 0; unknown < space_.unknowns_before_cells(); ++unknown) {
     system.add_right(unknown, gains[unknown]);
@@ -278,27 +287,26 @@ std::vector<double> GrayDiffusion::changes(std::span<const double> temperature,
                        per_value, system);
   }
   const Eigen::VectorXd solution = system.solve();
-  const NodalVector light = light_of(solution, cells, temperature, gains, inertia);
+  const NodalVector light = light_of(solution, cells, eliminated, gains);
   std::vector<double> changes(space_.size(), 0);
   for (std::size_t i = 0; i < space_.unknowns_before_cells(); ++i) changes[i] = solution[at(i)];
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const CellIndex cell(static_cast<std::int32_t>(c));
-    if (!space_.has(cell) || space_.conducts(cell)) continue;
-    const std::array<EliminatedTemperature, 4> own = eliminated(cell, cells[c], temperature, inertia);
+    if (!eliminates(space_, cell)) continue;
     for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t unknown = unknown_of(space_, cell, i);
-      changes[unknown] = own[i].change(gains[unknown], light[4 * c + i]);
+      changes[unknown] = eliminated[c][i].change(gains[unknown], light[4 * c + i]);
     }
   }
   return changes;
 }
 
-std::array<EliminatedTemperature, 4> GrayDiffusion::eliminated(CellIndex cell, const GrayCell& gray,
-                                                               std::span<const double> temperature,
-                                                               std::span<const double> inertia) const {
-  std::array<EliminatedTemperature, 4> result = {};
+EliminatedCell GrayDiffusion::eliminated_at(CellIndex cell, const GrayCell& gray,
+                                            std::span<const double> temperature,
+                                            std::span<const double> inertia) const {
+  EliminatedCell result = {};
   const double quarter = problem_.mesh().volume(cell) / 4;
-  for (std::size_t i = 0; i < 4 && space_.has(cell) && !space_.conducts(cell); ++i) {
+  for (std::size_t i = 0; i < 4 && eliminates(space_, cell); ++i) {
     const std::size_t unknown = unknown_of(space_, cell, i);
     result[i] = {quarter * gray.absorption, quarter * std::max(gray.emission[i], least_emission(cell)),
                  inertia[unknown] * space_.kelvin_per_value(unknown, temperature[unknown])};
@@ -310,20 +318,18 @@ double GrayDiffusion::floor_of(const GrayCell& cell) const {
   return least_absorption * cell.diffusion / (longest_path_ * longest_path_);
 }
 
-bool GrayDiffusion::eliminates(CellIndex cell) const { return space_.has(cell) && !space_.conducts(cell); }
-
 bool GrayDiffusion::has_jumps(const std::vector<GrayCell>& cells) const {
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const CellIndex cell(static_cast<std::int32_t>(c));
-    if (eliminates(cell) && cells[c].absorption * std::cbrt(problem_.mesh().volume(cell)) > thick)
+    if (eliminates(space_, cell) && cells[c].absorption * std::cbrt(problem_.mesh().volume(cell)) > thick)
       return true;
   }
   return false;
 }
 
 NodalVector GrayDiffusion::light_of(const Eigen::VectorXd& solution, const std::vector<GrayCell>& cells,
-                                    std::span<const double> temperature, std::span<const double> gains,
-                                    std::span<const double> inertia) const {
+                                    const std::vector<EliminatedCell>& eliminated,
+                                    std::span<const double> gains) const {
   const TetrahedralMesh& mesh = problem_.mesh();
   NodalVector light;
   for (std::size_t c = 0; c < cells.size(); ++c)
@@ -335,13 +341,13 @@ NodalVector GrayDiffusion::light_of(const Eigen::VectorXd& solution, const std::
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const CellIndex cell(static_cast<std::int32_t>(c));
     const double volume = mesh.volume(cell);
-    const std::array<EliminatedTemperature, 4> own = eliminated(cell, cells[c], temperature, inertia);
     double absorption = floor_of(cells[c]);
     for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t unknown = space_.has(cell) ? unknown_of(space_, cell, i) : 0;
-      if (eliminates(cell)) {
-        absorption += (1 - own[i].emitted_part()) * own[i].absorbing / volume;
-        right.push_back(own[i].emitted_part() * gains[unknown]);
+      if (eliminates(space_, cell)) {
+        const EliminatedTemperature& own = eliminated[c][i];
+        absorption += (1 - own.emitted_part()) * own.absorbing / volume;
+        right.push_back(own.emitted_part() * gains[unknown]);
       } else {
         absorption += cells[c].absorption / 4;
         right.push_back(space_.has(cell) ? volume / 4 * cells[c].emission[i] * solution[at(unknown)] : 0);

@@ -37,6 +37,9 @@ struct EliminatedTemperature {
   double emitted_part() const { return emitting / (emitting + inertia); }
 };
 
+/// At the vertices of a cell.
+using EliminatedCell = std::array<EliminatedTemperature, 4>;
+
 /// Temperatures that bring the heat of media into balance where light diffuses and all bands are one,
 ///
 ///     i t - div(k grad t) + w t - kappa F = gain,    -div(D grad F) + kappa F = w t,
@@ -58,20 +61,16 @@ class GrayDiffusion {
 
  private:
   /// At the vertices of a cell; zeros where the medium conducts or has no temperature that follows.
-  std::array<EliminatedTemperature, 4> eliminated(CellIndex cell, const GrayCell& gray,
-                                                  std::span<const double> temperature,
-                                                  std::span<const double> inertia) const;
+  EliminatedCell eliminated_at(CellIndex cell, const GrayCell& gray, std::span<const double> temperature,
+                               std::span<const double> inertia) const;
   double least_emission(CellIndex cell) const;
   double floor_of(const GrayCell& cell) const;  ///< absorption that it has at least [1/m]
-  /// Whether its temperatures are eliminated: those of a medium that does not conduct.
-  bool eliminates(CellIndex cell) const;
-  /// Whether such a medium has cells of many absorption lengths.
+  /// Whether a medium that does not conduct has cells of many absorption lengths.
   bool has_jumps(const std::vector<GrayCell>& cells) const;
   /// F at the corners of cells [4 cell + corner]: of the solution, whose F is continuous, and what cells of
   /// many absorption lengths have besides, by the interior penalty form of (D7).
   NodalVector light_of(const Eigen::VectorXd& solution, const std::vector<GrayCell>& cells,
-                       std::span<const double> temperature, std::span<const double> gains,
-                       std::span<const double> inertia) const;
+                       const std::vector<EliminatedCell>& eliminated, std::span<const double> gains) const;
 
   const Problem& problem_;
   const TemperatureSpace& space_;
