@@ -15,7 +15,7 @@ namespace etendue {
 /// long as its process lives, and removed with this object.
 class StagingFolder {
  public:
-  /// Throws FileError.
+  /// The caller holds the lock of the target, in which a name is tried. Throws FileError.
   explicit StagingFolder(const std::filesystem::path& target);
   ~StagingFolder();
   StagingFolder(const StagingFolder&) = delete;

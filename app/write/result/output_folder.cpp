@@ -62,9 +62,15 @@ OutputFolder::OutputFolder(fs::path directory) : directory_(std::move(directory)
 }
 
 fs::path OutputFolder::add(const std::string& name) {
-  if (!staging_) staging_.emplace(directory_);
+  if (!staging_) make_staging_folder();
   names_.push_back(name);
   return staging_->path() / name;
+}
+
+/// It tries names in the directory, which must not be exchanged meanwhile.
+void OutputFolder::make_staging_folder() {
+  const auto lock = lock_ ? std::nullopt : std::optional(DirectoryLock::wait_for(directory_));
+  staging_.emplace(directory_);
 }
 
 void OutputFolder::add_text(const std::string& name, std::string_view text) {
@@ -138,7 +144,9 @@ void check_output_directory(const fs::path& directory) {
     for (auto path = made.rbegin(); path != made.rend(); ++path) fs::remove(*path, ignored);
   };
   try {
+    const DirectoryLock lock = DirectoryLock::wait_for(directory);
     write_text(trial, directory, "trial");
+    remove_file(trial);
   } catch (...) {
     clean_up();
     throw;

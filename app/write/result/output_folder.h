@@ -36,6 +36,7 @@ class OutputFolder {
   void publish(const std::vector<std::string>& outdated);
 
  private:
+  void make_staging_folder();
   void refuse_folders_in_the_way() const;
   /// Files of a run that was killed while it replaced them one by one.
   std::vector<std::string> half_replaced() const;

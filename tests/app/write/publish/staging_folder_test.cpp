@@ -159,7 +159,10 @@ TEST(OutputFolder, TwoAtOnceDoNotMix) {
       folder.publish({"a.csv", "b.csv", "summary.json"});
     }
   };
-  { const std::jthread first(publish, "a"), second(publish, "b"); }
+  const auto check = [&] {
+    for (int i = 0; i < 50; ++i) check_output_directory(results.path);
+  };
+  { const std::jthread first(publish, "a"), second(publish, "b"), third(check); }
   const std::string last = text_of(results.path / "summary.json");
   EXPECT_EQ(results.names(), (Names{last + ".csv", "summary.json"}));
 }
