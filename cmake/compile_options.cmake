@@ -28,6 +28,10 @@ if(ETENDUE_SANITIZE)
                          -fno-sanitize=null,object-size,pointer-overflow,alignment,vptr -fno-omit-frame-pointer)
   target_link_options(etendue_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(ETENDUE_SANITIZE_THREADS)
+  target_compile_options(etendue_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(etendue_options INTERFACE -fsanitize=thread)
+endif()
 if(ETENDUE_FUZZ)
   # libFuzzer follows the branches of all our code; what its inputs do wrong the other two find.
   target_compile_options(etendue_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined

@@ -16,10 +16,10 @@ FilledParts fill_parts(const std::vector<Vec3>& points, const std::vector<SidedF
   std::vector<Fault> faults;
   for (const auto& [name, point] : options.regions) {
     const int part = part_at(point, filled.parts, filled.depth, points, facets);
-    const auto report = [&](const std::string& problem) {
-      faults.push_back(
-          fault_at(options.origin, "", fmt::format("regions.{} = {}: {}", name, text_of(point), problem)));
-    };
+    const auto report =
+        [&, given = fmt::format("regions.{} = {}", name, text_of(point))](const std::string& problem) {
+          faults.push_back(fault_at(options.origin, "", given + ": " + problem));
+        };
     if (part < 0) {
       report("lies in no closed part of the surface; give a point inside");
     } else if (int& region = filled.region[static_cast<std::size_t>(part)]; region >= 0) {
