@@ -47,8 +47,9 @@ void check_photon_cameras(const std::vector<CameraCase>& cameras, const Problem&
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-std::size_t estimate_photon_map_memory(const Case& input, const Problem& problem, int threads) {
-  return input.cameras.empty() ? 0 : estimate_hit_memory(problem, map_options(*input.photons, threads));
+HitMemory estimate_photon_map_memory(const Case& input, const Problem& problem, int threads) {
+  return input.cameras.empty() ? HitMemory{0, 0}
+                               : estimate_hit_memory(problem, map_options(*input.photons, threads));
 }
 
 bool write_photon_pictures(const PictureOrder& order, const Problem& problem, const CellLocator& locator,

@@ -5,14 +5,15 @@
 
 #include "app/render/pictures.h"
 #include "mesh/tetrahedra/search/cell_locator.h"
+#include "solver/observe/photon_map/keep_hits.h"
 
 namespace etendue {
 
 /// Throws InputError with each camera that a photon map cannot serve.
 void check_photon_cameras(const std::vector<CameraCase>& cameras, const Problem& problem);
 
-/// Bytes that the photon map of a case takes at most; 0 without cameras.
-std::size_t estimate_photon_map_memory(const Case& input, const Problem& problem, int threads);
+/// Of the photon map of a case; 0 without cameras.
+HitMemory estimate_photon_map_memory(const Case& input, const Problem& problem, int threads);
 
 /// Walks the histories of the photon map, says what is in it, and writes the pictures that it shows. False
 /// where it was interrupted.

@@ -63,7 +63,8 @@ ExitCode render_by_photons(const RenderRequest& request, Case input, const std::
   refuse_for_photons(problem);
   check_photon_cameras(cameras, problem);
   const int threads = thread_count(input);
-  out << check_memory(estimate_photon_map_memory(input, problem, threads), mesh, problem.band_count());
+  const HitMemory memory = estimate_photon_map_memory(input, problem, threads);
+  out << check_memory(memory.most, mesh, problem.band_count(), "", memory.expected);
   interruption.note_the_first();
   const std::filesystem::path directory = request.output.value_or(request.results);
   const std::function<bool()> interrupted = [&] { return interruption.noted(); };

@@ -33,10 +33,10 @@ RunMemory run_memory(const Case& input, const Problem& problem) {
 
 RunMemory photon_run_memory(const Case& input, const Problem& problem) {
   const int threads = thread_count(input);
-  const std::size_t bytes = estimate_photon_memory(problem, threads) +
-                            estimate_photon_map_memory(input, problem, threads) +
-                            photon_times_memory(input, problem, threads);
-  return {bytes, bytes};
+  const std::size_t walking =
+      estimate_photon_memory(problem, threads) + photon_times_memory(input, problem, threads);
+  const HitMemory map = estimate_photon_map_memory(input, problem, threads);
+  return {walking + map.most, walking + map.expected};
 }
 
 RunMemory directions_run_memory(const Case& input, const Problem& problem, const OrdinatesSetup& setup) {

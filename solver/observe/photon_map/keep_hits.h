@@ -38,7 +38,11 @@ struct BandHits {
 std::vector<BandHits> keep_hits(const Problem& problem, const CellLocator& locator,
                                 const PhotonMapOptions& options, const std::function<bool()>& go_on = {});
 
-/// Bytes that the hits and their trees take at most.
-std::size_t estimate_hit_memory(const Problem& problem, const PhotonMapOptions& options);
+/// Of the hits and their trees [bytes].
+struct HitMemory {
+  std::size_t most, expected;
+};
+
+HitMemory estimate_hit_memory(const Problem& problem, const PhotonMapOptions& options);
 
 }  // namespace etendue

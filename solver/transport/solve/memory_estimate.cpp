@@ -19,8 +19,10 @@
 namespace etendue {
 namespace {
 
-/// Runs of cases/ take 6 to 20 sweeps.
-constexpr double typical_krylov_basis = 15;
+/// Vectors of a cycle in runs that diffusion or fewer directions accelerate: runs of cases/ take 4 to 20
+/// sweeps, in single precision in two cycles or more.
+constexpr double typical_krylov_basis = 20;
+constexpr double typical_krylov_basis_in_single_precision = 12;
 
 /// Numbers of things, as doubles: products of them overflow integers exactly where the answer matters.
 struct Sizes {
@@ -36,7 +38,9 @@ struct Sizes {
   double absorptions = 0;  ///< of cells and bands that depend on the direction
   double matrices = 0;
   double moments = 1;
-  double mirrors = 0;  ///< faces
+  double mirrors = 0;          ///< faces whose light the next sweep reflects
+  double passing_mirrors = 0;  ///< faces whose light the same sweep reflects
+  bool iterates = false;       ///< whether light comes back to where it was, but for orders with cycles
   GlossyWalls::Size glossy;
 };
 
@@ -55,14 +59,24 @@ double matrices_of(const Problem& problem, std::size_t of_plan) {
   return of_plan % bands == 0 ? static_cast<double>(places) : 0;
 }
 
-/// Whether light comes back to where it was, but for orders with cycles.
-bool may_iterate(const Problem& problem) {
-  return std::ranges::any_of(problem.scattering(), [](double s) { return s > 0; }) ||
-         std::ranges::any_of(problem.walls(), [&](const Wall& wall) {
-           for (std::size_t band = 0; band < wall.diffuse.size(); ++band)
-             if (wall.mean_reflectance(band) + wall.transmitted(band) > 0) return true;
-           return wall.refractive_index != 1;
-         });
+/// Whether the next sweep reflects or transmits light of a wall, beside that of a mirror.
+bool reflects_diffusely(const Wall& wall) {
+  for (std::size_t band = 0; band < wall.diffuse.size(); ++band)
+    if (wall.mean_reflectance(band) - wall.specular[band] + wall.transmitted(band) > 0) return true;
+  return false;
+}
+
+void count_mirrors(const Problem& problem, const DirectionSet& directions, Sizes& sizes) {
+  const TetrahedralMesh& mesh = problem.mesh();
+  const OrdinateSchedule schedule(problem, directions, Batches::of_neighbours);
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
+    const FaceIndex face(f);
+    const Vec3 normal = mesh.area_normal(face).normalized();
+    const Wall& wall = problem.wall(mesh.wall(face));
+    if (directions.half_range(normal) <= out_of_reach) continue;
+    sizes.iterates = sizes.iterates || reflects_diffusely(wall);
+    if (is_mirror(wall)) (schedule.knows_reflections(normal) ? sizes.passing_mirrors : sizes.mirrors) += 1;
+  }
 }
 
 Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const SolveOptions& options) {
@@ -99,23 +113,31 @@ Sizes sizes_of(const Problem& problem, const DirectionSet& directions, const Sol
   }
   sizes.angular_cells = std::min(sizes.angular_cells, sizes.cells);
   sizes.moments = harmonic_count(directions.space(), highest);
-  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
-    if (is_mirror(problem.wall(mesh.wall(FaceIndex(f))))) sizes.mirrors += 1;
+  count_mirrors(problem, directions, sizes);
   sizes.glossy = GlossyWalls::size_of(problem, directions);
-  sizes.mirrors += sizes.glossy.faces;
+  sizes.iterates = sizes.iterates || sizes.mirrors > 0 ||
+                   std::ranges::any_of(problem.scattering(), [](double s) { return s > 0; });
   return sizes;
 }
 
 /// Numbers of a state.
 double state_length(const Sizes& s) {
   const double of_cells = s.cells + s.angular_cells * s.moments + s.dense_cells * s.ordinates;
-  return of_cells * s.cell_length + (s.faces + s.mirrors * s.ordinates / 2) * s.trace_length;
+  return of_cells * s.cell_length +
+         (s.faces + (s.mirrors + s.glossy.faces) * s.ordinates / 2) * s.trace_length;
 }
 
 double longest_cycle_of(double state) {
   return std::clamp(static_cast<double>(krylov_memory) / (8 * state),
                     static_cast<double>(shortest_krylov_basis),
                     static_cast<double>(longest_krylov_basis) + 1);
+}
+
+/// Light that goes to and fro between mirrors and is scattered by a matrix is accelerated least: 60 to 100
+/// sweeps in cases/.
+double typical_basis(const Sizes& s, bool is_mixed) {
+  if (s.mirrors > 0 && s.dense_cells > 0) return longest_krylov_basis;
+  return is_mixed ? typical_krylov_basis_in_single_precision : typical_krylov_basis;
 }
 
 }  // namespace
@@ -135,9 +157,10 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double positive =
       options.positivity == Positivity::none ? 0 : 2.0 * static_cast<double>(anderson_memory(state)) + 7;
   // Source iteration: what is corrected, those bands that are left, and F(0).
-  const bool is_typical = vectors == KrylovVectors::typical, iterates = may_iterate(problem);
+  const bool is_typical = vectors == KrylovVectors::typical, iterates = s.iterates;
   double basis = options.method == Method::source_iteration ? 3 : longest_cycle_of(state);
-  if (is_typical) basis = iterates ? std::min(basis, typical_krylov_basis) : 0;
+  const bool is_mixed = (!is_typical || iterates) && has_cycles_in_single_precision(problem, options);
+  if (is_typical) basis = iterates ? std::min(basis, typical_basis(s, is_mixed)) : 0;
   const int threads = thread_count(options.threads);
   // Cells at the boundary keep their slots; besides, a front through the mesh is live at a time.
   const double slots = (2 * s.faces + 8 * std::pow(s.cells, 2.0 / 3)) * s.cell_length;
@@ -154,7 +177,8 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double records =
       s.cells * static_cast<double>(s.record_length) * (s.dense_cells > 0 ? 1 + threads : 1) +
       2 * s.matrices * s.ordinates * s.ordinates + DirectionalEmission::table_size(problem, directions) +
-      s.absorptions * s.ordinates + s.glossy.matrices + s.glossy.faces * s.ordinates / 2 * s.trace_length;
+      s.absorptions * s.ordinates + s.glossy.matrices +
+      (s.glossy.faces + s.passing_mirrors) * s.ordinates / 2 * s.trace_length;
   // The record of the last sweep, and the solution: fluence, three components of flux, the state.
   const double results = 3 * fields + 16 * s.cells * s.stride + state;
   const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
@@ -162,13 +186,14 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   // They judge even where they do not accelerate.
   const bool has_low_order = !is_typical || (iterates && plan_low_order(problem, options).is_needed);
   const double low_order = has_low_order ? s.cells * problem.band_count() * 150 : 0;
-  // A sweep of fewer bands, once others are done: half the lanes at most, and two states. Most bands converge
-  // together.
-  const double of_active_bands =
-      problem.band_count() > 1 && !is_typical ? (workspaces + records + moments + radiance) / 2 + state : 0;
+  // A sweep of fewer bands, once others are done: half the lanes at most, and two states.
+  const bool has_fewer_bands = problem.band_count() > 1 && (!is_typical || iterates);
+  const double of_active_bands = has_fewer_bands && !(is_typical && is_mixed)
+                                     ? (workspaces + records + moments + radiance) / 2 + state
+                                     : 0;
   // The same sweep in single precision.
-  const bool is_mixed = (!is_typical || iterates) && has_cycles_in_single_precision(problem, options);
-  const double single = is_mixed ? (workspaces_of(sizeof(float), 1) + records + moments + radiance) / 2 : 0;
+  const double of_floats = workspaces_of(sizeof(float), 1) + records + moments + radiance;
+  const double single = is_mixed ? of_floats / 2 + (has_fewer_bands ? of_floats / 4 + state : 0) : 0;
   // The sweep of fewer directions, in single precision too, and its states.
   const bool is_corrected =
       (!is_typical || iterates) && coarser_directions(problem, directions, options).has_value();
@@ -180,7 +205,9 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double orders = orders_of(s.ordinates) + (is_corrected ? orders_of(coarsest_directions) : 0);
   // Sources of moments and matrices too.
   const double always = 2 * state + workspaces + records + moments + radiance + low_order;
-  const double iteration = std::max(basis, positive) * state + of_active_bands + single + coarse;
+  // The iteration has a place to correct in beside its vectors.
+  const double corrected = is_typical && !iterates ? 0 : state;
+  const double iteration = std::max(basis, positive) * state + corrected + of_active_bands + single + coarse;
   // The vectors of the iteration are given back before the solution is read out.
   const double besides = is_typical ? std::max(iteration, results + kept) : iteration + results + kept;
   return static_cast<std::size_t>(8 * (always + besides) + orders);
