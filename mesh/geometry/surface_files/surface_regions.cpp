@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "mesh/geometry/primitives/primitive_checks.h"
-
 namespace etendue {
 
 FilledParts fill_parts(const std::vector<Vec3>& points, const std::vector<SidedFacet>& facets,
@@ -16,9 +14,10 @@ FilledParts fill_parts(const std::vector<Vec3>& points, const std::vector<SidedF
   std::vector<Fault> faults;
   for (const auto& [name, point] : options.regions) {
     const int part = part_at(point, filled.parts, filled.depth, points, facets);
-    const auto report = [&](const std::string& problem) {
-      faults.push_back(
-          fault_at(options.origin, "", fmt::format("regions.{} = {}: {}", name, text_of(point), problem)));
+    const auto report = [&, &name = name, &point = point](const std::string& problem) {
+      faults.push_back(fault_at(
+          options.origin, "",
+          fmt::format("regions.{} = [{}, {}, {}]: {}", name, point.x(), point.y(), point.z(), problem)));
     };
     if (part < 0) {
       report("lies in no closed part of the surface; give a point inside");
