@@ -36,4 +36,12 @@ std::vector<T> take_array(std::string_view& bytes) {
   return values;
 }
 
+/// Takes an array of one value off the bytes.
+template <class T>
+T take_value(std::string_view& bytes) {
+  const std::vector<T> values = take_array<T>(bytes);
+  if (values.empty()) throw std::runtime_error("a temporary file is cut short");
+  return values.front();
+}
+
 }  // namespace etendue

@@ -69,7 +69,7 @@ CellShape shape_of_cell(const PolyhedralMesh& mesh, std::span<const FaceOfCell> 
     points.insert(points.end(), faces.back().begin(), faces.back().end());
   }
   std::ranges::sort(points);
-  points.erase(std::ranges::unique(points).begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   const std::size_t triangles = faces_with(3, faces), quads = faces_with(4, faces);
   const auto base_of = [&](std::size_t size) {
     return static_cast<std::size_t>(

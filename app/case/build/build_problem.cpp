@@ -252,15 +252,6 @@ void check_kernels(const Case& input) {
   }
 }
 
-DirectionSet build_directions(const Case& input) {
-  std::optional<ConeRefinement> cone = input.direction_refinement;
-  if (cone && input.direction_rotation)
-    cone->direction = input.direction_rotation->transpose() * cone->direction;
-  const DirectionSet set = cone ? directions_ldfe_sq(input.direction_order, *cone)
-                                : make_directions(input.direction_set, input.direction_order);
-  return input.direction_rotation ? rotated(set, *input.direction_rotation) : set;
-}
-
 DirectionSet build_directions(const Case& input, const Problem& problem) {
   return fitted_to_refraction(build_directions(input), smooth_planes(problem.mesh(), problem.walls()));
 }

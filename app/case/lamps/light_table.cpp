@@ -48,8 +48,7 @@ std::size_t columns_of(const std::filesystem::path& path) {
 
 std::vector<double> different(std::vector<double> values) {
   std::ranges::sort(values);
-  const auto rest = std::ranges::unique(values);
-  values.erase(rest.begin(), rest.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 

@@ -45,11 +45,11 @@ InTime of_formula(const TomlNode& node) {
 
 std::function<double(double)> factor_by_formula(const InTime& in_time) {
   struct Shared {
+    explicit Shared(const Formula& text) : formula(text, {"t"}) {}
     Expression formula;
     std::mutex in_use;  // an expression serves one thread at a time
   };
-  const auto shared =
-      std::make_shared<Shared>(Expression(Formula{in_time.text}, std::vector<std::string>{"t"}));
+  const auto shared = std::make_shared<Shared>(Formula{in_time.text});
   return [shared, in_time](double t) {
     const std::lock_guard lock(shared->in_use);
     return formula_factor(in_time, shared->formula, t);

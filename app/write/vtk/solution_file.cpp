@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "app/write/vtk/solution_file.h"
+#include "app/write/vtk/solution_bytes.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -29,34 +29,12 @@ namespace {
 constexpr const char* file_name = "solution.vtu";
 constexpr const char* direction_error_name = "direction_error";
 constexpr const char* following_name = "temperature_unknowns";
-// Changes with the meaning of what is in the file.
-constexpr const char* format = "etendue solution 2";
-
-/// The parts of a state beside the fluence, which is data of the cells.
-struct Part {
-  const char* name;
-  std::vector<double> SavedState::*values;
-};
-constexpr Part parts[] = {{"moments", &SavedState::moments},
-                          {"wall_irradiance", &SavedState::irradiance},
-                          {"mirror_traces", &SavedState::mirrors},
-                          {"lagged_traces", &SavedState::lagged},
-                          {"radiance_where_dense", &SavedState::radiance},
-                          {"photons", &SavedState::photons}};
 
 std::vector<std::string> lines_of(const std::vector<CasePart>& case_parts) {
   std::vector<std::string> lines;
   for (const CasePart& part : case_parts) lines.push_back(part.name + " " + part.hash);
   return lines;
 }
-
-/// What a file says of itself, beside the state.
-struct SavedSolution {
-  SavedResult result;
-  std::string mesh;
-  int cells = 0;
-  std::vector<CasePart> case_parts;
-};
 
 // ---- In the child process: VTK on a file that may be broken -----------------------------------------------
 
@@ -91,53 +69,25 @@ int read_to_file(const std::filesystem::path& path, std::FILE* file) {
     write_array(file, texts_of(fields, name));
   write_array(file, std::vector<std::int64_t>{grid->GetNumberOfCells()});
   write_array(file, values_of(grid->GetCellData()->GetArray("collided_fluence")));
-  for (const Part& part : parts) write_array(file, values_of(fields.GetArray(part.name)));
+  for (const StatePart& part : state_parts) write_array(file, values_of(fields.GetArray(part.name)));
   write_array(file, values_of(grid->GetCellData()->GetArray(direction_error_name)));
   write_array(file, values_of(fields.GetArray(following_name)));
   return 0;
 }
 
-// ---- Here
-// ---------------------------------------------------------------------------------------------------
-
-std::vector<std::string> take_lines(std::string_view& bytes) {
-  const std::vector<char> text = take_array<char>(bytes);
-  std::vector<std::string> lines;
-  for (auto at = text.begin(); at != text.end();) {
-    const auto end = std::find(at, text.end(), '\n');
-    lines.emplace_back(at, end);
-    at = end + 1;
-  }
-  return lines;
-}
-
-SavedSolution take_solution(std::string_view bytes) {
-  SavedSolution saved;
-  for (const std::string& line : take_lines(bytes)) saved.mesh = line;
-  for (const std::string& line : take_lines(bytes)) {
-    const auto blank = line.rfind(' ');
-    saved.case_parts.push_back({line.substr(0, blank), line.substr(blank + 1)});
-  }
-  saved.result.state.bands = static_cast<int>(take_lines(bytes).size());
-  for (const std::int64_t count : take_array<std::int64_t>(bytes)) saved.cells = static_cast<int>(count);
-  saved.result.state.fluence = take_array<double>(bytes);
-  for (const Part& part : parts) saved.result.state.*part.values = take_array<double>(bytes);
-  saved.result.direction_error = take_array<double>(bytes);
-  saved.result.state.following = take_array<double>(bytes);
-  return saved;
-}
+// ---- Here -------------------------------------------------------------------------------------------------
 
 SavedSolution read_solution(const std::filesystem::path& path) {
   if (!std::ifstream(path) || std::filesystem::is_directory(path))
     throw FileError(path.string(), "cannot be opened; name the solution.vtu of an earlier run");
   const ChildOutcome child =
       run_in_child([&](std::FILE* file) { return read_to_file(path, file); }, {}, memory_to_read(path));
-  std::string_view bytes = child.result;
   const bool whole = child.signal == 0 && child.exit_code == 0;
-  if (!whole || take_lines(bytes) != std::vector<std::string>{format})
+  std::optional<SavedSolution> saved = whole ? take_solution(child.result) : std::nullopt;
+  if (!saved)
     throw FileError(path.string(),
                     "is not a solution.vtu of this version, or is damaged; name that of an earlier run");
-  return take_solution(bytes);
+  return std::move(*saved);
 }
 
 std::string bracketed(const std::vector<std::string>& names) {
@@ -181,7 +131,7 @@ void write_solution(const Case& input, const Problem& problem, const SavedState&
   const TetrahedralMesh& mesh = problem.mesh();
   const vtkSmartPointer<vtkUnstructuredGrid> grid = joined_cells(mesh);
   vtkFieldData& fields = *grid->GetFieldData();
-  add_names(fields, "format", {format});
+  add_names(fields, "format", {solution_format});
   add_names(fields, "mesh_hash", {mesh_hash(mesh)});
   add_names(fields, "case_parts", lines_of(case_parts(input)));
   add_bands(fields, problem.bands());
@@ -191,7 +141,7 @@ void write_solution(const Case& input, const Problem& problem, const SavedState&
       static_cast<int>(state.fluence.size() / static_cast<std::size_t>(mesh.cell_count())), state.fluence));
   if (!direction_error.empty())
     grid->GetCellData()->AddArray(vtk_array({direction_error_name, {}, {}}, state.bands, direction_error));
-  for (const Part& part : parts) {
+  for (const StatePart& part : state_parts) {
     const std::vector<double>& values = state.*part.values;
     if (!values.empty()) fields.AddArray(vtk_array({part.name, {}, {}}, state.bands, values));
   }
@@ -207,7 +157,7 @@ SavedState read_initial(const InputFile& file, const Case& input, const Tetrahed
 
 SavedResult read_result(const InputFile& file, const Case& input, const TetrahedralMesh& mesh) {
   SavedSolution saved = read_of_case(file, input);
-  if (saved.mesh != mesh_hash(mesh))
+  if (saved.mesh != mesh_hash(mesh) || saved.cells != mesh.cell_count())
     throw InputError(fault_at(
         file.origin, quoted_path(file),
         fmt::format("is a solution on another mesh (of {} cells; here are {}); start from a result of the "

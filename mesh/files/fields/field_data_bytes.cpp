@@ -47,7 +47,7 @@ FieldData take_field_data(std::string_view bytes) {
   }
   for (const auto& [x, y, z] : take_array<Place>(bytes)) field.points.emplace_back(x, y, z);
   field.cells = take_array<std::array<int, 4>>(bytes);
-  field.on = take_array<FieldValues>(bytes).at(0);
+  field.on = take_value<FieldValues>(bytes);
   field.values = take_array<double>(bytes);
   return field;
 }

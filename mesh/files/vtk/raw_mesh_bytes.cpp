@@ -16,10 +16,10 @@ void write_names(std::FILE* file, const std::vector<std::string>& names) {
 }
 
 std::vector<std::string> take_names(std::string_view& bytes) {
-  std::vector<std::string> names(take_array<std::size_t>(bytes).at(0));
-  for (std::string& name : names) {
+  std::vector<std::string> names;
+  for (std::size_t left = take_value<std::size_t>(bytes); left > 0; --left) {
     const std::vector<char> letters = take_array<char>(bytes);
-    name.assign(letters.begin(), letters.end());
+    names.emplace_back(letters.begin(), letters.end());
   }
   return names;
 }

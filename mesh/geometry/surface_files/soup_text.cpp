@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "mesh/geometry/primitives/wall_naming.h"
+#include "base/name_table.h"
 #include "mesh/geometry/surface_files/polygon_soup.h"
 #include "mesh/geometry/surface_files/surface_lines.h"
 
@@ -41,12 +41,12 @@ void expect(const SurfaceLines& lines, std::size_t word, std::string_view keywor
 PolygonSoup read_ascii_stl(const std::filesystem::path& path) {
   SurfaceLines lines(path);
   PolygonSoup soup;
-  WallNames walls;
+  NameTable walls;
   int wall = 0;
   while (lines.next()) {
     if (lines.words()[0] == "endsolid") continue;
     if (lines.words()[0] == "solid") {
-      wall = walls.number(name_of(lines));
+      wall = walls.index(name_of(lines));
       continue;
     }
     expect(lines, 0, "facet");
@@ -66,14 +66,14 @@ PolygonSoup read_ascii_stl(const std::filesystem::path& path) {
     soup.polygons.push_back(triangle);
     soup.walls.push_back(wall);
   }
-  soup.wall_names = walls.all();
+  soup.wall_names = walls.names();
   return soup;
 }
 
 PolygonSoup read_obj(const std::filesystem::path& path) {
   SurfaceLines lines(path);
   PolygonSoup soup;
-  WallNames walls;
+  NameTable walls;
   std::string group, material, object;
   while (lines.next()) {
     const std::string_view keyword = lines.words()[0];
@@ -87,13 +87,13 @@ PolygonSoup read_obj(const std::filesystem::path& path) {
       for (std::size_t word = 1; word < lines.words().size(); ++word)
         polygon.push_back(obj_corner(lines, word, static_cast<int>(soup.points.size())));
       soup.polygons.push_back(std::move(polygon));
-      soup.walls.push_back(walls.number(!group.empty()      ? group
-                                        : !material.empty() ? material
-                                        : !object.empty()   ? object
-                                                            : "boundary"));
+      soup.walls.push_back(walls.index(!group.empty()      ? group
+                                       : !material.empty() ? material
+                                       : !object.empty()   ? object
+                                                           : "boundary"));
     }
   }
-  soup.wall_names = walls.all();
+  soup.wall_names = walls.names();
   return soup;
 }
 

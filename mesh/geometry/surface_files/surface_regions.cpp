@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "mesh/geometry/primitives/primitive_checks.h"
-
 namespace etendue {
 
 FilledParts fill_parts(const std::vector<Vec3>& points, const std::vector<SidedFacet>& facets,
@@ -16,10 +14,11 @@ FilledParts fill_parts(const std::vector<Vec3>& points, const std::vector<SidedF
   std::vector<Fault> faults;
   for (const auto& [name, point] : options.regions) {
     const int part = part_at(point, filled.parts, filled.depth, points, facets);
-    const auto report =
-        [&, given = fmt::format("regions.{} = {}", name, text_of(point))](const std::string& problem) {
-          faults.push_back(fault_at(options.origin, "", given + ": " + problem));
-        };
+    const auto report = [&, &name = name, &point = point](const std::string& problem) {
+      faults.push_back(fault_at(
+          options.origin, "",
+          fmt::format("regions.{} = [{}, {}, {}]: {}", name, point.x(), point.y(), point.z(), problem)));
+    };
     if (part < 0) {
       report("lies in no closed part of the surface; give a point inside");
     } else if (int& region = filled.region[static_cast<std::size_t>(part)]; region >= 0) {

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 
+#include "base/name_table.h"
 #include "base/position.h"
-#include "mesh/geometry/primitives/primitive_checks.h"
-#include "mesh/geometry/primitives/wall_naming.h"
 #include "mesh/geometry/surface_files/outline.h"
 #include "mesh/geometry/surface_files/surface_lines.h"
 #include "mesh/geometry/surface_files/surface_regions.h"
@@ -33,7 +33,7 @@ class TetgenReader {
     read_facets();
     read_holes();
     read_regions();
-    surface_.wall_names = walls_.all();
+    surface_.wall_names = walls_.names();
     return std::move(surface_);
   }
 
@@ -61,11 +61,12 @@ class TetgenReader {
   }
 
   int corner(std::size_t word) const {
-    const int index = lines_.integer(word, "corner") - first_;
-    if (index < 0 || index >= static_cast<int>(surface_.points.size()))
-      lines_.fail(fmt::format("corner = {}: there is no such point ({} to {})", index + first_, first_,
-                              first_ + static_cast<int>(surface_.points.size()) - 1));
-    return index;
+    const std::int64_t number = lines_.integer(word, "corner"), index = number - first_;
+    const auto points = static_cast<std::int64_t>(surface_.points.size());
+    if (index < 0 || index >= points)
+      lines_.fail(
+          fmt::format("corner = {}: there is no such point ({} to {})", number, first_, first_ + points - 1));
+    return static_cast<int>(index);
   }
 
   /// A polygon, which may go on over several lines; `word` becomes the first behind it.
@@ -86,7 +87,7 @@ class TetgenReader {
 
   int wall(std::size_t word) {
     const int marker = has_markers_ && word < lines_.words().size() ? lines_.integer(word, "marker") : 0;
-    return walls_.number(marker == 0 || marker == -1 ? "boundary" : std::to_string(marker));
+    return walls_.index(marker == 0 || marker == -1 ? "boundary" : std::to_string(marker));
   }
 
   void read_facets() {
@@ -113,6 +114,7 @@ class TetgenReader {
   void read_facet() {
     SurfaceFacet facet;
     const int polygons = count(lines_, "number of polygons");
+    if (polygons < 1) lines_.fail("a facet needs polygons");
     const int openings = lines_.words().size() > 1 ? lines_.integer(1, "number of holes") : 0;
     facet.wall = wall(2);
     for (int i = 0; i < polygons; ++i) {
@@ -139,21 +141,21 @@ class TetgenReader {
   void read_regions() {
     if (!lines_.next()) return;
     const int regions = count(lines_, "number of regions");
-    WallNames names;  // numbers attributes in the order of the file
+    NameTable names;  // numbers attributes in the order of the file
     for (int i = 0; i < regions; ++i) {
       lines_.require(fmt::format("region {} of {}", i + 1, regions));
       const double attribute = lines_.number(4, "attribute");
-      surface_.seeds.push_back({point(lines_, 1), names.number(fmt::format("{}", attribute))});
+      surface_.seeds.push_back({point(lines_, 1), names.index(fmt::format("{}", attribute))});
     }
-    surface_.region_names = names.all();
+    surface_.region_names = names.names();
   }
 
   const std::filesystem::path path_;
   const SurfaceFileOptions& options_;
   SurfaceLines lines_;
   SurfaceComplex surface_;
-  WallNames walls_;
-  int first_ = 0;
+  NameTable walls_;
+  std::int64_t first_ = 0;
   bool has_markers_ = false;
 };
 
@@ -167,7 +169,9 @@ int domain_number(std::vector<std::string>& names) {
 /// Parts that the file neither fills nor empties are "domain".
 void fill_rest(SurfaceComplex& surface, const SurfaceFileOptions& options) {
   std::vector<SidedFacet> facets;
-  for (const SurfaceFacet& facet : surface.facets) facets.push_back(sided_facet(surface.points, facet));
+  for (const SurfaceFacet& facet : surface.facets)
+    if (facet.polygons.front().size() > 2)  // a segment or a lone point shuts nothing in
+      facets.push_back(sided_facet(surface.points, facet));
   if (!options.regions.empty()) {
     surface.seeds.clear();
     surface.region_names.clear();

@@ -45,7 +45,8 @@ std::vector<double> BatchStatistics::packed() const {
 
 BatchStatistics BatchStatistics::unpacked(std::span<const double> numbers) {
   BatchStatistics statistics;
-  if (numbers.size() < 2) return statistics;
+  if (numbers.size() < 2 || !(numbers[0] >= 1 && numbers[0] <= std::numeric_limits<int>::max()))
+    return statistics;
   statistics.batches_ = static_cast<int>(numbers[0]);
   statistics.histories_ = numbers[1];
   const std::size_t count = (numbers.size() - 2) / 2;

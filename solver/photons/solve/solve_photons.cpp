@@ -37,7 +37,7 @@ class PhotonRun {
         bands_(static_cast<std::size_t>(problem.band_count())),
         batches_(problem, locator, options.seed),
         counter_(static_cast<std::size_t>(options.photons) * bands_, [this](double) { return go_on(); }) {
-    if (options.initial != nullptr) sums_ = *options.initial;
+    if (options.initial != nullptr) start_from(*options.initial);
     begun_with_ = static_cast<double>(sums_.histories);
   }
 
@@ -52,6 +52,16 @@ class PhotonRun {
   }
 
  private:
+  void start_from(const PhotonSums& sums) {
+    const std::size_t cells = static_cast<std::size_t>(problem_.mesh().cell_count()) * bands_,
+                      faces = static_cast<std::size_t>(problem_.mesh().boundary_face_count()) * bands_;
+    if (sums.fluence.size() != 4 * cells || sums.cell_means.size() != cells ||
+        sums.net_flux.size() != 12 * cells || sums.irradiance.size() != 3 * faces ||
+        sums.face_means.size() != faces)
+      throw InputError("the photons to start from are not of this mesh and these bands");
+    sums_ = sums;
+  }
+
   double done() const { return static_cast<double>(sums_.histories) - begun_with_; }
   double left() const { return std::max(0.0, std::floor(options_.photons) - done()); }
 
@@ -262,7 +272,8 @@ std::vector<double> PhotonSums::packed() const {
 
 PhotonSums PhotonSums::unpacked(std::span<const double> numbers) {
   const auto cut = [] { return InputError("the sums of the photons are cut short"); };
-  if (numbers.empty()) throw cut();
+  // Beyond 2^53 a double does not count one by one.
+  if (numbers.empty() || !(numbers[0] >= 0 && numbers[0] <= 0x1p53)) throw cut();
   PhotonSums sums;
   sums.histories = static_cast<std::uint64_t>(numbers[0]);
   numbers = numbers.subspan(1);

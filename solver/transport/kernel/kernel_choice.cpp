@@ -16,12 +16,6 @@ void choose_avx512(Basis basis, int stride, SweepKernelsOf<double>& kernels);
 void choose_avx512(Basis basis, int stride, SweepKernelsOf<float>& kernels);
 #endif
 
-int lane_stride(int bands) {
-  if (bands <= 2) return bands;
-  if (bands <= 4) return 4;
-  return (bands + 7) / 8 * 8;
-}
-
 // On every machine alike: the order of visits decides the order of sums. With eight bands one cell fills the
 // widest packet; with four only those of AVX2, which gain a sixth, while the wider ones do not mind.
 bool skips_faces(int stride) { return stride >= 4; }

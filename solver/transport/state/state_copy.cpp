@@ -19,7 +19,7 @@ std::vector<double> unpadded_rows(std::span<const double> values, std::size_t ba
 }
 
 bool fits(const std::vector<double>& from, std::size_t bands, std::size_t stride, std::span<double> values) {
-  return from.size() / bands == values.size() / stride;
+  return from.size() == values.size() / stride * bands;
 }
 
 void pad(const std::vector<double>& from, std::size_t bands, std::size_t stride, std::span<double> values) {

@@ -65,6 +65,10 @@ TEST(SavedState, OfAnotherKindIsRefused) {
   TransportState other({12, 6, 9, 0, 0});
   EXPECT_THROW(restore(values, 1, other), InputError);
   EXPECT_THROW(restore(values, 2, other), InputError);
+  SavedState longer = saved(TransportState({12 * 4, 0, 0, 9 * 4, 0, 0}), 3);
+  longer.fluence.push_back(1);  // a part of a row
+  TransportState same({12 * 4, 0, 0, 9 * 4, 0, 0});
+  EXPECT_THROW(restore(longer, 3, same), InputError);
 }
 
 TEST(Restart, FromTheSolutionEndsAtOnce) {

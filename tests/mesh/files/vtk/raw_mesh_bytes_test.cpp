@@ -36,9 +36,13 @@ TEST(RawMeshBytes, ComeBackAsTheyWere) {
 }
 
 TEST(RawMeshBytes, ThatAreCutShortAreRefused) {
-  const std::string bytes = bytes_of(kuhn_cube_raw());
-  EXPECT_THROW(take_raw_mesh(std::string_view(bytes).substr(0, bytes.size() / 2)), std::runtime_error);
-  EXPECT_THROW(take_raw_mesh(""), std::runtime_error);
+  std::string bytes = bytes_of(kuhn_cube_raw());
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_THROW(take_raw_mesh(std::string_view(bytes).substr(0, size)), std::runtime_error);
+  // The number of names, which are the last.
+  const std::size_t names = bytes.rfind("xmin") - 2 * sizeof(std::size_t);
+  bytes.replace(names, sizeof(std::size_t), sizeof(std::size_t), '\x7f');
+  EXPECT_THROW(take_raw_mesh(bytes), std::runtime_error);
 }
 
 }  // namespace

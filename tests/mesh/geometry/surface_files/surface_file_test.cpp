@@ -362,9 +362,22 @@ TEST_F(SurfaceFile, PolyPointsMayStandInANodeFile) {
   EXPECT_NEAR(wall_areas(read_surface(poly, options())).at("boundary"), 24, 1e-12);
 }
 
+TEST_F(SurfaceFile, PolyFacetsMayBeLonePointsAndSegments) {
+  std::string text = kPolyCube + "8 0\n1\n1 1\n1\n2 1 7\n";
+  for (const char* corners : {"1 2 3 4", "5 6 7 8", "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8"})
+    text += std::string("1\n4 ") + corners + "\n";
+  const SurfaceComplex surface = read_surface(write("points.poly", text + "0\n"), options());
+  EXPECT_EQ(surface.facets.size(), 8u);
+  EXPECT_EQ(seed_counts(surface), (Counts{{"domain", 1}}));
+}
+
 TEST_F(SurfaceFile, RefusesMalformedPolyWithFileAndLine) {
   const std::filesystem::path corner = write("corner.smesh", kPolyCube + "1 0\n3 1 2 9\n");
   EXPECT_EQ(fault_of(corner), corner.string() + ":12: corner = 9: there is no such point (1 to 8)");
+  const std::filesystem::path low = write("low.smesh", kPolyCube + "1 0\n3 1 2 -2147483648\n");
+  EXPECT_EQ(fault_of(low), low.string() + ":12: corner = -2147483648: there is no such point (1 to 8)");
+  const std::filesystem::path empty = write("empty.poly", kPolyCube + "1 0\n0\n");
+  EXPECT_EQ(fault_of(empty), empty.string() + ":12: a facet needs polygons");
   const std::filesystem::path cut = write("cut.poly", kPolyCube + "2 0\n1\n3 1 2 3\n");
   EXPECT_EQ(fault_of(cut), cut.string() + ":13: the file ends early; expected facet 2 of 2");
   const std::filesystem::path word = write("word.poly", "eight 3\n");

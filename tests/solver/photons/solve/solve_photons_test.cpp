@@ -194,6 +194,24 @@ TEST(SolvePhotons, HistoriesAddToThoseOfAnEarlierRun) {
   EXPECT_NE(both.solution.fluence, first.solution.fluence);
 }
 
+TEST(SolvePhotons, RefusesSumsThatAreDamagedOrOfAnotherMesh) {
+  const TetrahedralMesh mesh = cube_mesh(0.05), other = cube_mesh(0.5);
+  const Medium medium = uniform_medium(1, 0.5, 2, 1);
+  PhotonOptions options;
+  options.photons = 64;
+  const Problem problem = uniform_problem(mesh, medium, uniform_wall(1, 0, 0.2, 0));
+  std::vector<double> packed = solve_photons(problem, CellLocator(mesh), options).sums.packed();
+  const PhotonSums sums = PhotonSums::unpacked(packed);
+  options.initial = &sums;
+  const Problem another = uniform_problem(other, medium, uniform_wall(1, 0, 0.2, 0));
+  EXPECT_THROW(solve_photons(another, CellLocator(other), options), InputError);
+  packed[0] = -1;  // histories
+  EXPECT_THROW(PhotonSums::unpacked(packed), InputError);
+  packed[0] = sums.packed()[0];
+  packed[2] = std::numeric_limits<double>::quiet_NaN();  // batches of the fluence
+  EXPECT_EQ(PhotonSums::unpacked(packed).fluence.size(), 0u);
+}
+
 TEST(SolvePhotons, StopsAtTheErrorThatWasAskedFor) {
   const TetrahedralMesh mesh = cube_mesh(0.05);
   const Problem problem = uniform_problem(mesh, uniform_medium(1, 0.5, 2, 1), uniform_wall(1, 0, 0.2, 0));
