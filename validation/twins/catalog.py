@@ -60,11 +60,11 @@ PROPERTIES = [
     Property(properties.millimetres, _always, RAYS),
     Property(properties.renumbered, _always, RAYS),
     Property(properties.permuted, _always, ITERATION),
-    Property(properties.split, _has_bands, ITERATION),
+    Property(properties.split, _has_bands, RAYS),
     Property(properties.superposed, _adds, ITERATION),
     Property(properties.reciprocal, _is_reciprocal, ITERATION),
     Property(properties.reciprocal_photons, _is_reciprocal, 1.0),
     Property(properties.moved_photons, _rotates, 0.2),
-    Property(properties.moved_radiosity, _uncoupled, RAYS),
+    Property(properties.moved_radiosity, _uncoupled, 0.2),
     Property(properties.finer, _refines, 1.0),
 ]

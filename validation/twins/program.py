@@ -24,7 +24,8 @@ class TooSlow(Exception):
 class Program:
     """The program with a folder for what it reads and writes, and the tables beside a case.
 
-    Runs named FIRST are those of the scene itself. `known` are their results by the text of the case: one for all twins."""
+    Runs named FIRST are those of the scene itself. `known` are their results by the text of the case, or the errors that ended
+    them: one run for all twins."""
 
     def __init__(self, path, folder, files, limit, known):
         self.path = path
@@ -49,16 +50,24 @@ class Program:
 
     def run(self, name, case, options=("--no-estimate",)):
         text = case_text(case)
-        if name == FIRST and text in self.known:
-            return self.known[text]
+        if name != FIRST:
+            return self._result(name, case, options)
+        if text not in self.known:
+            try:
+                self.known[text] = self._result(name, case, options)
+            except (Failed, TooSlow) as error:
+                self.known[text] = error
+        if isinstance(self.known[text], Exception):
+            raise self.known[text]
+        return self.known[text]
+
+    def _result(self, name, case, options):
         path, output = self.write(name, case), self.folder / name
         started = time.monotonic()
         self._call(["run", str(path), *options, "--output", str(output), "--progress", "none"], name, (0, 1))
         result = Result(name, output, time.monotonic() - started)
         if not result.summary["converged"]:
             raise Failed(f"{name}: not converged")
-        if name == FIRST:
-            self.known[text] = result
         return result
 
     def write(self, name, case):

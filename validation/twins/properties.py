@@ -3,14 +3,14 @@
 
 import math
 
-from differential import values
+from differential import runs, values
 from suite.result import read_rows
 
 from twins import answer, difference, motion, permuted_case, planted, ports, shared_light, tolerances
 from twins.moved_case import moved_case
 from twins.program import FIRST
 
-PHOTONS = {"method": "photons", "photons": 5e4, "probe_photons": 5e3}
+PHOTONS = {"method": "photons", "photons": 5e4, "probe_photons": 5e3, "threads": 1}
 
 
 def _moved(scene, program, how, part, tolerance):
@@ -69,13 +69,13 @@ def permuted(scene, program, part):
 
 
 def split(scene, program, part):
-    """Each band alone."""
+    """Each band alone. All bands share the rays, which are divided until every band is settled: alone it has others."""
     mesh, names = program.mesh(scene.case), scene.case["bands"]["names"]
     together, rows = answer.read(program.run(FIRST, scene.case), mesh), []
     for k, name in enumerate(names):
         case = planted.stronger(permuted_case.with_bands(scene.case, [k]), part)
         alone = answer.read(program.run(name, case), mesh)
-        rows += difference.by_size(together.band(name), alone, tolerances.ITERATION)
+        rows += difference.by_size(together.band(name), alone, _by_geometry(scene))
     return rows
 
 
@@ -124,9 +124,21 @@ def moved_photons(scene, program, part):
 
 
 def moved_radiosity(scene, program, part):
-    """Rotated by any angle: rays between patches go elsewhere."""
-    scene.case["solve"] = {"method": "radiosity"}
-    return _moved(scene, program, motion.rotated(scene.draw, scene.upright), part, tolerances.RAYS)
+    """Rotated by any angle: rays between patches and over mirrors go elsewhere. A quarter of these tells the error that they leave."""
+    how, first = motion.rotated(scene.draw, scene.upright), program.mesh(scene.case)
+    case = scene.case | {"solve": {"method": "radiosity", "threads": 1}}
+    moved = planted.stronger(moved_case(case, how), part)
+    one = values.values_of(program.on_grid(FIRST, case, first))
+    few = values.values_of(program.on_grid("few", case | {"radiosity": {"path_rays": runs.PATH_RAYS // 4}}, first))
+    two = values.values_of(program.on_grid("second", moved, first.moved(how)))
+    return _within(one, two, values.errors_from(one, few, math.sqrt(2) * values.OF_CHANGE["rays"]))
+
+
+def _within(first, second, errors):
+    """Differences with ERRORS of the given errors allowed; those are estimates, so small ones count as the floor."""
+    floors = values.floors_of(first)
+    return [difference.Difference(*key, value, second[key][0], tolerances.ERRORS * math.hypot(errors[key], floors[key[1:]]), 1)
+            for key, (value, _) in first.items()]
 
 
 def finer(scene, program, part):
@@ -135,12 +147,8 @@ def finer(scene, program, part):
     fine = planted.stronger(scene.case, part)
     fine["mesh"]["max_volume"] /= 8
     fine["directions"]["order"] *= 2
-    known, rows = values.values_of(program.run("fine", fine)), []
+    known = values.values_of(program.run("fine", fine))
     stated = {(row["where"], row["quantity"], row["band"]): row for row in read_rows(base.folder / "estimate.csv")}
     found = {key: (float(row["value"]), 0.0) for key, row in stated.items() if key in known}
     errors = values.errors_from(found, {key: (value + float(stated[key]["error"]), 0.0) for key, (value, _) in found.items()}, 1)
-    floors = values.floors_of(found)
-    for key, (value, _) in found.items():
-        allowed = tolerances.ESTIMATE * math.hypot(errors[key], floors[key[1:]])
-        rows.append(difference.Difference(*key, value, known[key][0], allowed, 1))
-    return rows
+    return _within(found, known, errors)

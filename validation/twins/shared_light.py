@@ -3,7 +3,7 @@
 
 import copy
 
-from twins.small_scene import EMISSIONS
+from twins.small_scene import EMISSIONS, has_rays
 
 
 def emitters(case):
@@ -14,7 +14,7 @@ def emitters(case):
 
 
 def only(case, kept):
-    """The case in which only these shine."""
+    """The case in which only these shine. Without light along rays nothing collides first."""
     found = copy.deepcopy(case)
     for table, name in emitters(case):
         if (table, name) not in kept and table != "light":
@@ -24,6 +24,8 @@ def only(case, kept):
         found["light"] = [light for k, light in enumerate(found["light"]) if ("light", k) in kept]
         if not found["light"]:
             del found["light"]
+    if not has_rays(found):
+        found["directions"].pop("first_collided", None)
     return found
 
 

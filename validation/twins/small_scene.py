@@ -39,9 +39,13 @@ class SmallScene:
 
     @property
     def along_rays(self):
-        """Whether light is followed along rays to cells and faces."""
-        emitters = [*self.case["media"].values(), *self.case["walls"].values()]
-        return bool(self.case.get("light")) or any("beam" in entry or entry.get("uncollided") for entry in emitters)
+        return has_rays(self.case)
+
+
+def has_rays(case):
+    """Whether light is followed along rays to cells and faces."""
+    emitters = [*case["media"].values(), *case["walls"].values()]
+    return bool(case.get("light")) or any("beam" in entry or entry.get("uncollided") for entry in emitters)
 
 
 def make(seed):
@@ -51,7 +55,8 @@ def make(seed):
     case["directions"] |= dict(zip(("set", "order"), draw.one_of(SETS)))
     if "first_collided" in case["directions"]:
         case["directions"]["first_collided"]["order"] = 2
-    case["solve"] = {"tolerance": tolerances.SOLVE, "max_sweeps": 500, "precision": draw.one_of(("auto", "double"))}
+    case["solve"] = {"tolerance": tolerances.SOLVE, "max_sweeps": 500, "precision": draw.one_of(("auto", "double")),
+                     "threads": 1}
     case["output"] = {"fields": ["fluence", "net_flux"]}
     found = SmallScene(seed, case, made.files, made.features, made.slots, draw)
     _choose_rays(found)
@@ -59,8 +64,8 @@ def make(seed):
 
 
 def _choose_rays(scene):
-    """Says of every emission whether it is followed along rays, so that the scene knows."""
-    rays = not scene.refracting and scene.draw.chance(0.3)
+    """Says of every emission whether it is followed along rays, so that the scene knows. Mirrors repeat it too often."""
+    rays = not scene.refracting and not any("specular" in wall for wall in scene.case["walls"].values()) and scene.draw.chance(0.3)
     for name, entry in scene.case["walls"].items():
         if "radiance" in entry:
             entry["uncollided"] = rays and name == "lamp"

@@ -7,7 +7,7 @@ ITERATION = 10 * SOLVE
 # Light along rays is integrated by rules that take corners of cells and lamps in their order, and pieces until errors are below
 # 1e-3 of a face (docs/user/lights.md): a moved lamp takes other points. Also allowed to the balance by etendue-differential.
 RAYS = 5e-3
-# Standard errors of the difference of two runs of photons. Of the 10,000 values of a long run of tests 5.5 are beyond 4e-8 of all.
+# Standard errors of the difference of two runs of photons: beyond are 4e-8 of all values.
 PHOTONS = 5.5
-# Stated errors of the estimate: a quarter of these is the median true error (docs/user/estimates.md).
-ESTIMATE = 4
+# Estimated errors of two runs that differ in cells, directions or rays, as in etendue-differential.
+ERRORS = 4
