@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/clipped_polygon.h"
+#include "base/parallel/parallel_for.h"
 #include "mesh/tetrahedra/corners.h"
 #include "solver/uncollided/sources/beam_source.h"
 
@@ -35,28 +36,125 @@ void add_mean_irradiance(const BeamSource& beam, const TetrahedralMesh& mesh, Fa
   }
 }
 
-/// The beams of all sources that arrive on the outer side of a face, as irradiance.
-LightBeams irradiance_at(const LightPaths& paths, const std::vector<std::unique_ptr<LightSource>>& sources,
-                         const PointInCell& at, FaceIndex face, Sight sight) {
-  const Vec3 normal = paths.problem().mesh().area_normal(face).normalized();
-  LightBeams beams(paths.bands()), arriving(paths.bands());
-  for (const auto& source : sources) {
-    if (source->as_beam() != nullptr && source->as_beam()->has_profile()) {
-      add_mean_irradiance(*source->as_beam(), paths.problem().mesh(), face, arriving);
-      continue;
+/// Triangles that a face is cut into, each into four time after time, where no corner shows a source: as far
+/// as its emission alone, as that of a spot, leaves the corners dark, and where obstacles do.
+constexpr int deepest_between_corners = 5, deepest_behind_obstacles = 2;
+/// Beams with which the mean is good enough for the directions of what a lobe reflects.
+constexpr std::size_t enough_between_corners = 8;
+
+using Triangle = std::array<Vec3, 3>;
+
+std::vector<Triangle> quartered(const std::vector<Triangle>& triangles) {
+  std::vector<Triangle> parts;
+  for (const auto& [a, b, c] : triangles) {
+    const Vec3 ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
+    parts.insert(parts.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+  }
+  return parts;
+}
+
+void add_all(const LightBeams& from, double factor, LightBeams& to) {
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const std::span<double> values = to.add(from.direction(k));
+    for (std::size_t b = 0; b < values.size(); ++b) values[b] = factor * from.fluence(k)[b];
+  }
+}
+
+/// Finds the beams that arrive on the outer side of one face.
+class FaceBeams {
+ public:
+  FaceBeams(const LightPaths& paths, FaceIndex face)
+      : mesh_(paths.problem().mesh()),
+        face_(face),
+        normal_(mesh_.area_normal(face).normalized()),
+        corners_(corners_of(mesh_, face)),
+        scratch_(paths.bands()) {}
+
+  /// At the corners.
+  std::array<LightBeams, 3> find(const std::vector<std::unique_ptr<LightSource>>& sources) {
+    const LightBeams dark(scratch_.bands());
+    std::array<LightBeams, 3> beams = {dark, dark, dark};
+    for (const auto& source : sources) add(*source, beams);
+    std::array<bool, 3> is_dark{};
+    LightBeams lit = dark;
+    for (std::size_t i = 0; i < 3; ++i) {
+      is_dark[i] = beams[i].size() == 0;
+      add_all(beams[i], 1.0 / 3, lit);
     }
-    beams.clear();
-    source->add_beams(at, sight, coarse_light, beams);
-    for (std::size_t k = 0; k < beams.size(); ++k) {
-      const double cosine = beams.direction(k).dot(normal);
-      const auto fluence = beams.fluence(k);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!is_dark[i]) continue;
+      for (const auto& source : sources)
+        if (!has_profile(*source)) add_irradiance(*source, corners_[i], Sight::clear, beams[i]);
+      // The face may be lit although nothing shines on this corner, as at the rim of a spot.
+      if (beams[i].size() == 0) beams[i] = lit;
+    }
+    return beams;
+  }
+
+ private:
+  static bool has_profile(const LightSource& source) {
+    return source.as_beam() != nullptr && source.as_beam()->has_profile();
+  }
+
+  void add(const LightSource& source, std::array<LightBeams, 3>& beams) {
+    LightBeams mean(scratch_.bands());
+    if (has_profile(source)) {
+      add_mean_irradiance(*source.as_beam(), mesh_, face_, mean);
+    } else {
+      bool is_seen = false;
+      for (std::size_t i = 0; i < 3; ++i)
+        is_seen = add_irradiance(source, corners_[i], Sight::attenuated, beams[i]) || is_seen;
+      if (!is_seen) add_between_corners(source, mean);
+    }
+    for (LightBeams& corner : beams) add_all(mean, 1, corner);
+  }
+
+  /// Adds the mean irradiance over parts of the face that are small enough for several of them to be lit.
+  void add_between_corners(const LightSource& source, LightBeams& mean) {
+    LightBeams found(scratch_.bands());
+    const bool is_behind_obstacles = std::ranges::any_of(
+        corners_, [&](const Vec3& corner) { return add_irradiance(source, corner, Sight::clear, found); });
+    const int deepest = is_behind_obstacles ? deepest_behind_obstacles : deepest_between_corners;
+    std::vector<Triangle> parts = {corners_};
+    found.clear();
+    for (int level = 0; level < deepest && found.size() < enough_between_corners; ++level) {
+      parts = quartered(parts);
+      found.clear();
+      for (const auto& [a, b, c] : parts) add_where_visible(source, (a + b + c) / 3, found);
+    }
+    add_all(found, 1 / static_cast<double>(parts.size()), mean);
+  }
+
+  /// Rays are walked only where there is light without obstacles.
+  void add_where_visible(const LightSource& source, const Vec3& point, LightBeams& beams) {
+    LightBeams clear(scratch_.bands());
+    if (add_irradiance(source, point, Sight::clear, clear))
+      add_irradiance(source, point, Sight::attenuated, beams);
+  }
+
+  /// Adds the irradiance at a point of the face. Returns whether there is some.
+  bool add_irradiance(const LightSource& source, const Vec3& point, Sight sight, LightBeams& arriving) {
+    const Vec3 inside = point + step_inside * (mesh_.centroid(face_) - point);
+    scratch_.clear();
+    source.add_beams({mesh_.owner(face_), inside}, sight, coarse_light, scratch_);
+    bool is_lit = false;
+    for (std::size_t k = 0; k < scratch_.size(); ++k) {
+      const double cosine = scratch_.direction(k).dot(normal_);
+      const auto fluence = scratch_.fluence(k);
       if (cosine <= 0 || std::ranges::none_of(fluence, [](double value) { return value > 0; })) continue;
-      const std::span<double> irradiance = arriving.add(beams.direction(k));
+      is_lit = true;
+      const std::span<double> irradiance = arriving.add(scratch_.direction(k));
       for (std::size_t b = 0; b < irradiance.size(); ++b) irradiance[b] = cosine * fluence[b];
     }
+    return is_lit;
   }
-  return arriving;
-}
+
+  const TetrahedralMesh& mesh_;
+  FaceIndex face_;
+  Vec3 normal_;
+  std::array<Vec3, 3> corners_;
+  LightBeams scratch_;
+};
 
 }  // namespace
 
@@ -71,16 +169,11 @@ GlossyBeams::GlossyBeams(const LightPaths& paths, const std::vector<std::unique_
     faces_.push_back(f);
   }
   corners_.assign(3 * faces_.size(), LightBeams(paths.bands()));
-  const auto count = static_cast<std::int64_t>(corners_.size());
-#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
-  for (std::int64_t i = 0; i < count; ++i) {
-    const FaceIndex face(faces_[static_cast<std::size_t>(i / 3)]);
-    const Vec3 corner = corner_of(mesh, face, static_cast<std::size_t>(i % 3));
-    const PointInCell at{mesh.owner(face), corner + step_inside * (mesh.centroid(face) - corner)};
-    LightBeams& beams = corners_[static_cast<std::size_t>(i)];
-    beams = irradiance_at(paths, sources, at, face, Sight::attenuated);
-    if (beams.size() == 0) beams = irradiance_at(paths, sources, at, face, Sight::clear);
-  }
+  parallel_for(faces_.size(), threads, 4, [&](std::size_t place) {
+    std::array<LightBeams, 3> found = FaceBeams(paths, FaceIndex(faces_[place])).find(sources);
+    std::ranges::move(found, corners_.begin() + static_cast<std::ptrdiff_t>(3 * place));
+    return true;
+  });
 }
 
 GlossyBeams GlossyBeams::of_bands(std::span<const int> bands) const {

@@ -9,8 +9,9 @@
 
 namespace etendue {
 
-/// The directions in which lights reach glossy walls, at the corners of their faces; a corner that is dark
-/// has those of the unshaded lights.
+/// The directions in which lights reach glossy walls, at the corners of their faces. Light that falls between
+/// the corners counts at each of them, with its mean over parts of the face; a corner that is dark has the
+/// beams of the unshaded lights, or those of the other corners.
 class GlossyBeams {
  public:
   GlossyBeams() = default;
