@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <memory>
@@ -149,6 +150,13 @@ std::size_t memory_to_read(const std::filesystem::path& file) {
   if (file.extension() == ".foam" || file.filename() == "controlDict") return most;
   if (unknown || size > most / times_its_size) return most;
   return std::min(most, least + times_its_size * static_cast<std::size_t>(size));
+}
+
+void limit_processor_seconds(double seconds) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_CPU, &limit) != 0) return;
+  limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(std::ceil(std::max(1.0, seconds))));
+  setrlimit(RLIMIT_CPU, &limit);
 }
 
 ChildOutcome run_in_child(const std::function<int(std::FILE* result)>& work,
