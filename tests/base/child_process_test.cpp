@@ -38,6 +38,18 @@ TEST(ChildProcess, OutlivesAChildThatIsKilled) {
   EXPECT_EQ(outcome.result, "");
 }
 
+TEST(ChildProcess, EndsAfterItsSecondsOfTheProcessor) {
+  const ChildOutcome outcome = run_in_child(
+      [](std::FILE*) {
+        limit_processor_seconds(1);
+        for (volatile bool on = true; on;) {
+        }
+        return 0;
+      },
+      {});
+  EXPECT_EQ(outcome.signal, SIGXCPU);
+}
+
 TEST(ChildProcess, GetsNoMoreMemoryThanThereIs) {
   const ChildOutcome outcome = run_in_child(
       [](std::FILE*) {

@@ -85,7 +85,7 @@ double asked_cells(const SurfaceComplex& surface, const TetrahedraOptions& optio
 
 void check_cell_count(double cells, const TetrahedraOptions& options) {
   if (options.max_cells > 0 && cells > options.max_cells)
-    throw InputError(fault_at(
+    throw TooManyCells(fault_at(
         options.origin, "",
         fmt::format(
             "max_volume or edge_length asks for about {:.2g} cells, and max_cells allows {}; make one "
@@ -93,7 +93,7 @@ void check_cell_count(double cells, const TetrahedraOptions& options) {
             cells, options.max_cells)));
   const double needed = kBytesPerCell * cells, installed = static_cast<double>(physical_memory());
   if (needed > installed)
-    throw InputError(fault_at(
+    throw TooManyCells(fault_at(
         options.origin, "",
         fmt::format("max_volume or edge_length asks for about {:.2g} cells, for which TetGen needs about "
                     "{:.3g} GiB of memory, and this machine has {:.3g} GiB; use a larger one",
@@ -114,7 +114,7 @@ void check_details(const TetGenMesh& mesh, const SurfaceComplex& surface, const 
   const bool too_many = options.max_cells > 0 && cells > static_cast<std::size_t>(options.max_cells);
   if (!too_many && points < surface.points.size() + static_cast<std::size_t>(most_added)) return;
   const Edge finest = shortest_edge(mesh);
-  throw InputError(fault_at(
+  throw TooManyCells(fault_at(
       options.origin, "",
       fmt::format("the geometry has details so fine that it needs more than {} cells (edges near {} "
                   "are {:.2g} long, and the geometry is {:.3g}); widen the gap or the part there, make "
