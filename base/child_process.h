@@ -29,9 +29,9 @@ void limit_processor_seconds(double seconds);
 
 /// Runs work in a child process: a library that may end the process, trip an assertion or run out of memory
 /// cannot take this one along. The work gets no more memory than `memory` [bytes] and the machine have. What
-/// the work prints on standard output and standard error is given to on_line, line by line, as it comes. The
-/// work writes its result to the file that it is given, a pipe. Throws FileError where the system refuses a
-/// process or a pipe.
+/// the work prints on standard output and standard error is given to on_line, line by line, as it comes; what
+/// on_line throws ends the child and is passed on. The work writes its result to the file that it is given, a
+/// pipe. Throws FileError where the system refuses a process or a pipe.
 ChildOutcome run_in_child(const std::function<int(std::FILE* result)>& work,
                           const std::function<void(std::string_view)>& on_line,
                           std::size_t memory = physical_memory());

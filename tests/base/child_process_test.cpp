@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -48,6 +50,17 @@ TEST(ChildProcess, EndsAfterItsSecondsOfTheProcessor) {
       },
       {});
   EXPECT_EQ(outcome.signal, SIGXCPU);
+}
+
+TEST(ChildProcess, IsEndedByAnExceptionOfItsReader) {
+  const auto work = [](std::FILE*) {
+    std::puts("a line");
+    for (;;) pause();
+    return 0;
+  };
+  EXPECT_THROW(run_in_child(work, [](std::string_view line) { throw std::runtime_error(std::string(line)); }),
+               std::runtime_error);
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);  // no child is left
 }
 
 TEST(ChildProcess, GetsNoMoreMemoryThanThereIs) {

@@ -133,6 +133,7 @@ std::string problem_of(const TetGenOutcome& outcome, const SurfaceComplex& surfa
     case TetGenEnd::interrupted:
       return "TetGen was interrupted; run again";
     case TetGenEnd::done:
+    case TetGenEnd::point_limit:
     case TetGenEnd::internal_error:
     case TetGenEnd::killed:
       break;
@@ -206,8 +207,11 @@ RawMesh tetrahedralize(const SurfaceComplex& surface, const TetrahedraOptions& o
   const double asked = asked_cells(surface, options);
   check_cell_count(asked, options);
   const int most_added = most_added_points(surface, options, asked);
-  const TetGenOutcome outcome =
-      call_tetgen(surface, options.max_volume, switches(surface, options, most_added), most_added, log);
+  const std::string wanted = switches(surface, options, most_added);
+  TetGenOutcome outcome = call_tetgen(surface, options.max_volume, wanted, most_added, log);
+  // Without optimization, for the place of the finest detail.
+  if (outcome.end == TetGenEnd::point_limit)
+    outcome = call_tetgen(surface, options.max_volume, wanted + "O0", most_added, log, AtPointLimit::go_on);
   if (outcome.end != TetGenEnd::done)
     throw InputError(fault_at(options.origin, "", problem_of(outcome, surface, log)));
   check_details(outcome.mesh, surface, options, most_added);
