@@ -108,11 +108,8 @@ int most_added_points(const SurfaceComplex& surface, const TetrahedraOptions& op
   return static_cast<int>(std::clamp(points, 1.0, static_cast<double>(std::numeric_limits<int>::max())));
 }
 
-void check_details(const TetGenMesh& mesh, const SurfaceComplex& surface, const TetrahedraOptions& options,
-                   int most_added) {
-  const std::size_t points = mesh.coordinates.size() / 3, cells = mesh.cells.size() / 4;
-  const bool too_many = options.max_cells > 0 && cells > static_cast<std::size_t>(options.max_cells);
-  if (!too_many && points < surface.points.size() + static_cast<std::size_t>(most_added)) return;
+void refuse_details(const TetGenMesh& mesh, const SurfaceComplex& surface, const TetrahedraOptions& options,
+                    int most_added) {
   const Edge finest = shortest_edge(mesh);
   throw TooManyCells(fault_at(
       options.origin, "",
@@ -122,6 +119,13 @@ void check_details(const TetGenMesh& mesh, const SurfaceComplex& surface, const 
                   options.max_cells > 0 ? fmt::to_string(options.max_cells)
                                         : fmt::format("about {:.2g}", kCellsPerPoint * most_added),
                   to_text(finest.middle), finest.length, extent_of(surface).diagonal().norm())));
+}
+
+void check_details(const TetGenMesh& mesh, const SurfaceComplex& surface, const TetrahedraOptions& options,
+                   int most_added) {
+  const std::size_t cells = mesh.cells.size() / 4;
+  if (options.max_cells > 0 && cells > static_cast<std::size_t>(options.max_cells))
+    refuse_details(mesh, surface, options, most_added);
 }
 
 }  // namespace etendue

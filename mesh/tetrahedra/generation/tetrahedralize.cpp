@@ -199,6 +199,18 @@ RawMesh raw_mesh_of(const TetGenMesh& from, const SurfaceComplex& surface) {
   return mesh;
 }
 
+/// With the finest detail of a mesh of fewer points that is not optimized, which takes a part of the time.
+[[noreturn]] void refuse_too_fine(const SurfaceComplex& surface, const TetrahedraOptions& options,
+                                  int most_added, const Log& log) {
+  constexpr int kPart = 8;
+  const int few = std::max(1, most_added / kPart);
+  const TetGenOutcome outcome = call_tetgen(
+      surface, options.max_volume, switches(surface, options, few) + "O0", few, log, AtPointLimit::go_on);
+  if (outcome.end != TetGenEnd::done)
+    throw InputError(fault_at(options.origin, "", problem_of(outcome, surface, log)));
+  refuse_details(outcome.mesh, surface, options, most_added);
+}
+
 }  // namespace
 
 RawMesh tetrahedralize(const SurfaceComplex& surface, const TetrahedraOptions& options, const Log& log) {
@@ -207,11 +219,9 @@ RawMesh tetrahedralize(const SurfaceComplex& surface, const TetrahedraOptions& o
   const double asked = asked_cells(surface, options);
   check_cell_count(asked, options);
   const int most_added = most_added_points(surface, options, asked);
-  const std::string wanted = switches(surface, options, most_added);
-  TetGenOutcome outcome = call_tetgen(surface, options.max_volume, wanted, most_added, log);
-  // Without optimization, for the place of the finest detail.
-  if (outcome.end == TetGenEnd::point_limit)
-    outcome = call_tetgen(surface, options.max_volume, wanted + "O0", most_added, log, AtPointLimit::go_on);
+  const TetGenOutcome outcome =
+      call_tetgen(surface, options.max_volume, switches(surface, options, most_added), most_added, log);
+  if (outcome.end == TetGenEnd::point_limit) refuse_too_fine(surface, options, most_added, log);
   if (outcome.end != TetGenEnd::done)
     throw InputError(fault_at(options.origin, "", problem_of(outcome, surface, log)));
   check_details(outcome.mesh, surface, options, most_added);
