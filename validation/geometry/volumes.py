@@ -14,7 +14,7 @@ STRATA = 24     # lines of a set: so many squared, one in each square of the bod
 class Volume:
     value: float = 0.0
     variance: float = 0.0
-    area: float = 0.0  # of the bodies that bound it: times the distance of a move, the change of the volume
+    area: float = 0.0  # at most, of its surface: times the distance of a move, the change of the volume
 
 
 def exact_boxes(boxes, label_of):
@@ -30,7 +30,9 @@ def exact_boxes(boxes, label_of):
         label = label_of(_members(mask))
         if label is not None:
             found[label].value += float(sizes[masks == mask].sum())
-    _add_areas(found, [numpy.subtract(high, low) for low, high in boxes])
+    for number, (low, high) in enumerate(boxes):
+        if label_of([number]) in found:
+            found[label_of([number])].area += len(boxes) * _area(numpy.subtract(high, low))
     return dict(found)
 
 
@@ -51,7 +53,7 @@ def by_lines(bodies, owner_of, label_of, seed):
         for label, values in sums.items():
             found[label].value += float(numpy.mean(values))
             found[label].variance += float(numpy.var(values, ddof=1)) / REPLICAS
-    _add_areas(found, [body.high - body.low for body in bodies])
+            found[label].area += len(bodies) * _area(body.high - body.low)
     return dict(found)
 
 
@@ -92,7 +94,7 @@ def _members(mask):
     return [number for number in range(int(mask).bit_length()) if int(mask) >> number & 1]
 
 
-def _add_areas(found, extents):
-    area = sum(2 * (a * b + b * c + c * a) for a, b, c in extents)
-    for volume in found.values():
-        volume.area = float(area)
+def _area(extent):
+    """Of a box; no convex body in it has a larger surface."""
+    a, b, c = map(float, extent)
+    return 2 * (a * b + b * c + c * a)
