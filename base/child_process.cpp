@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <memory>
@@ -99,6 +100,31 @@ void restrict_child(std::size_t memory) {
   limit_memory(memory);
 }
 
+/// Waits for the child, which is killed first if its end is not wanted any more.
+class Child {
+ public:
+  explicit Child(pid_t process) : process_(process) {}
+  ~Child() {
+    if (process_ == 0) return;
+    kill(process_, SIGKILL);
+    wait_for_end();
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// The status as of waitpid().
+  int wait_for_end() {
+    int status = 0;
+    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    }
+    process_ = 0;
+    return status;
+  }
+
+ private:
+  pid_t process_;
+};
+
 /// Appends what there is to read. False at the end of the pipe.
 bool read_some(int input, std::string& bytes) {
   std::array<char, 1 << 16> buffer{};
@@ -151,24 +177,30 @@ std::size_t memory_to_read(const std::filesystem::path& file) {
   return std::min(most, least + times_its_size * static_cast<std::size_t>(size));
 }
 
+void limit_processor_seconds(double seconds) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_CPU, &limit) != 0) return;
+  limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(std::ceil(std::max(1.0, seconds))));
+  setrlimit(RLIMIT_CPU, &limit);
+}
+
 ChildOutcome run_in_child(const std::function<int(std::FILE* result)>& work,
                           const std::function<void(std::string_view)>& on_line, std::size_t memory) {
   Pipe output, result;
   std::fflush(nullptr);  // or the child would print again what waits in the buffers
-  const pid_t child = fork();
-  if (child < 0) refuse("cannot be started", "allow more processes (ulimit -u) or memory");
-  if (child == 0) {
+  const pid_t process = fork();
+  if (process < 0) refuse("cannot be started", "allow more processes (ulimit -u) or memory");
+  if (process == 0) {
     output.close_reading();
     result.close_reading();
     restrict_child(std::min(memory, physical_memory()));
     be_the_child(work, output.writing(), result.writing());
   }
+  Child child(process);
   output.close_writing();
   result.close_writing();
   std::string bytes = read_child(output.reading(), result.reading(), on_line);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = child.wait_for_end();
   if (WIFSIGNALED(status)) return {0, WTERMSIG(status), {}};
   return {WEXITSTATUS(status), 0, std::move(bytes)};
 }

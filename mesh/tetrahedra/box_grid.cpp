@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace etendue {
 namespace {
@@ -10,6 +11,11 @@ namespace {
 /// A grid cell for each box is about what makes filling and asking equally cheap.
 constexpr double kGridCellsPerBox = 1.0;
 constexpr int kMostCellsPerAxis = 1024;
+/// So many boxes of a grid cell get a grid of their own; cells of an even mesh have fewer.
+constexpr std::size_t kCrowd = 128;
+/// Grid cells of a box, on average, from which on a finer grid would not part the boxes.
+constexpr std::size_t kMostCopies = 8;
+constexpr int kMostDepth = 8;
 
 /// Flat domains keep a third dimension, so that a grid cell has a volume.
 Vec3 thickened(const Vec3& size) {
@@ -30,8 +36,22 @@ BoxGrid::BoxGrid(std::span<const Box> boxes, double margin) {
     first_ = {0, 0};
     return;
   }
+  std::vector<std::int32_t> all(grown.size());
+  std::iota(all.begin(), all.end(), 0);
+  fill(grown, all);
+  divide_crowded_cells(grown, 0);
+}
+
+BoxGrid::BoxGrid(std::span<const Box> all, std::span<const std::int32_t> boxes, const Box& bounds, int depth)
+    : bounds_(bounds) {
+  fill(all, boxes);
+  // Where the boxes overlap in one place more cells do not part them.
+  if (items_.size() <= kMostCopies * boxes.size()) divide_crowded_cells(all, depth);
+}
+
+void BoxGrid::fill(std::span<const Box> all, std::span<const std::int32_t> boxes) {
   const Vec3 size = thickened(bounds_.sizes());
-  const double spacing = std::cbrt(size.prod() / (kGridCellsPerBox * static_cast<double>(grown.size())));
+  const double spacing = std::cbrt(size.prod() / (kGridCellsPerBox * static_cast<double>(boxes.size())));
   for (int axis = 0; axis < 3; ++axis) {
     counts_[axis] = static_cast<int>(std::clamp(size[axis] / spacing, 1.0, double{kMostCellsPerAxis}));
     per_length_[axis] = counts_[axis] / size[axis];
@@ -46,14 +66,36 @@ BoxGrid::BoxGrid(std::span<const Box> boxes, double margin) {
         for (int i = low.x(); i <= high.x(); ++i) use(index(i, j, k));
   };
   first_.assign(static_cast<std::size_t>(counts_.prod()) + 1, 0);
-  for (const Box& box : grown) for_each_cell(box, [&](std::size_t cell) { ++first_[cell + 1]; });
+  for (const std::int32_t box : boxes)
+    for_each_cell(all[static_cast<std::size_t>(box)], [&](std::size_t cell) { ++first_[cell + 1]; });
   for (std::size_t cell = 1; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
   items_.resize(static_cast<std::size_t>(first_.back()));
   std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t b = 0; b < grown.size(); ++b)
-    for_each_cell(grown[b], [&](std::size_t cell) {
-      items_[static_cast<std::size_t>(next[cell]++)] = static_cast<std::int32_t>(b);
-    });
+  for (const std::int32_t box : boxes)
+    for_each_cell(all[static_cast<std::size_t>(box)],
+                  [&](std::size_t cell) { items_[static_cast<std::size_t>(next[cell]++)] = box; });
+}
+
+void BoxGrid::divide_crowded_cells(std::span<const Box> all, int depth) {
+  if (depth == kMostDepth) return;
+  for (int k = 0; k < counts_.z(); ++k)
+    for (int j = 0; j < counts_.y(); ++j)
+      for (int i = 0; i < counts_.x(); ++i) {
+        const std::size_t at = index(i, j, k);
+        if (items(at).size() <= kCrowd) continue;
+        crowded_.push_back(at);
+        finer_.push_back(BoxGrid(all, items(at), box_of({i, j, k}), depth + 1));
+      }
+}
+
+Box BoxGrid::box_of(const Cell& cell) const {
+  const Vec3 low = bounds_.min() + cell.cast<double>().cwiseQuotient(per_length_);
+  return {low, low + per_length_.cwiseInverse()};
+}
+
+std::span<const std::int32_t> BoxGrid::items(std::size_t cell) const {
+  return std::span(items_).subspan(static_cast<std::size_t>(first_[cell]),
+                                   static_cast<std::size_t>(first_[cell + 1] - first_[cell]));
 }
 
 BoxGrid::Cell BoxGrid::cell_of(const Vec3& point) const {
@@ -70,10 +112,13 @@ std::size_t BoxGrid::index(int i, int j, int k) const {
 
 std::span<const std::int32_t> BoxGrid::candidates(const Vec3& point) const {
   if (!bounds_.contains(point)) return {};
-  const Cell cell = cell_of(point);
-  const std::size_t at = index(cell.x(), cell.y(), cell.z());
-  return std::span(items_).subspan(static_cast<std::size_t>(first_[at]),
-                                   static_cast<std::size_t>(first_[at + 1] - first_[at]));
+  for (const BoxGrid* grid = this;;) {
+    const Cell cell = grid->cell_of(point);
+    const std::size_t at = grid->index(cell.x(), cell.y(), cell.z());
+    const auto crowded = std::lower_bound(grid->crowded_.begin(), grid->crowded_.end(), at);
+    if (crowded == grid->crowded_.end() || *crowded != at) return grid->items(at);
+    grid = &grid->finer_[static_cast<std::size_t>(crowded - grid->crowded_.begin())];
+  }
 }
 
 }  // namespace etendue

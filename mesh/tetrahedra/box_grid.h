@@ -13,7 +13,8 @@ namespace etendue {
 
 using Box = Eigen::AlignedBox3d;
 
-/// A uniform grid over many axis-aligned boxes that says which of them a point may lie in.
+/// A uniform grid over many axis-aligned boxes that says which of them a point may lie in. Grid cells that
+/// many boxes share, as around the fine details of a large domain, have a grid of their own.
 class BoxGrid {
  public:
   /// Boxes are taken larger by `margin` on all sides [length].
@@ -25,6 +26,14 @@ class BoxGrid {
 
  private:
   using Cell = Eigen::Vector3i;
+
+  /// The boxes with the numbers `boxes` in a part of space.
+  BoxGrid(std::span<const Box> all, std::span<const std::int32_t> boxes, const Box& bounds, int depth);
+
+  void fill(std::span<const Box> all, std::span<const std::int32_t> boxes);
+  void divide_crowded_cells(std::span<const Box> all, int depth);
+  Box box_of(const Cell& cell) const;
+  std::span<const std::int32_t> items(std::size_t cell) const;
   Cell cell_of(const Vec3& point) const;
   std::size_t index(int i, int j, int k) const;
 
@@ -33,6 +42,8 @@ class BoxGrid {
   Vec3 per_length_ = Vec3::Zero();   ///< [1/length] grid cells
   std::vector<std::int32_t> first_;  ///< [grid cell] start in items_, one more at the end
   std::vector<std::int32_t> items_;
+  std::vector<std::size_t> crowded_;  ///< grid cells that many boxes share, rising
+  std::vector<BoxGrid> finer_;        ///< [crowded cell]
 };
 
 }  // namespace etendue

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -36,6 +38,29 @@ TEST(ChildProcess, OutlivesAChildThatIsKilled) {
   const ChildOutcome outcome = run_in_child([](std::FILE*) { return std::raise(SIGKILL); }, {});
   EXPECT_EQ(outcome.signal, SIGKILL);
   EXPECT_EQ(outcome.result, "");
+}
+
+TEST(ChildProcess, EndsAfterItsSecondsOfTheProcessor) {
+  const ChildOutcome outcome = run_in_child(
+      [](std::FILE*) {
+        limit_processor_seconds(1);
+        for (volatile bool on = true; on;) {
+        }
+        return 0;
+      },
+      {});
+  EXPECT_EQ(outcome.signal, SIGXCPU);
+}
+
+TEST(ChildProcess, IsEndedByAnExceptionOfItsReader) {
+  const auto work = [](std::FILE*) {
+    std::puts("a line");
+    for (;;) pause();
+    return 0;
+  };
+  EXPECT_THROW(run_in_child(work, [](std::string_view line) { throw std::runtime_error(std::string(line)); }),
+               std::runtime_error);
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);  // no child is left
 }
 
 TEST(ChildProcess, GetsNoMoreMemoryThanThereIs) {

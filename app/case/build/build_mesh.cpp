@@ -85,6 +85,8 @@ RawMesh mesh_of_labels(const Case& input, const Log& log) {
                               "holds no image; use .vti or .nii"));
   try {
     return mesh_of_voxels(input, image, FacetSize::largest, log);
+  } catch (const TooManyCells&) {
+    throw;
   } catch (const InputError& error) {
     // TetGen 1.5 fails on some large facets with very many corners.
     if (log) log(std::string(error.what()) + "; again with a facet for each face of a voxel");

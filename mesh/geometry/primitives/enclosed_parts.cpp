@@ -87,43 +87,59 @@ double distance_to_facet(const Vec3& x, const std::vector<Vec3>& points, const S
   return distance;
 }
 
-/// How far the facet's own point is from its edges.
-double width(const SidedFacet& facet, const std::vector<Vec3>& points) {
+/// How far a point of a facet is from its edges.
+double width(const Vec3& x, const SidedFacet& facet, const std::vector<Vec3>& points) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const auto& [from, to] : facet.edges)
-    nearest =
-        std::min(nearest, distance_to_segment(facet.inside, points[position(from)], points[position(to)]));
+    nearest = std::min(nearest, distance_to_segment(x, points[position(from)], points[position(to)]));
   return nearest;
 }
 
-/// How far the facet's own point is from its edges and from all other facets.
-double clearance(int facet, const std::vector<Vec3>& points, const std::vector<SidedFacet>& facets) {
-  double nearest = width(facets[position(facet)], points);
-  for (int other = 0; other < static_cast<int>(facets.size()); ++other)
-    if (other != facet)
-      nearest = std::min(nearest,
-                         distance_to_facet(facets[position(facet)].inside, points, facets[position(other)]));
-  return nearest;
-}
+/// A point before the side of a facet that is nearer to the facet than to anything else.
+struct PointBefore {
+  Vec3 point = Vec3::Zero();
+  double room = -1;  ///< how far its foot is from the edges of the facet and from all other facets
 
-/// A point that a surface looks at: beside one of its facets, nearer to it than anything else is.
+  /// Takes the point before another foot on a facet if there is more room.
+  void try_foot(const Vec3& foot, const FacetSide& side, const std::vector<Vec3>& points,
+                const std::vector<SidedFacet>& facets) {
+    const SidedFacet& facet = facets[position(side.facet)];
+    double nearest = width(foot, facet, points);
+    for (int other = 0; other < static_cast<int>(facets.size()) && nearest > room; ++other)
+      if (other != side.facet)
+        nearest = std::min(nearest, distance_to_facet(foot, points, facets[position(other)]));
+    if (nearest <= room) return;
+    room = nearest;
+    point = foot + (side.above ? 0.5 : -0.5) * room * facet.normal;
+  }
+};
+
+/// A point that a surface looks at: before one of its widest facets.
 Vec3 point_before(std::vector<FacetSide> surface, const std::vector<Vec3>& points,
                   const std::vector<SidedFacet>& facets) {
-  constexpr std::size_t kTried = 8;  // something may touch the widest facet in just this point
+  constexpr std::size_t kTried = 8;
+  constexpr double kLittleRoom = 1e-3;  // of the width of the facet
+  const auto own_width = [&](const FacetSide& side) {
+    const SidedFacet& facet = facets[position(side.facet)];
+    return width(facet.inside, facet, points);
+  };
   const auto tried = surface.begin() + static_cast<std::ptrdiff_t>(std::min(kTried, surface.size()));
-  std::partial_sort(surface.begin(), tried, surface.end(), [&](const FacetSide& a, const FacetSide& b) {
-    return width(facets[position(a.facet)], points) > width(facets[position(b.facet)], points);
-  });
-  double most_room = -1;
-  Vec3 point = Vec3::Zero();
+  std::partial_sort(surface.begin(), tried, surface.end(),
+                    [&](const FacetSide& a, const FacetSide& b) { return own_width(a) > own_width(b); });
+  PointBefore best;
+  for (auto side = surface.begin(); side != tried; ++side)
+    best.try_foot(facets[position(side->facet)].inside, *side, points, facets);
+  if (best.room > kLittleRoom * own_width(surface.front())) return best.point;
+  // Something touches all of them in just these points, as a ball does the sides of the box around it.
   for (auto side = surface.begin(); side != tried; ++side) {
-    const double room = clearance(side->facet, points, facets);
-    if (room <= most_room) continue;
-    most_room = room;
     const SidedFacet& facet = facets[position(side->facet)];
-    point = facet.inside + (side->above ? 0.5 : -0.5) * room * facet.normal;
+    for (const auto& [from, to] : facet.edges) {
+      const Vec3 middle = 0.5 * (points[position(from)] + points[position(to)]);
+      const Vec3 foot = 0.5 * (facet.inside + middle);
+      if (foot_is_inside(foot, points, facet)) best.try_foot(foot, *side, points, facets);
+    }
   }
-  return point;
+  return best.point;
 }
 
 /// Half the solid angle of a triangle, signed: positive where its corners run clockwise as seen from x.

@@ -2,10 +2,7 @@
 #include "mesh/geometry/surface_files/bounded_child.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
-#include <algorithm>
-#include <cmath>
 #include <csignal>
 #include <new>
 #include <stdexcept>
@@ -29,16 +26,9 @@ constexpr double kSecondsPerPolygon = 1e-3;
 constexpr std::size_t kBytesPerFileByte = 200;
 constexpr double kSecondsPerFileByte = 2e-6;
 
-void limit_seconds(double seconds) {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_CPU, &limit) != 0) return;
-  limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(std::ceil(std::max(1.0, seconds))));
-  setrlimit(RLIMIT_CPU, &limit);
-}
-
 int work_to_file(const std::function<void(std::FILE*)>& work, const ChildLimits& limits,
                  std::FILE* result) try {
-  limit_seconds(limits.seconds);
+  limit_processor_seconds(limits.seconds);
   work(result);
   return 0;
 } catch (const std::invalid_argument& problem) {

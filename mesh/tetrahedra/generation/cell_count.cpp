@@ -77,7 +77,7 @@ double asked_cells(const SurfaceComplex& surface, const TetrahedraOptions& optio
     if (bound > 0) smallest = std::min(smallest, bound);
   const double at_most = kBoundInMeans * extent_of(surface).volume() / smallest;
   if (at_most <= kManyCells && (options.max_cells <= 0 || at_most <= options.max_cells)) return at_most;
-  const TetGenOutcome coarse = call_tetgen(surface, {}, "pzA", {});
+  const TetGenOutcome coarse = call_tetgen(surface, {}, "pzA", 0, {});
   // Where TetGen fails, it will fail again and say why.
   if (coarse.end != TetGenEnd::done) return 0;
   return kBoundInMeans * volume_in_bounds(coarse.mesh, options.max_volume);
@@ -85,7 +85,7 @@ double asked_cells(const SurfaceComplex& surface, const TetrahedraOptions& optio
 
 void check_cell_count(double cells, const TetrahedraOptions& options) {
   if (options.max_cells > 0 && cells > options.max_cells)
-    throw InputError(fault_at(
+    throw TooManyCells(fault_at(
         options.origin, "",
         fmt::format(
             "max_volume or edge_length asks for about {:.2g} cells, and max_cells allows {}; make one "
@@ -93,7 +93,7 @@ void check_cell_count(double cells, const TetrahedraOptions& options) {
             cells, options.max_cells)));
   const double needed = kBytesPerCell * cells, installed = static_cast<double>(physical_memory());
   if (needed > installed)
-    throw InputError(fault_at(
+    throw TooManyCells(fault_at(
         options.origin, "",
         fmt::format("max_volume or edge_length asks for about {:.2g} cells, for which TetGen needs about "
                     "{:.3g} GiB of memory, and this machine has {:.3g} GiB; use a larger one",
@@ -108,13 +108,10 @@ int most_added_points(const SurfaceComplex& surface, const TetrahedraOptions& op
   return static_cast<int>(std::clamp(points, 1.0, static_cast<double>(std::numeric_limits<int>::max())));
 }
 
-void check_details(const TetGenMesh& mesh, const SurfaceComplex& surface, const TetrahedraOptions& options,
-                   int most_added) {
-  const std::size_t points = mesh.coordinates.size() / 3, cells = mesh.cells.size() / 4;
-  const bool too_many = options.max_cells > 0 && cells > static_cast<std::size_t>(options.max_cells);
-  if (!too_many && points < surface.points.size() + static_cast<std::size_t>(most_added)) return;
+void refuse_details(const TetGenMesh& mesh, const SurfaceComplex& surface, const TetrahedraOptions& options,
+                    int most_added) {
   const Edge finest = shortest_edge(mesh);
-  throw InputError(fault_at(
+  throw TooManyCells(fault_at(
       options.origin, "",
       fmt::format("the geometry has details so fine that it needs more than {} cells (edges near {} "
                   "are {:.2g} long, and the geometry is {:.3g}); widen the gap or the part there, make "
@@ -122,6 +119,13 @@ void check_details(const TetGenMesh& mesh, const SurfaceComplex& surface, const 
                   options.max_cells > 0 ? fmt::to_string(options.max_cells)
                                         : fmt::format("about {:.2g}", kCellsPerPoint * most_added),
                   to_text(finest.middle), finest.length, extent_of(surface).diagonal().norm())));
+}
+
+void check_details(const TetGenMesh& mesh, const SurfaceComplex& surface, const TetrahedraOptions& options,
+                   int most_added) {
+  const std::size_t cells = mesh.cells.size() / 4;
+  if (options.max_cells > 0 && cells > static_cast<std::size_t>(options.max_cells))
+    refuse_details(mesh, surface, options, most_added);
 }
 
 }  // namespace etendue

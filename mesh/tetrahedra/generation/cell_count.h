@@ -11,7 +11,7 @@ namespace etendue {
 /// a coarse mesh where many cells are asked for, else the bounding box stands for them.
 double asked_cells(const SurfaceComplex& surface, const TetrahedraOptions& options);
 
-/// Throws InputError with the figure where so many cells exceed the memory of the machine or the largest
+/// Throws TooManyCells with the figure where so many cells exceed the memory of the machine or the largest
 /// number that the options allow.
 void check_cell_count(double cells, const TetrahedraOptions& options);
 
@@ -19,7 +19,12 @@ void check_cell_count(double cells, const TetrahedraOptions& options);
 /// more around details.
 int most_added_points(const SurfaceComplex& surface, const TetrahedraOptions& options, double asked_cells);
 
-/// Throws InputError with the place of the finest detail where TetGen has added as many points as it might.
+/// Throws TooManyCells with the place of the finest detail of a mesh to whose surface TetGen might add so
+/// many points.
+[[noreturn]] void refuse_details(const TetGenMesh& mesh, const SurfaceComplex& surface,
+                                 const TetrahedraOptions& options, int most_added);
+
+/// The same where the mesh has more cells than the options allow.
 void check_details(const TetGenMesh& mesh, const SurfaceComplex& surface, const TetrahedraOptions& options,
                    int most_added);
 

@@ -16,7 +16,12 @@
 namespace etendue {
 namespace {
 
-constexpr int kOutOfMemory = 65;       // exit code of the child, beside those of TetGen and of the system
+constexpr int kOutOfMemory = 65;  // exit code of the child, beside those of TetGen and of the system
+// Four times what it takes on a machine of two slow cores where points are dear, between facets that nearly
+// meet.
+constexpr double kLeastSeconds = 20;
+constexpr double kSecondsPerPoint = 3e-4;
+constexpr std::string_view kPointLimitWords = "desired number of Steiner points";
 constexpr double kNoVolumeBound = -1;  // of a region in TetGen
 
 // TetGen's structures own arrays made by new[]; the destructor of tetgenio deletes them.
@@ -128,8 +133,12 @@ int mesh_to_file(const SurfaceComplex& surface, const std::vector<double>& max_v
   return kOutOfMemory;
 }
 
+/// TetGen has said that it adds no more points.
+struct PointLimitReached {};
+
 TetGenEnd end_of(const ChildOutcome& child) {
   if (child.signal == SIGINT || child.signal == SIGTERM) return TetGenEnd::interrupted;
+  if (child.signal == SIGXCPU) return TetGenEnd::out_of_time;
   if (child.signal == 0 && child.exit_code == 0) return TetGenEnd::done;
   // The system kills what takes the last of its memory.
   if (child.signal == SIGKILL || (child.signal == 0 && child.exit_code == kOutOfMemory))
@@ -152,18 +161,30 @@ TetGenMesh mesh_from(std::string_view bytes) {
 }  // namespace
 
 TetGenOutcome call_tetgen(const SurfaceComplex& surface, const std::vector<double>& max_volume,
-                          const std::string& switches, const Log& log) {
+                          const std::string& switches, int most_added, const Log& log,
+                          AtPointLimit at_limit) {
   TetGenOutcome outcome;
-  const ChildOutcome child =
-      run_in_child([&](std::FILE* file) { return mesh_to_file(surface, max_volume, switches, file); },
-                   [&](std::string_view line) {
-                     if (line.find_first_not_of(" \t") == std::string_view::npos) return;
-                     outcome.last_words = line;
-                     if (line.starts_with("Warning:")) outcome.last_warning = line;
-                     if (log) log("tetgen: " + std::string(line));
-                   });
-  outcome.end = end_of(child);
-  if (outcome.end == TetGenEnd::done) outcome.mesh = mesh_from(child.result);
+  outcome.most_seconds =
+      kLeastSeconds + kSecondsPerPoint * (static_cast<double>(surface.points.size()) + most_added);
+  const auto work = [&](std::FILE* file) {
+    limit_processor_seconds(outcome.most_seconds);
+    return mesh_to_file(surface, max_volume, switches, file);
+  };
+  const auto on_line = [&](std::string_view line) {
+    if (line.find_first_not_of(" \t") == std::string_view::npos) return;
+    outcome.last_words = line;
+    if (line.starts_with("Warning:")) outcome.last_warning = line;
+    if (log) log("tetgen: " + std::string(line));
+    if (at_limit == AtPointLimit::stop && line.find(kPointLimitWords) != std::string_view::npos)
+      throw PointLimitReached{};
+  };
+  try {
+    const ChildOutcome child = run_in_child(work, on_line);
+    outcome.end = end_of(child);
+    if (outcome.end == TetGenEnd::done) outcome.mesh = mesh_from(child.result);
+  } catch (const PointLimitReached&) {
+    outcome.end = TetGenEnd::point_limit;
+  }
   return outcome;
 }
 

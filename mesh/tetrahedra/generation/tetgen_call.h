@@ -32,17 +32,25 @@ enum class TetGenEnd {
   input_error = 10,
   killed = -1,       ///< it stopped on an assertion or a signal
   interrupted = -2,  ///< SIGINT or SIGTERM
+  out_of_time = -3,  ///< its refinement need not end
+  point_limit = -4,  ///< it has added as many points as it might
 };
 
 struct TetGenOutcome {
   TetGenEnd end = TetGenEnd::done;
+  double most_seconds = 0;   ///< of the processor that it might take
   std::string last_words;    ///< what it printed last
   std::string last_warning;  ///< the last line that begins with "Warning:"
   TetGenMesh mesh;
 };
 
 /// Calls TetGen with its switches. max_volume is [region], 0 where there is no bound.
+/// At the largest number of points TetGen refines no more; then it would optimize for several times as long.
+enum class AtPointLimit { stop, go_on };
+
+/// The time grows with the points of the surface and the largest number of points that the switches add.
 TetGenOutcome call_tetgen(const SurfaceComplex& surface, const std::vector<double>& max_volume,
-                          const std::string& switches, const Log& log);
+                          const std::string& switches, int most_added, const Log& log,
+                          AtPointLimit at_limit = AtPointLimit::stop);
 
 }  // namespace etendue

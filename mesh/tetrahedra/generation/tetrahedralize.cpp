@@ -7,12 +7,15 @@
 #include <optional>
 #include <string>
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 
 #include "base/child_process.h"
 #include "base/gibibyte.h"
 #include "base/position.h"
 #include "mesh/tetrahedra/generation/cell_count.h"
+#include "mesh/tetrahedra/generation/narrow_gaps.h"
 #include "mesh/tetrahedra/generation/tetgen_call.h"
 #include "mesh/tetrahedra/mesh_faults.h"
 
@@ -80,7 +83,7 @@ std::optional<std::string> find_intersection(const SurfaceComplex& surface, cons
     };
     found = "triangle " + corners(0) + " meets triangle " + corners(3);
   };
-  call_tetgen(surface, {}, "pzd", look);
+  call_tetgen(surface, {}, "pzd", 0, look);
   return found;
 }
 
@@ -97,6 +100,13 @@ std::optional<std::string> find_outside_point(const TetGenOutcome& outcome, cons
   return std::nullopt;
 }
 
+/// Where the finest detail is, on which TetGen fails most often.
+std::string finest_detail(const SurfaceComplex& surface) {
+  constexpr double kFine = 1e-3;
+  const auto gap = narrowest_gap(surface, kFine);
+  return gap ? fmt::format("; the narrowest gap is {:.2g}, at {}", gap->width, to_text(gap->point)) : "";
+}
+
 std::string problem_of(const TetGenOutcome& outcome, const SurfaceComplex& surface, const Log& log) {
   switch (outcome.end) {
     case TetGenEnd::out_of_memory:
@@ -110,14 +120,20 @@ std::string problem_of(const TetGenOutcome& outcome, const SurfaceComplex& surfa
     }
     case TetGenEnd::small_feature:
       return "a detail is too small to be meshed (TetGen: " + outcome.last_words +
-             "); remove points, edges or gaps below 1e-8 of the domain's size";
+             "); remove points, edges or gaps below 1e-8 of the domain's size" + finest_detail(surface);
     case TetGenEnd::close_facets:
       return "two facets almost coincide (TetGen: " + outcome.last_words + "); join them or move them apart";
     case TetGenEnd::input_error:
       return "TetGen cannot use the surface (" + outcome.last_words + "); give a closed surface";
+    case TetGenEnd::out_of_time:
+      return fmt::format(
+          "TetGen does not end within {:.0f} s of computing; change quality or max_volume a little, or widen "
+          "gaps{}",
+          outcome.most_seconds, finest_detail(surface));
     case TetGenEnd::interrupted:
       return "TetGen was interrupted; run again";
     case TetGenEnd::done:
+    case TetGenEnd::point_limit:
     case TetGenEnd::internal_error:
     case TetGenEnd::killed:
       break;
@@ -125,7 +141,8 @@ std::string problem_of(const TetGenOutcome& outcome, const SurfaceComplex& surfa
   if (const auto outside = find_outside_point(outcome, surface)) return *outside;
   return "TetGen failed inside (last it said: " + outcome.last_words +
          "); check that the surface is closed and has no needle-like facets, or change max_volume or "
-         "quality a little";
+         "quality a little" +
+         finest_detail(surface);
 }
 
 Vec3 cell_centroid(const RawMesh& mesh, std::size_t cell) {
@@ -182,15 +199,29 @@ RawMesh raw_mesh_of(const TetGenMesh& from, const SurfaceComplex& surface) {
   return mesh;
 }
 
+/// With the finest detail of a mesh of fewer points that is not optimized, which takes a part of the time.
+[[noreturn]] void refuse_too_fine(const SurfaceComplex& surface, const TetrahedraOptions& options,
+                                  int most_added, const Log& log) {
+  constexpr int kPart = 8;
+  const int few = std::max(1, most_added / kPart);
+  const TetGenOutcome outcome = call_tetgen(
+      surface, options.max_volume, switches(surface, options, few) + "O0", few, log, AtPointLimit::go_on);
+  if (outcome.end != TetGenEnd::done)
+    throw InputError(fault_at(options.origin, "", problem_of(outcome, surface, log)));
+  refuse_details(outcome.mesh, surface, options, most_added);
+}
+
 }  // namespace
 
 RawMesh tetrahedralize(const SurfaceComplex& surface, const TetrahedraOptions& options, const Log& log) {
   check_options(surface, options);
+  check_gaps(surface, options.origin);
   const double asked = asked_cells(surface, options);
   check_cell_count(asked, options);
   const int most_added = most_added_points(surface, options, asked);
   const TetGenOutcome outcome =
-      call_tetgen(surface, options.max_volume, switches(surface, options, most_added), log);
+      call_tetgen(surface, options.max_volume, switches(surface, options, most_added), most_added, log);
+  if (outcome.end == TetGenEnd::point_limit) refuse_too_fine(surface, options, most_added, log);
   if (outcome.end != TetGenEnd::done)
     throw InputError(fault_at(options.origin, "", problem_of(outcome, surface, log)));
   check_details(outcome.mesh, surface, options, most_added);

@@ -25,6 +25,12 @@ struct TetrahedraOptions {
 /// surface, saying what to do; where the bounds ask for more cells than the memory of the machine holds; and,
 /// with the place, where details of the surface ask for more cells than the options allow. What TetGen prints
 /// goes to the log.
+/// More cells than the memory or the options allow: no other surface of the same geometry needs fewer.
+struct TooManyCells : InputError {
+  using InputError::InputError;
+};
+
+/// Throws InputError where the surface cannot be meshed, TooManyCells among them.
 RawMesh tetrahedralize(const SurfaceComplex& surface, const TetrahedraOptions& options, const Log& log = {});
 
 }  // namespace etendue

@@ -110,5 +110,15 @@ TEST(RunLabels, AreRefusedWithTheirPlace) {
   EXPECT_TRUE(has(fault_of(R"({ file = "head.vti" })"), "mesh.labels.regions: missing"));
 }
 
+TEST(RunLabels, AreMeshedOnceWhereTheyNeedTooManyCells) {
+  const CaseFolder folder(tissue);
+  write_text(folder.path() / "head.vti", image());
+  const Outcome outcome =
+      etendue_says({"check", folder.file(), "--mesh", "--verbose", "--set", "mesh.max_cells=10"});
+  EXPECT_EQ(outcome.code, ExitCode::input_error);
+  EXPECT_TRUE(has(outcome.err, "needs more than 10 cells")) << outcome.err;
+  EXPECT_FALSE(has(outcome.err, "again with a facet for each face of a voxel")) << outcome.err;
+}
+
 }  // namespace
 }  // namespace etendue::run_labels_test

@@ -85,6 +85,16 @@ TEST(MeshedScene, OverlappingBoxesKeepVolumes) {
               {{"a", 7}, {"b", 8}});
 }
 
+TEST(MeshedScene, BallThatTouchesAllSidesOfItsBoxLeavesTheCorners) {
+  const auto volumes = meshed({{box("room", {-2, -2, -2}, {2, 2, 2}), box("box", {-1, -1, -1}, {1, 1, 1}),
+                                sphere("ball", {0, 0, 0}, 1)},
+                               {}})
+                           .volumes;
+  ASSERT_EQ(volumes.size(), 3u);
+  EXPECT_NEAR(volumes.at("room"), 56, 1e-12 * 56);
+  EXPECT_NEAR(volumes.at("box") + volumes.at("ball"), 8, 1e-12 * 8);
+}
+
 TEST(MeshedScene, DisjointBoxesAreMeshedEach) {
   expect_near(meshed({{box("a", {0, 0, 0}, {1, 1, 1}), box("a", {2, 0, 0}, {3, 2, 1})}, {}}).volumes,
               {{"a", 3}});

@@ -31,6 +31,28 @@ TEST(BoxGrid, CandidatesHoldEveryBoxAroundThePoint) {
   }
 }
 
+TEST(BoxGrid, ManyBoxesInASmallPartHaveFewCandidates) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(0, 1e-4);
+  std::vector<Box> boxes = {Box(Vec3(0, 0, 0), Vec3(4, 3, 2))};
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec3 low(1 + place(random), 1 + place(random), 1 + place(random));
+    boxes.emplace_back(low, low + Vec3::Constant(2e-6));
+  }
+  const BoxGrid grid(boxes, 0);
+  for (std::size_t b = 1; b < boxes.size(); b += 100) {
+    const auto candidates = grid.candidates(boxes[b].center());
+    EXPECT_LT(candidates.size(), 100u);
+    EXPECT_EQ(candidates.front(), 0);
+    EXPECT_TRUE(std::binary_search(candidates.begin(), candidates.end(), static_cast<std::int32_t>(b)));
+  }
+}
+
+TEST(BoxGrid, BoxesInOnePlaceAreAllCandidates) {
+  const std::vector<Box> boxes(1000, Box(Vec3(0, 0, 0), Vec3(1, 1, 1)));
+  EXPECT_EQ(BoxGrid(boxes, 0).candidates({0.5, 0.5, 0.5}).size(), 1000u);
+}
+
 TEST(BoxGrid, MarginReachesBeyondTheBox) {
   const std::vector<Box> boxes = {Box(Vec3(0, 0, 0), Vec3(1, 1, 0))};
   const BoxGrid grid(boxes, 0.1);

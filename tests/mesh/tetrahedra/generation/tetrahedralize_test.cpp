@@ -146,6 +146,17 @@ TEST(Tetrahedralize, RefusesDetailsThatNeedMoreCellsThanAllowedWithTheirPlace) {
       << message;
 }
 
+TEST(Tetrahedralize, RefusesAGapThatTetGenTakesForNoneWithItsPlace) {
+  SurfaceComplex surface = two_region_surface();
+  for (std::size_t p = 8; p < 16; ++p)
+    if (surface.points[p].x() < 0.5) surface.points[p].x() = 1e-10;
+  TetrahedraOptions options;
+  options.origin = {"room.toml", 7, "mesh"};
+  const std::string message = message_of(surface, options);
+  EXPECT_EQ(message.find("room.toml:7: mesh: a corner at (1e-10, "), 0u) << message;
+  EXPECT_NE(message.find("(the gap of 1e-10 cannot be meshed)"), std::string::npos) << message;
+}
+
 TEST(Tetrahedralize, AllowsAsManyCellsAsMaxCellsAndNoMore) {
   TetrahedraOptions options;
   options.max_volume = {0.01, 1e-4};  // small cells in an eighth of the whole
