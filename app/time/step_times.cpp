@@ -40,8 +40,7 @@ StepPlan heat_step_plan(const Case& input) {
   for (const auto& [name, medium] : input.media) add(medium.in_time);
   for (const auto& [name, wall] : input.walls) add(wall.in_time);
   std::ranges::sort(plan.stops);
-  const auto [first, last] = std::ranges::unique(plan.stops);
-  plan.stops.erase(first, last);
+  plan.stops.erase(std::unique(plan.stops.begin(), plan.stops.end()), plan.stops.end());
   return plan;
 }
 

@@ -19,8 +19,8 @@ void MeshEdges::add(std::int32_t a, std::int32_t b, CellIndex cell) {
 // Stable: of equal ones the first cell stays.
 void MeshEdges::sort() {
   std::ranges::stable_sort(edges_, {}, ends);
-  const auto copies = std::ranges::unique(edges_, {}, ends);
-  edges_.erase(copies.begin(), copies.end());
+  const auto are_equal = [](const Edge& a, const Edge& b) { return ends(a) == ends(b); };
+  edges_.erase(std::unique(edges_.begin(), edges_.end(), are_equal), edges_.end());
   edges_.shrink_to_fit();
 }
 

@@ -20,7 +20,7 @@ std::vector<double> edges_of(const std::vector<TimeWindow>& windows) {
   std::vector<double> edges;
   for (const TimeWindow& window : windows) edges.insert(edges.end(), {window.begin, window.end});
   std::ranges::sort(edges);
-  edges.erase(std::ranges::unique(edges).begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 }
 

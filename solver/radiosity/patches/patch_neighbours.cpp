@@ -100,8 +100,7 @@ std::vector<std::vector<std::size_t>> patch_neighbours(const TetrahedralMesh& me
       }
   for (std::vector<std::size_t>& all : neighbours) {
     std::ranges::sort(all);
-    const auto repeated = std::ranges::unique(all);
-    all.erase(repeated.begin(), repeated.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
   }
   return neighbours;
 }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "base/random/even_points.h"
 
@@ -25,6 +26,18 @@ PatchView view_of(const Vec3& point, const FlatPatch& patch) {
     view.vector += lambert_vector(point, t);
   }
   return view;
+}
+
+/// Of the radius of a patch: points nearer to its plane lie on it, up to rounding, and see it from so far in
+/// front.
+constexpr double on_plane = 1e-9;
+
+/// The point from which the front of a patch is seen; none behind it. A point on the patch has its light from
+/// half of all directions, as one just in front of it.
+std::optional<Vec3> in_front(const Vec3& point, const FlatPatch& patch) {
+  const double distance = patch.normal().dot(point - patch.centroid()), least = on_plane * patch.radius();
+  if (distance < -least) return {};
+  return distance > least ? point : Vec3(point + (least - distance) * patch.normal());
 }
 
 }  // namespace
@@ -61,12 +74,13 @@ void WallLightField::add_at(const Vec3& point, std::span<double> fluence, std::s
   for (std::size_t p = 0; p < exchange_.size(); ++p) {
     const FlatPatch& patch = exchange_.patches()[p];
     // Only fronts shine.
-    if (patch.normal().dot(point - patch.centroid()) <= 0) continue;
+    const std::optional<Vec3> from = in_front(point, patch);
+    if (!from) continue;
     const double* exitance = exitance_.data() + p * bands_;
     if (std::all_of(exitance, exitance + bands_, [](double e) { return e == 0; })) continue;
-    const double share = exchange_.visibility().share_from(point, p, rays_);
+    const double share = exchange_.visibility().share_from(*from, p, rays_);
     if (share == 0) continue;
-    const PatchView view = view_of(point, patch);
+    const PatchView view = view_of(*from, patch);
     for (std::size_t b = 0; b < bands_; ++b) {
       const double radiance = share * exitance[b] / pi;
       fluence[b] += radiance * view.solid_angle;

@@ -114,6 +114,23 @@ TEST(SolveRadiosity, AFurnaceIsEvenInside) {
   EXPECT_NEAR(value.irradiance[0], M_PI, 1e-9);
 }
 
+// A point on a wall sees it in half of all directions, on whichever side rounding has put it.
+TEST(SolveRadiosity, APointOnAWallHasItsLight) {
+  const TetrahedralMesh mesh = cube_mesh(0.05);
+  const Problem plain = empty_room(mesh, 0, "none");
+  std::vector<Wall> walls(plain.walls().begin(), plain.walls().end());
+  for (Wall& wall : walls) wall.radiance = {wall.name == "zmin" ? 1.0 : 0.0};
+  const Problem problem(mesh, Bands{}, {plain.media().begin(), plain.media().end()}, walls);
+  RadiosityRoom room(problem, options_of(0, RadiosityMethod::gathering));
+  room.solve();
+  const WallLightField light = room.light(4, 1);
+  for (const double height : {-1e-15, 0.0, 1e-15, 1e-12}) {
+    const WallLightValue value = light.at(Vec3(0.43, 0.32, height));
+    EXPECT_NEAR(value.fluence[0], 2 * M_PI, 1e-6) << height;
+    EXPECT_NEAR(value.net_flux[0].z(), M_PI, 1e-6) << height;
+  }
+}
+
 TEST(SolveRadiosity, RefusesWhatItDoesNotKnowWithTheLine) {
   const TetrahedralMesh mesh(kuhn_cube_raw());
   const Problem plain = empty_room(mesh, 0.3, "zmin");
