@@ -25,7 +25,7 @@ class PatchVisibility {
   double share(std::size_t a, std::size_t b) const;
   /// The same between two nodes of a tree of these patches.
   double share(const PatchTree& tree, std::size_t a, std::size_t b) const;
-  /// The part of a patch's solid angle that a point sees, by so many rays.
+  /// The part of a patch's solid angle that a point sees, by so many rays; more where some are blocked.
   double share_from(const Vec3& point, std::size_t patch, int rays) const;
 
  private:

@@ -28,16 +28,24 @@ PatchView view_of(const Vec3& point, const FlatPatch& patch) {
   return view;
 }
 
-/// Of the radius of a patch: points nearer to its plane lie on it, up to rounding, and see it from so far in
-/// front.
+/// Of the radius of a patch: points nearer to its plane lie on it, up to rounding.
 constexpr double on_plane = 1e-9;
+/// The same: from points nearer to a patch it fills half of all directions to this part of them, or is in its
+/// own plane and fills none. What stands in the gap would hide no more.
+constexpr double close_to_plane = 1e-4;
 
-/// The point from which the front of a patch is seen; none behind it. A point on the patch has its light from
-/// half of all directions, as one just in front of it.
-std::optional<Vec3> in_front(const Vec3& point, const FlatPatch& patch) {
+/// From where a point sees the front of a patch.
+struct Outlook {
+  Vec3 point;
+  bool is_close;
+};
+
+/// None behind the patch. A point on it has its light from half of all directions, as one just in front.
+std::optional<Outlook> outlook(const Vec3& point, const FlatPatch& patch) {
   const double distance = patch.normal().dot(point - patch.centroid()), least = on_plane * patch.radius();
   if (distance < -least) return {};
-  return distance > least ? point : Vec3(point + (least - distance) * patch.normal());
+  if (distance > least) return Outlook{point, distance < close_to_plane * patch.radius()};
+  return Outlook{point + (least - distance) * patch.normal(), true};
 }
 
 }  // namespace
@@ -74,13 +82,14 @@ void WallLightField::add_at(const Vec3& point, std::span<double> fluence, std::s
   for (std::size_t p = 0; p < exchange_.size(); ++p) {
     const FlatPatch& patch = exchange_.patches()[p];
     // Only fronts shine.
-    const std::optional<Vec3> from = in_front(point, patch);
+    const std::optional<Outlook> from = outlook(point, patch);
     if (!from) continue;
     const double* exitance = exitance_.data() + p * bands_;
     if (std::all_of(exitance, exitance + bands_, [](double e) { return e == 0; })) continue;
-    const double share = exchange_.visibility().share_from(*from, p, rays_);
+    // Rays cannot tell a point so close from one behind the patch.
+    const double share = from->is_close ? 1 : exchange_.visibility().share_from(from->point, p, rays_);
     if (share == 0) continue;
-    const PatchView view = view_of(*from, patch);
+    const PatchView view = view_of(from->point, patch);
     for (std::size_t b = 0; b < bands_; ++b) {
       const double radiance = share * exitance[b] / pi;
       fluence[b] += radiance * view.solid_angle;
