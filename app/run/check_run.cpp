@@ -8,6 +8,7 @@
 #include "app/readings/sensors.h"
 #include "app/render/photon_pictures.h"
 #include "app/run/memory_forecast.h"
+#include "app/run/methods/photon_memory.h"
 #include "app/run/methods/run_photons.h"
 #include "app/run/methods/run_radiosity.h"
 #include "app/run/ordinates_setup.h"

@@ -6,14 +6,12 @@
 #include "app/case/build/build.h"
 #include "app/case/temperatures.h"
 #include "app/case/volume_bounds.h"
-#include "app/render/photon_pictures.h"
 #include "app/run/check_run.h"
+#include "app/run/methods/photon_memory.h"
 #include "app/setup/memory.h"
 #include "app/setup/run_context.h"
 #include "app/time/heat_steps.h"
-#include "app/time/photon_times.h"
 #include "app/time/solve_in_time.h"
-#include "solver/photons/solve/solve_photons.h"
 
 namespace etendue {
 namespace {
@@ -30,14 +28,6 @@ RunMemory run_memory(const Case& input, const Problem& problem) {
 }
 
 }  // namespace
-
-RunMemory photon_run_memory(const Case& input, const Problem& problem) {
-  const int threads = thread_count(input);
-  const std::size_t walking =
-      estimate_photon_memory(problem, threads) + photon_times_memory(input, problem, threads);
-  const HitMemory map = estimate_photon_map_memory(input, problem, threads);
-  return {walking + map.most, walking + map.expected};
-}
 
 RunMemory directions_run_memory(const Case& input, const Problem& problem, const OrdinatesSetup& setup) {
   RunMemory memory = setup.memory();

@@ -11,7 +11,6 @@
 
 namespace etendue {
 
-RunMemory photon_run_memory(const Case& input, const Problem& problem);
 /// Of a run by discrete ordinates, with light in time.
 RunMemory directions_run_memory(const Case& input, const Problem& problem, const OrdinatesSetup& setup);
 

@@ -7,11 +7,12 @@
 #include "app/progress/progress.h"
 #include "app/readings/probes.h"
 #include "app/render/photon_pictures.h"
-#include "app/run/memory_forecast.h"
+#include "app/run/methods/photon_memory.h"
 #include "app/run/methods/run_photons.h"
 #include "app/run/report/photon_text.h"
 #include "app/run/report/run_report.h"
 #include "app/run/report/unreached.h"
+#include "app/setup/memory.h"
 #include "app/setup/run_context.h"
 #include "app/time/photon_times.h"
 #include "app/write/result/temperature_fields.h"
@@ -26,8 +27,10 @@ ExitCode run_by_photons(const RunContext& run, std::ostream& out, std::ostream& 
   const CellLocator locator(run.problem.mesh());
   place_probes(run.input.probes, run.problem.mesh(), locator);
   const int threads = thread_count(run.input);
+  const RunMemory memory = photon_run_memory(run.input, run.problem);
   out << fmt::format("photons; bands: {}; threads: {}\n", run.problem.band_count(), threads)
-      << memory_text(photon_run_memory(run.input, run.problem), run.problem) << std::flush;
+      << check_memory(memory.solving, run.problem.mesh(), run.problem.band_count(), "", memory.expected)
+      << std::flush;
   if (!run.input.sensors.empty())
     out << "  photons read no sensors in this version: those of the case do nothing here"
         << (run.input.time ? ", but that times have their fluence\n" : "\n");
