@@ -13,8 +13,9 @@ constexpr double kGridCellsPerBox = 1.0;
 constexpr int kMostCellsPerAxis = 1024;
 /// So many boxes of a grid cell get a grid of their own; cells of an even mesh have fewer.
 constexpr std::size_t kCrowd = 128;
-/// Grid cells of a box, on average, from which on a finer grid would not part the boxes.
-constexpr std::size_t kMostCopies = 8;
+/// Grid cells of a box, on average, from which on a finer grid would not part the boxes; and in all finer
+/// grids for each box that there is.
+constexpr std::size_t kMostCopies = 8, kMostCopiesInAll = 64;
 constexpr int kMostDepth = 8;
 
 /// Flat domains keep a third dimension, so that a grid cell has a volume.
@@ -38,25 +39,31 @@ BoxGrid::BoxGrid(std::span<const Box> boxes, double margin) {
   }
   std::vector<std::int32_t> all(grown.size());
   std::iota(all.begin(), all.end(), 0);
+  set_cells(all.size());
   fill(grown, all);
-  divide_crowded_cells(grown, 0);
+  std::size_t room = kMostCopiesInAll * all.size();
+  divide_crowded_cells(grown, 0, room);
 }
 
-BoxGrid::BoxGrid(std::span<const Box> all, std::span<const std::int32_t> boxes, const Box& bounds, int depth)
-    : bounds_(bounds) {
-  fill(all, boxes);
-  // Where the boxes overlap in one place more cells do not part them.
-  if (items_.size() <= kMostCopies * boxes.size()) divide_crowded_cells(all, depth);
-}
-
-void BoxGrid::fill(std::span<const Box> all, std::span<const std::int32_t> boxes) {
+void BoxGrid::set_cells(std::size_t boxes) {
   const Vec3 size = thickened(bounds_.sizes());
-  const double spacing = std::cbrt(size.prod() / (kGridCellsPerBox * static_cast<double>(boxes.size())));
+  const double spacing = std::cbrt(size.prod() / (kGridCellsPerBox * static_cast<double>(boxes)));
   for (int axis = 0; axis < 3; ++axis) {
     counts_[axis] = static_cast<int>(std::clamp(size[axis] / spacing, 1.0, double{kMostCellsPerAxis}));
     per_length_[axis] = counts_[axis] / size[axis];
   }
+}
 
+std::size_t BoxGrid::copies(std::span<const Box> all, std::span<const std::int32_t> boxes) const {
+  std::size_t sum = 0;
+  for (const std::int32_t box : boxes) {
+    const Box& of = all[static_cast<std::size_t>(box)];
+    sum += static_cast<std::size_t>((cell_of(of.max()) - cell_of(of.min()) + Cell::Ones()).prod());
+  }
+  return sum;
+}
+
+void BoxGrid::fill(std::span<const Box> all, std::span<const std::int32_t> boxes) {
   // Counts first, then the items in place: boxes stay in rising order within each grid cell.
   const auto for_each_cell = [&](const Box& box, const auto& use) {
     const Cell low = cell_of(box.min());
@@ -76,15 +83,25 @@ void BoxGrid::fill(std::span<const Box> all, std::span<const std::int32_t> boxes
                   [&](std::size_t cell) { items_[static_cast<std::size_t>(next[cell]++)] = box; });
 }
 
-void BoxGrid::divide_crowded_cells(std::span<const Box> all, int depth) {
+void BoxGrid::divide_crowded_cells(std::span<const Box> all, int depth, std::size_t& room) {
   if (depth == kMostDepth) return;
   for (int k = 0; k < counts_.z(); ++k)
     for (int j = 0; j < counts_.y(); ++j)
       for (int i = 0; i < counts_.x(); ++i) {
         const std::size_t at = index(i, j, k);
-        if (items(at).size() <= kCrowd) continue;
+        const std::span<const std::int32_t> crowd = items(at);
+        if (crowd.size() <= kCrowd) continue;
+        BoxGrid finer;
+        finer.bounds_ = box_of({i, j, k});
+        finer.set_cells(crowd.size());
+        // Where the boxes overlap in one place more cells do not part them.
+        const std::size_t needed = finer.copies(all, crowd);
+        if (needed > std::min(room, kMostCopies * crowd.size())) continue;
+        room -= needed;
+        finer.fill(all, crowd);
+        finer.divide_crowded_cells(all, depth + 1, room);
         crowded_.push_back(at);
-        finer_.push_back(BoxGrid(all, items(at), box_of({i, j, k}), depth + 1));
+        finer_.push_back(std::move(finer));
       }
 }
 

@@ -27,11 +27,14 @@ class BoxGrid {
  private:
   using Cell = Eigen::Vector3i;
 
-  /// The boxes with the numbers `boxes` in a part of space.
-  BoxGrid(std::span<const Box> all, std::span<const std::int32_t> boxes, const Box& bounds, int depth);
+  BoxGrid() = default;
 
+  /// Cells for so many boxes within the bounds.
+  void set_cells(std::size_t boxes);
+  /// Items that the boxes with the numbers `boxes` would be.
+  std::size_t copies(std::span<const Box> all, std::span<const std::int32_t> boxes) const;
   void fill(std::span<const Box> all, std::span<const std::int32_t> boxes);
-  void divide_crowded_cells(std::span<const Box> all, int depth);
+  void divide_crowded_cells(std::span<const Box> all, int depth, std::size_t& room);
   Box box_of(const Cell& cell) const;
   std::span<const std::int32_t> items(std::size_t cell) const;
   Cell cell_of(const Vec3& point) const;

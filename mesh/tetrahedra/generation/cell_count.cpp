@@ -77,7 +77,7 @@ double asked_cells(const SurfaceComplex& surface, const TetrahedraOptions& optio
     if (bound > 0) smallest = std::min(smallest, bound);
   const double at_most = kBoundInMeans * extent_of(surface).volume() / smallest;
   if (at_most <= kManyCells && (options.max_cells <= 0 || at_most <= options.max_cells)) return at_most;
-  const TetGenOutcome coarse = call_tetgen(surface, {}, "pzA", 0, {});
+  const TetGenOutcome coarse = call_tetgen(surface, {}, "pzA", most_added_points(surface, options, 0), {});
   // Where TetGen fails, it will fail again and say why.
   if (coarse.end != TetGenEnd::done) return 0;
   return kBoundInMeans * volume_in_bounds(coarse.mesh, options.max_volume);

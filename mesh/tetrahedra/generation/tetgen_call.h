@@ -44,10 +44,10 @@ struct TetGenOutcome {
   TetGenMesh mesh;
 };
 
-/// Calls TetGen with its switches. max_volume is [region], 0 where there is no bound.
 /// At the largest number of points TetGen refines no more; then it would optimize for several times as long.
 enum class AtPointLimit { stop, go_on };
 
+/// Calls TetGen with its switches. max_volume is [region], 0 where there is no bound.
 /// The time grows with the points of the surface and the largest number of points that the switches add.
 TetGenOutcome call_tetgen(const SurfaceComplex& surface, const std::vector<double>& max_volume,
                           const std::string& switches, int most_added, const Log& log,

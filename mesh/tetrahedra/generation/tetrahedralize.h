@@ -21,16 +21,15 @@ struct TetrahedraOptions {
   int max_cells = 0;
 };
 
-/// Fills a surface with tetrahedra by TetGen (Si 2015). Throws InputError where TetGen cannot mesh the
-/// surface, saying what to do; where the bounds ask for more cells than the memory of the machine holds; and,
-/// with the place, where details of the surface ask for more cells than the options allow. What TetGen prints
-/// goes to the log.
 /// More cells than the memory or the options allow: no other surface of the same geometry needs fewer.
 struct TooManyCells : InputError {
   using InputError::InputError;
 };
 
-/// Throws InputError where the surface cannot be meshed, TooManyCells among them.
+/// Fills a surface with tetrahedra by TetGen (Si 2015). Throws InputError where TetGen cannot mesh the
+/// surface, saying what to do; where the bounds ask for more cells than the memory of the machine holds; and,
+/// with the place, where details of the surface ask for more cells than the options allow. What TetGen prints
+/// goes to the log.
 RawMesh tetrahedralize(const SurfaceComplex& surface, const TetrahedraOptions& options, const Log& log = {});
 
 }  // namespace etendue

@@ -30,8 +30,8 @@ PatchView view_of(const Vec3& point, const FlatPatch& patch) {
 
 /// Of the radius of a patch: points nearer to its plane lie on it, up to rounding.
 constexpr double on_plane = 1e-9;
-/// The same: from points nearer to a patch it fills half of all directions to this part of them, or is in its
-/// own plane and fills none. What stands in the gap would hide no more.
+/// The same: seen from points nearer than this, a patch fills half of all directions to this part of them, or
+/// none where the point lies beside it.
 constexpr double close_to_plane = 1e-4;
 
 /// From where a point sees the front of a patch.

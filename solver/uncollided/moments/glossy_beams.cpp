@@ -8,6 +8,7 @@
 #include "base/parallel/parallel_for.h"
 #include "mesh/tetrahedra/corners.h"
 #include "solver/uncollided/sources/beam_source.h"
+#include "solver/uncollided/sources/point_source.h"
 
 namespace etendue {
 namespace {
@@ -36,9 +37,9 @@ void add_mean_irradiance(const BeamSource& beam, const TetrahedralMesh& mesh, Fa
   }
 }
 
-/// Triangles that a face is cut into, each into four time after time, where no corner shows a source: as far
-/// as its emission alone, as that of a spot, leaves the corners dark, and where obstacles do.
-constexpr int deepest_between_corners = 5, deepest_behind_obstacles = 2;
+/// How often the parts of a face are cut in four where no corner shows a source: of a spot, whose cone may
+/// end between the corners, and where obstacles may leave light between them.
+constexpr int deepest_for_spots = 5, deepest_behind_obstacles = 2;
 /// Beams with which the mean is good enough for the directions of what a lobe reflects.
 constexpr std::size_t enough_between_corners = 8;
 
@@ -111,10 +112,12 @@ class FaceBeams {
 
   /// Adds the mean irradiance over parts of the face that are small enough for several of them to be lit.
   void add_between_corners(const LightSource& source, LightBeams& mean) {
+    if (is_behind(source)) return;
     LightBeams found(scratch_.bands());
-    const bool is_behind_obstacles = std::ranges::any_of(
+    const bool is_hidden = std::ranges::any_of(
         corners_, [&](const Vec3& corner) { return add_irradiance(source, corner, Sight::clear, found); });
-    const int deepest = is_behind_obstacles ? deepest_behind_obstacles : deepest_between_corners;
+    const int deepest =
+        source.as_point() != nullptr && !is_hidden ? deepest_for_spots : deepest_behind_obstacles;
     std::vector<Triangle> parts = {corners_};
     found.clear();
     for (int level = 0; level < deepest && found.size() < enough_between_corners; ++level) {
@@ -123,6 +126,14 @@ class FaceBeams {
       for (const auto& [a, b, c] : parts) add_where_visible(source, (a + b + c) / 3, found);
     }
     add_all(found, 1 / static_cast<double>(parts.size()), mean);
+  }
+
+  /// Returns whether a point and all its images can only shine on the back of the face.
+  bool is_behind(const LightSource& source) const {
+    return source.as_point() != nullptr &&
+           std::ranges::all_of(source.as_point()->images(), [&](const PointSource::Image& image) {
+             return normal_.dot(corners_[0] - image.position) <= 0;
+           });
   }
 
   /// Rays are walked only where there is light without obstacles.

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -51,6 +53,24 @@ TEST(BoxGrid, ManyBoxesInASmallPartHaveFewCandidates) {
 TEST(BoxGrid, BoxesInOnePlaceAreAllCandidates) {
   const std::vector<Box> boxes(1000, Box(Vec3(0, 0, 0), Vec3(1, 1, 1)));
   EXPECT_EQ(BoxGrid(boxes, 0).candidates({0.5, 0.5, 0.5}).size(), 1000u);
+}
+
+// The sides and the base of a cone in thin triangles, which overlap near its axis however fine the grid is.
+TEST(BoxGrid, OfAFanTakesLittleTime) {
+  std::vector<Box> boxes;
+  const int count = 4000;
+  for (int i = 0; i < count; ++i)
+    for (const double top : {1.0, 0.0}) {
+      Box box(Vec3(0, 0, top));
+      for (const int at : {i, i + 1})
+        box.extend(Vec3(std::cos(2 * M_PI * at / count), std::sin(2 * M_PI * at / count), 0));
+      boxes.push_back(box);
+    }
+  const auto begun = std::chrono::steady_clock::now();
+  const BoxGrid grid(boxes, 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(5));
+  const auto candidates = grid.candidates(boxes[70].center());
+  EXPECT_TRUE(std::binary_search(candidates.begin(), candidates.end(), 70));
 }
 
 TEST(BoxGrid, MarginReachesBeyondTheBox) {
