@@ -13,6 +13,7 @@
 #include "mesh/geometry/arrangement/arrangement.h"
 #include "mesh/geometry/arrangement/voxel_surface.h"
 #include "mesh/geometry/surface_files/surface_file.h"
+#include "mesh/tetrahedra/generation/narrow_gaps.h"
 #include "mesh/tetrahedra/generation/red_refinement.h"
 #include "mesh/tetrahedra/generation/tetrahedralize.h"
 
@@ -33,7 +34,11 @@ auto read_named(const InputFile& file, const Read& read) {
 }
 
 SurfaceComplex surface_of(const MeshCase& mesh, const Log& log) {
-  if (!mesh.surface) return arrange(mesh.geometry, log);
+  if (!mesh.surface) {
+    SurfaceComplex surface = arrange(mesh.geometry, log);
+    check_gaps(surface, mesh.origin);
+    return surface;
+  }
   return read_named(*mesh.surface, [&] {
     return read_surface(mesh.surface->path, {mesh.scale, mesh.regions, mesh.surface->origin, mesh.up}, log);
   });

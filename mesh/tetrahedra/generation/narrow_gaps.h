@@ -18,7 +18,8 @@ struct NarrowGap {
 std::optional<NarrowGap> narrowest_gap(const SurfaceComplex& surface, double part);
 
 /// Throws InputError with the place where a gap is so narrow that TetGen takes the two sides for touching: it
-/// then fails, does not end, or joins what is apart.
+/// then fails, does not end, or joins what is apart. Only for surfaces whose facets list all corners on them:
+/// those of .poly files need not, and their corners may lie beside a facet by the digits that were written.
 void check_gaps(const SurfaceComplex& surface, const Origin& origin);
 
 }  // namespace etendue

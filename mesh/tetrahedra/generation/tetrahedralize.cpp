@@ -215,7 +215,6 @@ RawMesh raw_mesh_of(const TetGenMesh& from, const SurfaceComplex& surface) {
 
 RawMesh tetrahedralize(const SurfaceComplex& surface, const TetrahedraOptions& options, const Log& log) {
   check_options(surface, options);
-  check_gaps(surface, options.origin);
   const double asked = asked_cells(surface, options);
   check_cell_count(asked, options);
   const int most_added = most_added_points(surface, options, asked);

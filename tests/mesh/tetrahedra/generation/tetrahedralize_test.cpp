@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 
+#include "mesh/tetrahedra/generation/narrow_gaps.h"
 #include "mesh/tetrahedra/tetrahedral_mesh.h"
 #include "tests/mesh/tetrahedra/sample_meshes.h"
 
@@ -146,15 +147,36 @@ TEST(Tetrahedralize, RefusesDetailsThatNeedMoreCellsThanAllowedWithTheirPlace) {
       << message;
 }
 
-TEST(Tetrahedralize, RefusesAGapThatTetGenTakesForNoneWithItsPlace) {
+TEST(CheckGaps, RefusesAGapThatTetGenTakesForNoneWithItsPlace) {
   SurfaceComplex surface = two_region_surface();
+  const Origin origin{"room.toml", 7, "mesh"};
+  check_gaps(surface, origin);
   for (std::size_t p = 8; p < 16; ++p)
     if (surface.points[p].x() < 0.5) surface.points[p].x() = 1e-10;
+  try {
+    check_gaps(surface, origin);
+    ADD_FAILURE() << "is not refused";
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find("room.toml:7: mesh: a corner at (1e-10, "), 0u) << message;
+    EXPECT_NE(message.find("(the gap of 1e-10 cannot be meshed)"), std::string::npos) << message;
+  }
+}
+
+// As in .poly files: a point of a slant facet that does not list it, with so many digits as were written.
+TEST(Tetrahedralize, MeshesAPointBesideAFacetThatDoesNotListIt) {
+  SurfaceComplex surface;
+  surface.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3333333333, 0.3333333333, 0.3333333333}};
+  for (const std::vector<int>& corners :
+       std::vector<std::vector<int>>{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}})
+    surface.facets.push_back({.polygons = {corners}, .openings = {}, .wall = 0});
+  surface.region_names = {"air"};
+  surface.wall_names = {"wall"};
+  surface.seeds = {{.point = {0.1, 0.1, 0.1}, .region = 0}};
   TetrahedraOptions options;
-  options.origin = {"room.toml", 7, "mesh"};
-  const std::string message = message_of(surface, options);
-  EXPECT_EQ(message.find("room.toml:7: mesh: a corner at (1e-10, "), 0u) << message;
-  EXPECT_NE(message.find("(the gap of 1e-10 cannot be meshed)"), std::string::npos) << message;
+  options.max_volume = {0.01};
+  const TetrahedralMesh mesh(tetrahedralize(surface, options));
+  EXPECT_NEAR(std::accumulate(mesh.volumes().begin(), mesh.volumes().end(), 0.0), 1.0 / 6, 1e-9);
 }
 
 TEST(Tetrahedralize, AllowsAsManyCellsAsMaxCellsAndNoMore) {
