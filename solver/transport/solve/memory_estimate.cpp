@@ -205,8 +205,9 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const double orders = orders_of(s.ordinates) + (is_corrected ? orders_of(coarsest_directions) : 0);
   // Sources of moments and matrices too.
   const double always = 2 * state + workspaces + records + moments + radiance + low_order;
-  // The iteration has a place to correct in beside its vectors.
-  const double corrected = is_typical && !iterates ? 0 : state;
+  // The iteration has a place to correct in beside its vectors; at most, others hold the states of the first
+  // and the best iterate and of what is saved and read out.
+  const double corrected = (!is_typical ? 5 : iterates ? 1 : 0) * state;
   const double iteration = std::max(basis, positive) * state + corrected + of_active_bands + single + coarse;
   // The vectors of the iteration are given back before the solution is read out.
   const double besides = is_typical ? std::max(iteration, results + kept) : iteration + results + kept;

@@ -68,7 +68,7 @@ TEST(SweepOrder, LevelsOfAlikeCellsHoldRunsThroughWhoseFacesLightGoesTheSameWay)
   const Vec3 direction = Vec3(0.3, -0.5, 0.8).normalized();
   const auto changes = [&](LevelOrder levels) {
     const auto [visits, order] = order_along(mesh, direction, 1 << 30, levels);
-    const auto leaving = [&](std::int32_t position) {
+    const auto leaving = [&, &order = order](std::int32_t position) {
       const CellIndex cell(visited_cell(order.visits[static_cast<std::size_t>(position)]));
       unsigned bits = 0;
       for (unsigned k = 0; k < 4; ++k) {
@@ -150,7 +150,7 @@ TEST(SweepOrder, CellsOfOneLevelDoNotWaitForEachOther) {
   const TetrahedralMesh mesh = cube_mesh(5e-3);
   const auto [visits, order] = order_along(mesh, Vec3(0.3, 0.5, 0.8).normalized());
   const std::vector<std::int32_t> position = positions(order);
-  const auto level = [&](CellIndex cell) {
+  const auto level = [&, &order = order](CellIndex cell) {
     return std::upper_bound(order.levels.begin(), order.levels.end(), position[cell.at()]) -
            order.levels.begin();
   };
