@@ -61,10 +61,10 @@ std::size_t ExchangeLinks::refine(const std::vector<double>& brightness, const F
   std::vector<Link> open;
   std::size_t count = 0;
   for (std::vector<Link>* list : {&links_, &idle_}) {
-    const auto weak = std::ranges::stable_partition(*list, stays);
-    for (const Link& link : weak) split(link, open);
-    count += weak.size();
-    list->erase(weak.begin(), weak.end());
+    const auto weak = std::stable_partition(list->begin(), list->end(), stays);
+    std::for_each(weak, list->end(), [&](const Link& link) { split(link, open); });
+    count += static_cast<std::size_t>(list->end() - weak);
+    list->erase(weak, list->end());
   }
   if (count == 0) return 0;
   find_links(std::move(open), power, progress);

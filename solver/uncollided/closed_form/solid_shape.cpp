@@ -145,7 +145,7 @@ SolidShape::View SolidShape::from(const Vec3& eye, double extinction) const {
     for_points_of_side(near, first, last, [&](const SidePoints& points) {
       const auto& [r, s, length] = points;
       const Deficits deficits(a * r);
-      const auto add = [&](SeenFace& face, const Vec3& outward) {
+      const auto add = [&, &r = r, &s = s, &length = length](SeenFace& face, const Vec3& outward) {
         const double distance = outward.dot(aside);
         const Eight angle = distance * length / (distance * distance + s * s);
         face.across += (angle * (face.r - deficits.r)).sum();
