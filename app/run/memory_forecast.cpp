@@ -43,10 +43,6 @@ RunMemory directions_run_memory(const Case& input, const Problem& problem, const
   return in_time.solving > memory.solving ? in_time : memory;
 }
 
-std::string memory_text(const RunMemory& memory, const Problem& problem) {
-  return check_memory(memory.solving, problem.mesh(), problem.band_count(), memory.matrices, memory.expected);
-}
-
 std::string expected_memory_text(const RunMemory& memory, const Case& input, const Problem& coarse,
                                  const Log& log) {
   const double cells = expected_cells(input.mesh, coarse.mesh()), known = coarse.mesh().cell_count();

@@ -14,11 +14,7 @@ namespace etendue {
 /// Of a run by discrete ordinates, with light in time.
 RunMemory directions_run_memory(const Case& input, const Problem& problem, const OrdinatesSetup& setup);
 
-/// Memory of a run on this very mesh as a line. Throws InputError as the run does where this machine has not
-/// so much.
-std::string memory_text(const RunMemory& memory, const Problem& problem);
-
-/// The same for the cells that the case asks for, from what a run by ordinates or photons needs on the
+/// memory_text() for the cells that the case asks for, from what a run by ordinates or photons needs on the
 /// coarsest cells.
 std::string expected_memory_text(const RunMemory& memory, const Case& input, const Problem& coarse,
                                  const Log& log);

@@ -32,4 +32,8 @@ RunMemory memory_of(const LightSetup& lights, const RunDirections& directions, c
           matrix_memory_text(lights.problem(), directions.sets.front())};
 }
 
+std::string memory_text(const RunMemory& memory, const Problem& problem) {
+  return check_memory(memory.solving, problem.mesh(), problem.band_count(), memory.matrices, memory.expected);
+}
+
 }  // namespace etendue

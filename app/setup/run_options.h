@@ -24,6 +24,10 @@ struct RunMemory {
   std::string matrices = {};  ///< matrix_memory_text()
 };
 
+/// Memory of a run on this very mesh as a line. Throws InputError as the run does where this machine has not
+/// so much.
+std::string memory_text(const RunMemory& memory, const Problem& problem);
+
 RunMemory memory_of(const LightSetup& lights, const RunDirections& directions, const SolveOptions& options);
 
 }  // namespace etendue

@@ -13,7 +13,7 @@ constexpr std::size_t stride = 4;
 
 }  // namespace
 
-/// What the process that reads a saved solution leaves is taken and restored in a state of a few cells, or
+/// Bytes of the process that reads a saved solution are taken and restored in a state of a few cells, or
 /// refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

@@ -57,19 +57,22 @@ class Compared:
         return self.bar > WIDE * max(abs(self.first), abs(self.second))
 
 
-def values_of(result):
-    """Value and standard error of everything that is compared, by (where, quantity, band)."""
-    found = {}
-    for table, (name, quantities) in TABLES.items():
+def entries_of(result, tables):
+    """(kind of place, where, quantity, row, (value, standard error)) of what is there of the columns of some tables of a run."""
+    for table, (name, quantities) in tables.items():
         path = result.folder / f"{table}.csv"
         for row in read_rows(path) if path.is_file() else []:
             where = f"{name} {row[name]}" + (f" {row['index']}" if "index" in row else "")
             for quantity in quantities:
-                # On a wall the linear functions of the cells give fluence to first order only: irradiance is compared there.
-                on_wall = quantity == "fluence" and row["irradiance"]
-                if row.get(quantity) and not on_wall:
-                    found[where, quantity, row["band"]] = (float(row[quantity]), float(row.get(f"{quantity}_error") or 0))
-    return found
+                if row.get(quantity):
+                    yield name, where, quantity, row, (float(row[quantity]), float(row.get(f"{quantity}_error") or 0))
+
+
+def values_of(result):
+    """Value and standard error of everything that is compared, by (where, quantity, band)."""
+    # On a wall the linear functions of the cells give fluence to first order only: irradiance is compared there.
+    return {(where, quantity, row["band"]): value for _, where, quantity, row, value in entries_of(result, TABLES)
+            if not (quantity == "fluence" and row["irradiance"])}
 
 
 def compare(scene, method, results):

@@ -5,7 +5,7 @@ import dataclasses
 import re
 
 import numpy
-from suite.result import read_rows
+from differential.values import entries_of
 
 from twins import vtu_arrays
 
@@ -50,15 +50,9 @@ class Answer:
 def read(result, mesh=None):
     """The answer of a run; fluence and flux of each cell with it, where its mesh is given."""
     found = {}
-    for table, (name, quantities) in TABLES.items():
-        path = result.folder / f"{table}.csv"
-        for row in read_rows(path) if path.is_file() else []:
-            where = f"{name} {row[name]}" + (f" {row['index']}" if "index" in row else "")
-            for quantity in quantities:
-                if row.get(quantity):
-                    key = (quantity if name != "probe" else f"{quantity} at probes", row["band"])
-                    entry = found.setdefault(key, {})
-                    entry[where] = (float(row[quantity]), float(row.get(f"{quantity}_error") or 0))
+    for name, where, quantity, row, value in entries_of(result, TABLES):
+        key = (quantity if name != "probe" else f"{quantity} at probes", row["band"])
+        found.setdefault(key, {})[where] = value
     found = {key: _sorted(entry) for key, entry in found.items()}
     return Answer(found | (_fields(result, mesh) if mesh else {}))
 

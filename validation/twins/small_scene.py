@@ -64,7 +64,7 @@ def make(seed):
 
 
 def _choose_rays(scene):
-    """Says of every emission whether it is followed along rays, so that the scene knows. Mirrors repeat it too often."""
+    """Sets for every emission whether it is followed along rays, so that the scene knows. Mirrors repeat it too often."""
     rays = not scene.refracting and not any("specular" in wall for wall in scene.case["walls"].values()) and scene.draw.chance(0.3)
     for name, entry in scene.case["walls"].items():
         if "radiance" in entry:

@@ -12,7 +12,6 @@
 #include "app/run/report/photon_text.h"
 #include "app/run/report/run_report.h"
 #include "app/run/report/unreached.h"
-#include "app/setup/memory.h"
 #include "app/setup/run_context.h"
 #include "app/time/photon_times.h"
 #include "app/write/result/temperature_fields.h"
@@ -27,10 +26,8 @@ ExitCode run_by_photons(const RunContext& run, std::ostream& out, std::ostream& 
   const CellLocator locator(run.problem.mesh());
   place_probes(run.input.probes, run.problem.mesh(), locator);
   const int threads = thread_count(run.input);
-  const RunMemory memory = photon_run_memory(run.input, run.problem);
   out << fmt::format("photons; bands: {}; threads: {}\n", run.problem.band_count(), threads)
-      << check_memory(memory.solving, run.problem.mesh(), run.problem.band_count(), "", memory.expected)
-      << std::flush;
+      << memory_text(photon_run_memory(run.input, run.problem), run.problem) << std::flush;
   if (!run.input.sensors.empty())
     out << "  photons read no sensors in this version: those of the case do nothing here"
         << (run.input.time ? ", but that times have their fluence\n" : "\n");

@@ -27,7 +27,7 @@ inline constexpr std::array<StatePart, 6> state_parts = {{{"moments", &SavedStat
                                                           {"radiance_where_dense", &SavedState::radiance},
                                                           {"photons", &SavedState::photons}}};
 
-/// A saved solution, and what its file says of itself.
+/// A saved solution with the mesh and the case that its file names.
 struct SavedSolution {
   SavedResult result;
   std::string mesh;

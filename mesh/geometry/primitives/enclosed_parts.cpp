@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "base/position.h"
+#include "base/segment.h"
 
 namespace etendue {
 namespace {
@@ -72,19 +73,6 @@ SideGroups facing_sides(const std::vector<Vec3>& points, const std::vector<Sided
     }
   }
   return groups;
-}
-
-double distance_to_segment(const Vec3& x, const Vec3& p, const Vec3& q) {
-  const double t = std::clamp((x - p).dot(q - p) / (q - p).squaredNorm(), 0.0, 1.0);
-  return (x - p - t * (q - p)).norm();
-}
-
-double distance_to_facet(const Vec3& x, const std::vector<Vec3>& points, const SidedFacet& facet) {
-  if (foot_is_inside(x, points, facet)) return std::abs(facet.normal.dot(x - facet.inside));
-  double distance = std::numeric_limits<double>::infinity();
-  for (const auto& [from, to] : facet.edges)
-    distance = std::min(distance, distance_to_segment(x, points[position(from)], points[position(to)]));
-  return distance;
 }
 
 /// How far a point of a facet is from its edges.
@@ -160,20 +148,6 @@ double winding(const Vec3& x, const std::vector<FacetSide>& surface, const std::
 }
 
 }  // namespace
-
-bool foot_is_inside(const Vec3& x, const std::vector<Vec3>& points, const SidedFacet& facet) {
-  int axis = 0;
-  facet.normal.cwiseAbs().maxCoeff(&axis);
-  const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-  const Vec3 foot = x - facet.normal * facet.normal.dot(x - facet.inside);
-  bool is_inside = false;  // changes with each edge that a ray in the plane crosses
-  for (const auto& [from, to] : facet.edges) {
-    const Vec3 &p = points[position(from)], &q = points[position(to)];
-    if ((p[b] > foot[b]) == (q[b] > foot[b])) continue;
-    if (foot[c] < p[c] + (foot[b] - p[b]) / (q[b] - p[b]) * (q[c] - p[c])) is_inside = !is_inside;
-  }
-  return is_inside;
-}
 
 std::vector<EnclosedPart> enclosed_parts(const std::vector<Vec3>& points,
                                          const std::vector<SidedFacet>& facets) {

@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "base/vec3.h"
+#include "mesh/geometry/primitives/sided_facet.h"
 
 namespace etendue {
-
-/// A flat facet whose two sides are told apart.
-struct SidedFacet {
-  /// Points; the facet is on their left, seen from the normal's tip. Edges inside it are in both
-  /// directions.
-  std::vector<std::array<int, 2>> edges;
-  Vec3 normal;  ///< unit
-  Vec3 inside;  ///< a point of the facet, off its edges
-};
-
-/// Whether the foot of a point on the facet's plane lies in the facet.
-bool foot_is_inside(const Vec3& x, const std::vector<Vec3>& points, const SidedFacet& facet);
 
 /// A side of a facet: `above` is where its normal points.
 struct FacetSide {

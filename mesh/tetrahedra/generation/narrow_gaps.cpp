@@ -3,12 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "base/position.h"
+#include "mesh/geometry/primitives/sided_facet.h"
 #include "mesh/tetrahedra/bounding_box.h"
 #include "mesh/tetrahedra/box_grid.h"
 #include "mesh/tetrahedra/mesh_faults.h"
@@ -22,78 +21,46 @@ constexpr double kRounding = 4e-15;
 /// Of the diagonal. Over wider gaps TetGen makes cells.
 constexpr double kTooNarrow = 1e-9;
 
-/// The plane and the edges of a facet.
-class FacetShape {
- public:
-  FacetShape(const SurfaceFacet& facet, const std::vector<Vec3>& points) : points_(points) {
-    for (const std::vector<int>& polygon : facet.polygons) {
-      corners_.insert(corners_.end(), polygon.begin(), polygon.end());
+/// A facet with all its corners.
+struct CornerFacet {
+  CornerFacet(const SurfaceFacet& given, const std::vector<Vec3>& points) {
+    for (const std::vector<int>& polygon : given.polygons) {
+      corners.insert(corners.end(), polygon.begin(), polygon.end());
       for (std::size_t i = 0; i < polygon.size(); ++i)
         if (polygon.size() > 2 || i + 1 < polygon.size())
-          edges_.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
+          facet.edges.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
     }
-    set_plane();
+    facet.inside = points[position(corners.front())];
+    facet.normal = normal_of(points);
   }
 
-  bool has_corner(int point) const {
-    return std::find(corners_.begin(), corners_.end(), point) != corners_.end();
-  }
+  bool has_corner(int point) const { return std::ranges::find(corners, point) != corners.end(); }
 
-  Box box() const {
+  Box box(const std::vector<Vec3>& points) const {
     Box box;
-    for (const int corner : corners_) box.extend(points_[position(corner)]);
+    for (const int corner : corners) box.extend(points[position(corner)]);
     return box;
   }
 
-  double distance(const Vec3& x) const {
-    const Vec3& start = points_[position(corners_.front())];
-    const double height = normal_.dot(x - start);
-    if (holds(x - height * normal_)) return std::abs(height);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& [from, to] : edges_) {
-      const Vec3 &p = points_[position(from)], along = points_[position(to)] - p;
-      const double t = std::clamp((x - p).dot(along) / along.squaredNorm(), 0.0, 1.0);
-      nearest = std::min(nearest, (x - p - t * along).norm());
-    }
-    return nearest;
-  }
-
- private:
   /// By the corner that is farthest from the first one, and the one that spans the largest triangle with
   /// both.
-  void set_plane() {
-    const Vec3& start = points_[position(corners_.front())];
+  Vec3 normal_of(const std::vector<Vec3>& points) const {
+    const Vec3& start = points[position(corners.front())];
     Vec3 far = Vec3::Zero();
-    for (const int corner : corners_) {
-      const Vec3 offset = points_[position(corner)] - start;
+    for (const int corner : corners) {
+      const Vec3 offset = points[position(corner)] - start;
       if (offset.squaredNorm() > far.squaredNorm()) far = offset;
     }
     Vec3 largest = Vec3::Zero();
-    for (const int corner : corners_) {
-      const Vec3 turn = far.cross(points_[position(corner)] - start);
+    for (const int corner : corners) {
+      const Vec3 turn = far.cross(points[position(corner)] - start);
       if (turn.squaredNorm() > largest.squaredNorm()) largest = turn;
     }
-    normal_ = largest.normalized();
+    return largest.normalized();
   }
 
-  /// Whether a point of the plane lies inside the outlines.
-  bool holds(const Vec3& x) const {
-    int axis = 0;
-    normal_.cwiseAbs().maxCoeff(&axis);
-    const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-    bool is_inside = false;  // changes with each edge that a ray in the plane crosses
-    for (const auto& [from, to] : edges_) {
-      const Vec3 &p = points_[position(from)], &q = points_[position(to)];
-      if ((p[b] > x[b]) == (q[b] > x[b])) continue;
-      if (x[c] < p[c] + (x[b] - p[b]) / (q[b] - p[b]) * (q[c] - p[c])) is_inside = !is_inside;
-    }
-    return is_inside;
-  }
-
-  const std::vector<Vec3>& points_;
-  std::vector<int> corners_;
-  std::vector<std::array<int, 2>> edges_;
-  Vec3 normal_ = Vec3::Zero();
+  std::vector<int> corners;
+  SidedFacet facet;  ///< on either side; `inside` is a corner
 };
 
 /// Whether a facet has corners, and all of them are points.
@@ -110,11 +77,11 @@ std::optional<NarrowGap> narrowest_gap(const SurfaceComplex& surface, double par
   const BoundingBox around = bounding_box(surface.points);
   const double size = around.diagonal();
   const double rounding = kRounding * around.low.cwiseAbs().cwiseMax(around.high.cwiseAbs()).maxCoeff();
-  std::vector<FacetShape> facets;
+  std::vector<CornerFacet> facets;
   std::vector<Box> boxes;
   for (const SurfaceFacet& facet : surface.facets) {
     if (!is_whole(facet, surface.points.size())) continue;  // TetGen refuses it
-    boxes.push_back(facets.emplace_back(facet, surface.points).box());
+    boxes.push_back(facets.emplace_back(facet, surface.points).box(surface.points));
   }
   const BoxGrid grid(boxes, part * size);
   NarrowGap narrowest{part * size, Vec3::Zero()};
@@ -122,7 +89,7 @@ std::optional<NarrowGap> narrowest_gap(const SurfaceComplex& surface, double par
     const Vec3& place = surface.points[position(point)];
     for (const std::int32_t facet : grid.candidates(place)) {
       if (facets[position(facet)].has_corner(point)) continue;
-      const double width = facets[position(facet)].distance(place);
+      const double width = distance_to_facet(place, surface.points, facets[position(facet)].facet);
       if (width > rounding && width < narrowest.width) narrowest = {width, place};
     }
   }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/tetrahedra/generation/tetrahedralize.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
 #include <string>
-
-#include <fmt/format.h>
 
 #include <Eigen/Geometry>
 

@@ -4,20 +4,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/segment.h"
 #include "mesh/tetrahedra/adjacency/flat_neighbours.h"
 #include "mesh/tetrahedra/corners.h"
 #include "solver/observe/photon_map/disc_area.h"
 
 namespace etendue {
-namespace {
-
-double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double at = std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (point - a - at * along).norm();
-}
-
-}  // namespace
 
 WallPlanes::WallPlanes(const TetrahedralMesh& mesh)
     : beyond(flat_neighbours(mesh)), plane(beyond.size(), -1) {

@@ -37,8 +37,8 @@ void add_mean_irradiance(const BeamSource& beam, const TetrahedralMesh& mesh, Fa
   }
 }
 
-/// How often the parts of a face are cut in four where no corner shows a source: of a spot, whose cone may
-/// end between the corners, and where obstacles may leave light between them.
+/// Largest number of times that a face is cut in four where no corner shows a source: of a spot, whose cone
+/// may end between the corners, and where obstacles may leave light between them.
 constexpr int deepest_for_spots = 5, deepest_behind_obstacles = 2;
 /// Beams with which the mean is good enough for the directions of what a lobe reflects.
 constexpr std::size_t enough_between_corners = 8;
