@@ -18,7 +18,6 @@
 #include "app/run/methods/visible_solution.h"
 #include "app/run/methods/visible_steps.h"
 #include "app/run/ordinates_setup.h"
-#include "app/run/output_memory.h"
 #include "app/run/report/field_text.h"
 #include "app/run/report/lamp_text.h"
 #include "app/run/report/phase_text.h"
@@ -27,6 +26,7 @@
 #include "app/run/report/run_report.h"
 #include "app/setup/deprecation_notes.h"
 #include "app/setup/fault_report.h"
+#include "app/setup/output_memory.h"
 #include "app/setup/run_context.h"
 #include "app/time/heat_steps.h"
 #include "app/time/solve_in_time.h"
@@ -135,7 +135,10 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
     options.initial = &initial;
     out << "starts from " << input.initial->path.string() << std::endl;
   }
-  const RunMemory expected = setup.memory();
+  const bool steps_heat = steps_temperatures(input);
+  const bool asks_time = input.time && !steps_heat && request.traces == RunTraces::all;
+  const RunMemory expected =
+      asks_time || steps_heat ? directions_run_memory(input, problem, setup) : setup.memory();
   const std::string memory = memory_text(expected, problem);
   const Resolution resolution = setup.resolution(problem);
   out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions, input),
@@ -146,8 +149,6 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
     out << "scattering in " << plan << std::endl;
 
   TimeSetup in_time{input, problem, all_directions.sets, options, locator, lights};
-  const bool steps_heat = steps_temperatures(input);
-  const bool asks_time = input.time && !steps_heat && request.traces == RunTraces::all;
   if (steps_heat) out << heat_steps_text(input) << std::flush;
   if (asks_time) out << time_plan_text(in_time) << std::flush;
 

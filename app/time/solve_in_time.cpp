@@ -9,7 +9,6 @@
 #include <numbers>
 #include <utility>
 
-#include "app/setup/memory.h"
 #include "app/time/steps_in_time.h"
 #include "app/time/time_numbers.h"
 #include "base/vector_sums.h"
@@ -284,13 +283,8 @@ std::string time_plan_text(const TimeSetup& setup) {
   std::string text;
   if (const std::size_t rates = rate_count(*setup.input.time); rates > 0) {
     const std::size_t together = rates_together(setup);
-    const RunMemory memory = memory_of_rates(setup, together);
-    check_memory(memory.solving, setup.problem.mesh(), setup.problem.band_count(), memory.matrices,
-                 memory.expected);
     text = fmt::format("light in time: {} rates are solved for, {} side by side\n", rates, together);
   }
-  if (setup.input.time->flight_times || setup.input.time->until)
-    check_memory(steps_memory(setup).solving, setup.problem.mesh(), setup.problem.band_count());
   if (setup.input.time->flight_times) text += "times of flight: three solutions with the same coefficients\n";
   if (setup.input.time->until) text += steps_plan_text(setup);
   const TimeNumbers numbers(setup.input, setup.problem, setup.locator);

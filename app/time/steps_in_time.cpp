@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/setup/memory.h"
 #include "app/time/emission_courses.h"
 #include "app/time/step_times.h"
 #include "app/write/result/unit_labels.h"
@@ -37,9 +36,12 @@ RunMemory steps_memory(const TimeSetup& setup) {
                             static_cast<std::size_t>(setup.problem.band_count());
   const std::size_t fields = 6 + setup.options.keep_ordinates.size() + static_cast<std::size_t>(time.frames) +
                              (time.modulation.empty() ? 0 : 2 * (time.modulation.size() + 1));
-  memory.solving = estimate_march_memory(setup.problem, setup.sets.front(), setup.options) + fields * field +
-                   memory_of_rays(setup, 1);
-  memory.expected = memory.solving;
+  const std::size_t besides = fields * field + memory_of_rays(setup, 1);
+  const auto marching = [&](KrylovVectors vectors) {
+    return estimate_march_memory(setup.problem, setup.sets.front(), setup.options, vectors) + besides;
+  };
+  memory.solving = marching(KrylovVectors::all);
+  memory.expected = marching(KrylovVectors::typical);
   return memory;
 }
 

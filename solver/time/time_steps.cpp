@@ -337,7 +337,7 @@ void march_in_time(const Problem& problem, const DirectionSet& directions, const
 }
 
 std::size_t estimate_march_memory(const Problem& problem, const DirectionSet& directions,
-                                  const SolveOptions& options) {
+                                  const SolveOptions& options, KrylovVectors vectors) {
   SolveOptions own = options;
   own.keep_ordinates = all_ordinates(directions);
   const EverywhereDirectional input;
@@ -345,7 +345,7 @@ std::size_t estimate_march_memory(const Problem& problem, const DirectionSet& di
   const std::size_t angular = static_cast<std::size_t>(problem.mesh().cell_count()) * 4 *
                               static_cast<std::size_t>(problem.band_count()) *
                               static_cast<std::size_t>(directions.count()) * sizeof(double);
-  return estimate_memory(problem, directions, own) + 2 * angular;
+  return estimate_memory(problem, directions, own, vectors) + 2 * angular;
 }
 
 }  // namespace etendue

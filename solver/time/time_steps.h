@@ -13,6 +13,7 @@
 #include "solver/time/emission_course.h"
 #include "solver/time/slowness.h"
 #include "solver/time/uncollided_in_time.h"
+#include "solver/transport/solve/solve.h"
 
 namespace etendue {
 
@@ -73,8 +74,8 @@ void march_in_time(const Problem& problem, const DirectionSet& directions, const
                    const TimeStepReader& reader, const SolveObserver& observer = {},
                    const UncollidedInTime* uncollided = nullptr);
 
-/// Bytes that march_in_time() takes at its peak: an upper estimate.
+/// Bytes that march_in_time() takes at its peak, with so many vectors of GMRES in a step.
 std::size_t estimate_march_memory(const Problem& problem, const DirectionSet& directions,
-                                  const SolveOptions& options);
+                                  const SolveOptions& options, KrylovVectors vectors);
 
 }  // namespace etendue

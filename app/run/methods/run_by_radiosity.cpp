@@ -15,6 +15,7 @@
 #include "app/run/report/radiosity_text.h"
 #include "app/run/report/run_report.h"
 #include "app/setup/memory.h"
+#include "app/setup/output_memory.h"
 #include "app/setup/run_context.h"
 #include "app/write/csv/sensor_files.h"
 #include "app/write/result/temperature_fields.h"
@@ -45,7 +46,8 @@ ExitCode run_by_radiosity(const RunContext& run, std::ostream& out, std::ostream
     display.show(stage, watch.total());
     if (stage.done > 0) return;
     const RadiosityMemory memory = radiosity_memory(run.problem, asked, stage.patches);
-    const std::string total = check_memory(memory.bytes, run.problem.mesh(), run.problem.band_count());
+    const std::string total = check_memory(memory.bytes + static_cast<std::size_t>(output_memory(run.input)),
+                                           run.problem.mesh(), run.problem.band_count());
     if (stage.round > 0) out << fmt::format("cut where the light changes, {}: ", stage.round);
     out << radiosity_memory_text(memory) << (stage.round > 0 ? "" : total) << std::flush;
   });

@@ -38,7 +38,7 @@ RadiosityMemory radiosity_memory(const Problem& problem, const RadiosityOptions&
       linked ? ExchangeLinks::bytes_of(memory.links) : ExchangeMatrix::bytes_of(patches);
   memory.kept = linked || matrix <= options.largest_kept;
   memory.bytes = (memory.kept ? matrix : 0) + memory.patches * (4096 + 8 * bands * sizeof(double)) +
-                 static_cast<std::size_t>(mesh.cell_count()) * 16 * bands * sizeof(double);
+                 static_cast<std::size_t>(mesh.cell_count()) * (1024 + 16 * bands * sizeof(double));
   if (options.method == RadiosityMethod::direct) memory.bytes += 2 * matrix;
   // Twice: pictures and sensors want what lights bring via mirrors.
   memory.bytes += 2 * bytes_of_traced_rays(problem, patches, options.path_rays);

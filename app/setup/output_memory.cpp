@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "app/run/output_memory.h"
+#include "app/setup/output_memory.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -65,12 +65,19 @@ std::vector<Taken> all_taken(const Case& input) {
   return all;
 }
 
+double sum_of(const std::vector<Taken>& all) {
+  double sum = 0;
+  for (const Taken& taken : all) sum += taken.bytes;
+  return sum;
+}
+
 }  // namespace
+
+double output_memory(const Case& input) { return sum_of(all_taken(input)); }
 
 void check_output_memory(const Case& input) {
   const std::vector<Taken> all = all_taken(input);
-  double needed = 0;
-  for (const Taken& taken : all) needed += taken.bytes;
+  const double needed = sum_of(all);
   const double available = available_memory();
   if (needed <= available) return;
   std::vector<Fault> faults;
