@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "base/position.h"
+#include "mesh/geometry/surface_files/coordinate_range.h"
 #include "mesh/geometry/surface_files/open_surfaces.h"
 #include "mesh/geometry/surface_files/outline.h"
 #include "mesh/geometry/surface_files/polygon_soup.h"
@@ -99,6 +100,7 @@ SurfaceComplex read_surface(const std::filesystem::path& path, const SurfaceFile
   PolygonSoup soup = read_soup(path, ending);
   for (Vec3& point : soup.points) point = with_z_up(options.scale * point, options.up);
   try {
+    check_range(soup.points);
     const SoupParts parts = parts_of(soup);
     const SurfaceComplex surface = surface_of_shells(
         close_surface(parts.closed), parts.open.polygons.empty() ? OpenSurface{} : open_surface(parts.open),

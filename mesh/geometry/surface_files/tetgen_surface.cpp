@@ -8,6 +8,7 @@
 
 #include "base/name_table.h"
 #include "base/position.h"
+#include "mesh/geometry/surface_files/coordinate_range.h"
 #include "mesh/geometry/surface_files/outline.h"
 #include "mesh/geometry/surface_files/surface_lines.h"
 #include "mesh/geometry/surface_files/surface_regions.h"
@@ -52,6 +53,11 @@ class TetgenReader {
       lines.require(fmt::format("point {} of {}", i + 1, points));
       if (i == 0) first_ = lines.integer(0, "number of the first point");
       surface_.points.push_back(point(lines, 1));
+    }
+    try {
+      check_range(surface_.points);
+    } catch (const std::invalid_argument& fault) {
+      lines.fail(fault.what());
     }
   }
 

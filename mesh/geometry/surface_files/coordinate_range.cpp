@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/geometry/surface_files/coordinate_range.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace etendue {
+namespace {
+
+constexpr double largest = 1e60, smallest = 1e-50;
+
+}  // namespace
+
+void check_range(const std::vector<Vec3>& points) {
+  double most = 0;
+  for (const Vec3& point : points) {
+    const double size = point.cwiseAbs().maxCoeff();
+    if (!(size <= largest))
+      throw std::invalid_argument(
+          fmt::format("point ({:.6g}, {:.6g}, {:.6g}), scaled: use coordinates up to {:g}", point.x(),
+                      point.y(), point.z(), largest));
+    most = std::max(most, size);
+  }
+  if (!points.empty() && most < smallest)
+    throw std::invalid_argument(fmt::format(
+        "all coordinates, scaled, are below {:.3g}: use a surface of at least {:g}", most, smallest));
+}
+
+}  // namespace etendue
