@@ -25,7 +25,7 @@ void check_range(const std::vector<Vec3>& points) {
   }
   if (!points.empty() && most < smallest)
     throw std::invalid_argument(fmt::format(
-        "all coordinates, scaled, are below {:.3g}: use a surface of at least {:g}", most, smallest));
+        "all coordinates, scaled, are at most {:.3g}: use a surface of at least {:g}", most, smallest));
 }
 
 }  // namespace etendue
