@@ -83,7 +83,10 @@ void solve_by_ordinates(SolvedCase& solved, const SolveHooks& hooks) {
   hooks.begins("setting up");
   solved.ordinates = std::make_unique<OrdinatesSetup>(solved.input, solved.problem);
   const OrdinatesSetup& setup = *solved.ordinates;
-  memory_text(setup.memory(), solved.problem);  // throws where there is not as much
+  // Throws where there is not as much.
+  memory_text(steps_temperatures(solved.input) ? directions_run_memory(solved.input, solved.problem, setup)
+                                               : setup.memory(),
+              solved.problem);
   OrdinateSensorTally tally(solved.input.sensors, setup.lights, setup.locator);
   sweep(solved, hooks, tally);
   setup.set_emission(solved.problem);

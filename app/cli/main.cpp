@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <fcntl.h>
-#include <malloc.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -9,6 +8,10 @@
 #include <iostream>
 #include <string_view>
 #include <system_error>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "app/cli/command.h"
 
@@ -36,11 +39,13 @@ void let_idle_threads_sleep(int count, char** arguments) {
 
 // Arrays of this size are mapped each on its own and go back to the system when they are freed. Else the GNU
 // C library keeps them, once one of 32 MB has been freed, in heaps with holes: where temperatures are found
-// in steps the peak was by a quarter higher.
+// in steps the peak was by a quarter higher. Whoever has set something keeps it.
 void return_large_arrays() {
 #ifdef __GLIBC__
+  if (std::getenv("MALLOC_MMAP_THRESHOLD_") != nullptr || std::getenv("GLIBC_TUNABLES") != nullptr) return;
   constexpr int large = 2 << 20;
   mallopt(M_MMAP_THRESHOLD, large);
+  mallopt(M_TRIM_THRESHOLD, 2 * large);  // as it would have followed
 #endif
 }
 

@@ -38,9 +38,8 @@ RunMemory directions_run_memory(const Case& input, const Problem& problem, const
     memory.expected += steps;
     return memory;
   }
-  RunMemory in_time =
-      time_memory({input, problem, setup.directions.sets, setup.options, setup.locator, setup.lights});
-  return in_time.solving > memory.solving ? in_time : memory;
+  return larger_of(std::move(memory), time_memory({input, problem, setup.directions.sets, setup.options,
+                                                   setup.locator, setup.lights}));
 }
 
 std::string expected_memory_text(const RunMemory& memory, const Case& input, const Problem& coarse,

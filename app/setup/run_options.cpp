@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/setup/run_options.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -30,6 +31,13 @@ RunMemory memory_of(const LightSetup& lights, const RunDirections& directions, c
           estimate_rotated_memory(lights, directions.sets, options, directions.first_collided,
                                   KrylovVectors::typical),
           matrix_memory_text(lights.problem(), directions.sets.front())};
+}
+
+RunMemory larger_of(RunMemory a, RunMemory b) {
+  const std::size_t expected = std::max(a.expected, b.expected);
+  RunMemory larger = std::move(a.solving < b.solving ? b : a);
+  larger.expected = expected;
+  return larger;
 }
 
 std::string memory_text(const RunMemory& memory, const Problem& problem) {

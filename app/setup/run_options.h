@@ -24,6 +24,9 @@ struct RunMemory {
   std::string matrices = {};  ///< matrix_memory_text()
 };
 
+/// Of two stages, one after the other.
+RunMemory larger_of(RunMemory a, RunMemory b);
+
 /// Memory of a run on this very mesh as a line. Throws InputError as the run does where this machine has not
 /// so much.
 std::string memory_text(const RunMemory& memory, const Problem& problem);

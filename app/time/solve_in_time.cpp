@@ -275,8 +275,7 @@ RunMemory time_memory(const TimeSetup& setup) {
   RunMemory memory;
   if (rate_count(*setup.input.time) > 0) memory = memory_of_rates(setup, rates_together(setup));
   if (!setup.input.time->until && !setup.input.time->flight_times) return memory;
-  RunMemory steps = steps_memory(setup);
-  return steps.solving > memory.solving ? steps : memory;
+  return larger_of(std::move(memory), steps_memory(setup));
 }
 
 std::string time_plan_text(const TimeSetup& setup) {

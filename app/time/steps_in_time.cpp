@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/setup/memory.h"
 #include "app/time/emission_courses.h"
 #include "app/time/step_times.h"
 #include "app/write/result/unit_labels.h"
@@ -42,6 +43,7 @@ RunMemory steps_memory(const TimeSetup& setup) {
   };
   memory.solving = marching(KrylovVectors::all);
   memory.expected = marching(KrylovVectors::typical);
+  memory.matrices = matrix_memory_text(setup.problem, setup.sets.front());
   return memory;
 }
 

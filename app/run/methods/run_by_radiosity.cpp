@@ -46,8 +46,10 @@ ExitCode run_by_radiosity(const RunContext& run, std::ostream& out, std::ostream
     display.show(stage, watch.total());
     if (stage.done > 0) return;
     const RadiosityMemory memory = radiosity_memory(run.problem, asked, stage.patches);
-    const std::string total = check_memory(memory.bytes + static_cast<std::size_t>(output_memory(run.input)),
-                                           run.problem.mesh(), run.problem.band_count());
+    const auto pictures =
+        static_cast<std::size_t>(run.request.traces == RunTraces::none ? 0 : output_memory(run.input));
+    const std::string total =
+        check_memory(memory.bytes + pictures, run.problem.mesh(), run.problem.band_count());
     if (stage.round > 0) out << fmt::format("cut where the light changes, {}: ", stage.round);
     out << radiosity_memory_text(memory) << (stage.round > 0 ? "" : total) << std::flush;
   });

@@ -13,16 +13,16 @@ constexpr double largest = 1e60, smallest = 1e-50;
 
 }  // namespace
 
-void check_range(const std::vector<Vec3>& points) {
+const Vec3& checked_range(const Vec3& point) {
+  if (point.cwiseAbs().maxCoeff() <= largest) return point;
+  throw std::invalid_argument(
+      fmt::format("point ({:.6g}, {:.6g}, {:.6g}), scaled: use coordinates up to {:g}", point.x(), point.y(),
+                  point.z(), largest));
+}
+
+void check_extent(const std::vector<Vec3>& points) {
   double most = 0;
-  for (const Vec3& point : points) {
-    const double size = point.cwiseAbs().maxCoeff();
-    if (!(size <= largest))
-      throw std::invalid_argument(
-          fmt::format("point ({:.6g}, {:.6g}, {:.6g}), scaled: use coordinates up to {:g}", point.x(),
-                      point.y(), point.z(), largest));
-    most = std::max(most, size);
-  }
+  for (const Vec3& point : points) most = std::max(most, point.cwiseAbs().maxCoeff());
   if (!points.empty() && most < smallest)
     throw std::invalid_argument(fmt::format(
         "all coordinates, scaled, are at most {:.3g}: use a surface of at least {:g}", most, smallest));

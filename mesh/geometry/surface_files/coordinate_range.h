@@ -7,8 +7,11 @@
 
 namespace etendue {
 
-/// Throws std::invalid_argument where the volumes, squared, of a surface with these points would overflow or
-/// be lost, with the point that is too far out.
-void check_range(const std::vector<Vec3>& points);
+/// The point of a surface, scaled. Throws std::invalid_argument where it is so far out that squares of areas,
+/// or volumes, overflow.
+const Vec3& checked_range(const Vec3& point);
+
+/// Throws std::invalid_argument where all points are so near to the origin that these vanish.
+void check_extent(const std::vector<Vec3>& points);
 
 }  // namespace etendue

@@ -98,9 +98,9 @@ SurfaceComplex read_surface(const std::filesystem::path& path, const SurfaceFile
   if (ending != ".stl" && ending != ".obj" && ending != ".ply" && ending != ".off")
     throw refuse("is not a kind of surface file; use .poly, .smesh, .stl, .obj, .ply or .off");
   PolygonSoup soup = read_soup(path, ending);
-  for (Vec3& point : soup.points) point = with_z_up(options.scale * point, options.up);
   try {
-    check_range(soup.points);
+    for (Vec3& point : soup.points) point = with_z_up(checked_range(options.scale * point), options.up);
+    check_extent(soup.points);
     const SoupParts parts = parts_of(soup);
     const SurfaceComplex surface = surface_of_shells(
         close_surface(parts.closed), parts.open.polygons.empty() ? OpenSurface{} : open_surface(parts.open),

@@ -55,7 +55,7 @@ class TetgenReader {
       surface_.points.push_back(point(lines, 1));
     }
     try {
-      check_range(surface_.points);
+      check_extent(surface_.points);
     } catch (const std::invalid_argument& fault) {
       lines.fail(fault.what());
     }
@@ -63,7 +63,11 @@ class TetgenReader {
 
   Vec3 point(const SurfaceLines& lines, std::size_t word) const {
     const Vec3 read{lines.number(word, "x"), lines.number(word + 1, "y"), lines.number(word + 2, "z")};
-    return with_z_up(options_.scale * read, options_.up);
+    try {
+      return with_z_up(checked_range(options_.scale * read), options_.up);
+    } catch (const std::invalid_argument& fault) {
+      lines.fail(fault.what());
+    }
   }
 
   int corner(std::size_t word) const {

@@ -11,7 +11,8 @@ namespace {
 
 std::string fault_of(const std::vector<Vec3>& points) {
   try {
-    check_range(points);
+    for (const Vec3& point : points) checked_range(point);
+    check_extent(points);
     return "none";
   } catch (const std::invalid_argument& fault) {
     return fault.what();

@@ -395,8 +395,8 @@ TEST_F(SurfaceFile, RefusesMalformedPolyWithFileAndLine) {
 TEST_F(SurfaceFile, RefusesCoordinatesOutOfRange) {
   EXPECT_THAT(fault_of(write("large.obj", "v 0 0 0\nv 1e160 0 0\nv 0 1 0\nf 1 2 3\n")),
               HasSubstr("point (1e+160, 0, 0)"));
-  EXPECT_THAT(fault_of(write("large.poly", "2 3 0 0\n0 0 0 0\n1 1e160 0 0\n")),
-              HasSubstr("large.poly:3: point (1e+160, 0, 0)"));
+  EXPECT_THAT(fault_of(write("large.poly", "2 3 0 0\n0 1e160 0 0\n1 1 0 0\n")),
+              HasSubstr("large.poly:2: point (1e+160, 0, 0)"));
 }
 
 }  // namespace
