@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/case/build/build.h"
+#include "app/case/temperatures.h"
 #include "app/progress/interruption.h"
 #include "app/progress/progress.h"
 #include "app/progress/stage_progress.h"
@@ -106,7 +107,7 @@ ExitCode check_case(const CheckRequest& request, std::ostream& out, std::ostream
   for (const std::string& field : field_texts(input, mesh)) out << field << '\n';
   if (is_meshed) {
     for (const std::string& plan : checked.plans) out << "scattering in " << plan << '\n';
-    if (checked.resolution) out << resolution_text(*checked.resolution);
+    if (checked.resolution) out << resolution_text(*checked.resolution, !iterates_temperatures(input));
   }
   out << memory;
   if (request.mesh) out << '\n' << to_string(mesh_report(mesh), mesh, input.units.length);

@@ -143,7 +143,8 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   const Resolution resolution = setup.resolution(problem);
   out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions, input),
                      problem.band_count(), options.threads)
-      << refraction_caution(all_directions, problem) << resolution_text(resolution) << memory << std::flush;
+      << refraction_caution(all_directions, problem)
+      << resolution_text(resolution, !iterates_temperatures(input)) << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
   for (const std::string& plan : plan_texts(problem, directions))
     out << "scattering in " << plan << std::endl;

@@ -50,26 +50,25 @@ bool is_coarse(const Resolution& resolution) {
   return has_thick_cells(resolution) || has_coarse_directions(resolution);
 }
 
-std::string resolution_text(const Resolution& resolution) {
+std::string resolution_text(const Resolution& resolution, bool by_photons_too) {
   std::string text = cells_line(resolution);
   if (has_thick_cells(resolution))
     text += fmt::format(
         "caution: cells at lights are {:.2g} transport mean free paths thick (median), and what they absorb "
-        "may be "
-        "off by several percent; use finer cells there (mesh.max_volume), or solve.method = \"photons\"\n",
-        resolution.transport_thickness_at_lights);
+        "may be off by several percent; use finer cells there (mesh.max_volume){}\n",
+        resolution.transport_thickness_at_lights, by_photons_too ? ", or solve.method = \"photons\"" : "");
   if (has_coarse_directions(resolution)) {
     const double needed =
         4 * std::numbers::pi / std::pow(fine_directions * resolution.narrowest->half_width, 2);
     const std::string finer = needed < most_directions
-                                  ? fmt::format("use {:.0f} directions or more, or ", std::ceil(needed))
-                                  : std::string("use ");
+                                  ? fmt::format("{:.0f} directions or more", std::ceil(needed))
+                                  : "more directions";
     text += fmt::format(
         "caution: directions are {:.2g} degrees apart, and light that scatters in {} turns by less than "
-        "{:.2g} "
-        "degrees (half width): beams and shadows may be off by percents; {}solve.method = \"photons\"\n",
+        "{:.2g} degrees (half width): beams and shadows may be off by percents; use {}{}\n",
         degrees(resolution.direction_spacing), resolution.narrowest->region,
-        degrees(resolution.narrowest->half_width), finer);
+        degrees(resolution.narrowest->half_width), finer,
+        by_photons_too ? ", or solve.method = \"photons\"" : "");
   }
   return text;
 }
