@@ -38,7 +38,7 @@ std::optional<GrayGases> read_distribution(Section& section, const std::filesyst
   const TomlNode* node = section.find("k_distribution");
   if (node == nullptr) return std::nullopt;
   try {
-    return k_distribution(resolve_path(*node, case_folder));
+    return k_distribution(readable_path(*node, case_folder));
   } catch (const InputError& error) {
     section.fault("k_distribution", "is no k-distribution: " + to_string(error.faults().front()));
     return std::nullopt;

@@ -20,7 +20,7 @@ namespace {
 
 InTime of_table(const TomlNode& node, const std::filesystem::path& case_folder) {
   InTime read{InTime::Kind::table, node.text(), {}, {}, node.origin};
-  auto columns = read_columns(resolve_path(node, case_folder), {"t", "factor"});
+  auto columns = read_columns(readable_path(node, case_folder), {"t", "factor"});
   if (columns[0].empty() ||
       std::ranges::adjacent_find(columns[0], std::greater_equal<>()) != columns[0].end())
     throw InputError(fault_at(node.origin, "\"" + node.text() + "\"",

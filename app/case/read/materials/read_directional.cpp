@@ -105,7 +105,7 @@ bool are_ordinates(Section& section, const std::vector<double>& numbers, int ord
 KernelMatrix read_matrix(Section& section, const TomlNode& file, const MatterContext& context) {
   KernelMatrix matrix;
   try {
-    const auto columns = read_columns(resolve_path(file, context.case_folder), {"from", "into", "k"});
+    const auto columns = read_columns(readable_path(file, context.case_folder), {"from", "into", "k"});
     // A matrix is allocated only for directions that there are.
     const int ordinates = context.ordinates();
     if (columns[0].empty() || ordinates == 0) return matrix;

@@ -39,7 +39,7 @@ std::vector<ReflectancePoint> points_of(Section& section, const std::filesystem:
   if (file == nullptr) return {};
   try {
     const auto columns =
-        read_columns(resolve_path(*file, case_folder), {"angle_in", "angle_out", "azimuth", "value"});
+        read_columns(readable_path(*file, case_folder), {"angle_in", "angle_out", "azimuth", "value"});
     std::vector<ReflectancePoint> points;
     for (std::size_t i = 0; i < columns[0].size(); ++i)
       points.push_back({columns[0][i], columns[1][i], columns[2][i], columns[3][i]});

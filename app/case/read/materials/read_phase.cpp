@@ -93,7 +93,7 @@ class PhaseReader {
     const TomlNode* file = section_.find("file");
     if (file == nullptr) return {};
     try {
-      return read_columns(resolve_path(*file, context_.case_folder), names);
+      return read_columns(readable_path(*file, context_.case_folder), names);
     } catch (const InputError& error) {
       const std::vector<Fault>& faults = error.faults();
       section_.faults().insert(section_.faults().end(), faults.begin(), faults.end());

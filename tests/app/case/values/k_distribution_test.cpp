@@ -141,5 +141,15 @@ TEST(KDistribution, NeedsATemperatureWhereAbsorptionFollowsIt) {
   }
 }
 
+TEST(KDistribution, NamesTheKeyOfAFileThatIsNotThere) {
+  try {
+    case_of(cube + "[bands]\nk_distribution = \"none.csv\"\n");
+    FAIL();
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("bands.k_distribution = \"none.csv\": "), std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace etendue::k_distribution_test
