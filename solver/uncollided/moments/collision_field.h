@@ -12,8 +12,6 @@
 
 namespace etendue {
 
-using LightSources = std::vector<std::unique_ptr<LightSource>>;
-
 /// First collisions in cells whose medium scatters by direction: for each cell the directions from which the
 /// light comes, and the power density that scatters of each, projected on the linear functions of the cell.
 /// The power by direction sums up to all that scatters but for a part that is to be scattered isotropically:

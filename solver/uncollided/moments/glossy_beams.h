@@ -15,7 +15,7 @@ namespace etendue {
 class GlossyBeams {
  public:
   GlossyBeams() = default;
-  GlossyBeams(const LightPaths& paths, const std::vector<std::unique_ptr<LightSource>>& sources, int threads);
+  GlossyBeams(const LightPaths& paths, const LightSources& sources, int threads);
 
   bool empty() const { return corners_.empty(); }
   /// The same beams in other bands, each as the one of these whose number it has.

@@ -64,4 +64,6 @@ class LightSource {
   std::vector<double> power_;
 };
 
+using LightSources = std::vector<std::unique_ptr<LightSource>>;
+
 }  // namespace etendue
