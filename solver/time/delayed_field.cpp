@@ -63,8 +63,8 @@ class DelayedField::Sums {
   Sums(const BundledBeams& place, std::int32_t incident, std::size_t bands, std::span<const double> factors,
        std::size_t factor_count)
       : bands_(bands), weights_(nodes * bands, 0), multiplied_(factor_count * nodes * bands, 0) {
-    const auto [first, last] = std::ranges::equal_range(place.bundles, incident, {}, &BeamBundle::incident);
-    for (auto bundle = first; bundle != last; ++bundle) {
+    auto bundle = std::ranges::lower_bound(place.bundles, incident, {}, &BeamBundle::incident);
+    for (; bundle != place.bundles.end() && bundle->incident == incident; ++bundle) {
       const auto k = static_cast<std::size_t>(bundle - place.bundles.begin());
       const double* const own = place.weights.data() + k * weights_.size();
       for (std::size_t i = 0; i < weights_.size(); ++i) {
