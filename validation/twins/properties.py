@@ -100,8 +100,10 @@ def _reciprocal(scene, program, part, solves, allow):
 
 
 def reciprocal(scene, program, part):
-    """Light from a region or wall a to b, and from b to a: the discrete equations are reciprocal too (docs/theory/adjoint.md)."""
-    return _reciprocal(scene, program, part, [scene.case["solve"]] * 2, lambda one, two: tolerances.ITERATION * max(one[0], two[0]))
+    """Light from a region or wall a to b, and from b to a: the discrete equations are reciprocal too (docs/theory/adjoint.md).
+
+    What reaches a port in the shadow may be a trifle below zero, and is the same from both sides."""
+    return _reciprocal(scene, program, part, [scene.case["solve"]] * 2, lambda one, two: tolerances.ITERATION * max(abs(one[0]), abs(two[0])))
 
 
 def _by_photons():
