@@ -23,8 +23,8 @@ endif()
 
 if(ETENDUE_SANITIZE)
   # The address sanitizer sees what null pointers, wrong sizes and pointers that overflow lead to; to check each
-  # of them costs a quarter of the time to compile. Divisions of floating-point numbers by zero are left out: 1/0 is meant, as a slope of a
-  # jump or a distance that any other is below.
+  # of them costs a quarter of the time to compile. Divisions of floating-point numbers by zero are left out: 1/0 is
+  # meant, as a slope of a jump or a distance that any other is below.
   target_compile_options(etendue_options INTERFACE -fsanitize=address,undefined,float-cast-overflow
                          -fno-sanitize-recover=all -fno-sanitize=null,object-size,pointer-overflow,alignment,vptr
                          -fno-omit-frame-pointer)

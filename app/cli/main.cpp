@@ -57,7 +57,7 @@ void report_large_files() { std::signal(SIGXFSZ, SIG_IGN); }
 int main(int count, char** arguments) {
   open_standard_streams();
   report_large_files();
-  return_large_arrays();
   let_idle_threads_sleep(count, arguments);
+  return_large_arrays();
   return static_cast<int>(etendue::run_command({arguments + 1, arguments + count}, std::cout, std::cerr));
 }

@@ -72,13 +72,13 @@ class Runs:
         return subprocess.Popen(self.command + options, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                                 text=True, **process)
 
-    def whole(self, folder, restarts=True):
+    def whole(self, folder, restarts=True, **process):
         """Seconds of a run that is not killed."""
         begun = time.monotonic()
-        process = self.begin(folder, restarts)
-        _, said = process.communicate(timeout=LIMIT)
-        if process.returncode not in (0, 1):
-            raise Fault(f"a run that was not killed ended with {process.returncode}: {said}")
+        run = self.begin(folder, restarts, **process)
+        _, said = run.communicate(timeout=LIMIT)
+        if run.returncode not in (0, 1):
+            raise Fault(f"a run that was not killed ended with {run.returncode}: {said}")
         return time.monotonic() - begun
 
     def save_one_of_each(self):

@@ -12,9 +12,9 @@
 
 #include "app/case/lamps/ies_file.h"
 #include "app/case/lamps/ldt_file.h"
+#include "base/errors.h"
 #include "base/text/number_columns.h"
 #include "base/text/text_lines.h"
-#include "base/unreadable_file.h"
 
 namespace etendue {
 namespace {
@@ -82,8 +82,7 @@ LightTable read_grid(const std::filesystem::path& path) {
 
 }  // namespace
 
-LightTable read_light_table(const std::filesystem::path& path, const Origin& origin) {
-  if (!std::ifstream(path)) throw unreadable_file(origin, path, path.string() + ": cannot be opened");
+LightTable read_light_table(const std::filesystem::path& path) {
   LightTable table;
   std::string kind = path.extension().string();
   std::ranges::transform(kind, kind.begin(),

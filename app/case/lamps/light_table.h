@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/case/lamps/lamp_tilt.h"
-#include "base/errors.h"
 
 namespace etendue {
 
@@ -27,7 +26,8 @@ struct LightTable {
 };
 
 /// Reads an IES file, an EULUMDAT file (.ldt) or a CSV with an angle and an intensity on each line, or an
-/// angle, an azimuth and an intensity. Throws FileError or InputError; `origin` is the key that names it.
-LightTable read_light_table(const std::filesystem::path& path, const Origin& origin);
+/// angle, an azimuth and an intensity. The file must be one that
+/// opens. Throws FileError or InputError.
+LightTable read_light_table(const std::filesystem::path& path);
 
 }  // namespace etendue

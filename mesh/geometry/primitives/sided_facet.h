@@ -13,7 +13,7 @@
 
 namespace etendue {
 
-/// A flat facet whose two sides are told apart.
+/// A flat facet whose two sides are distinguished.
 struct SidedFacet {
   /// Points; the facet is on their left, seen from the normal's tip. Edges inside it are in both
   /// directions.

@@ -105,7 +105,7 @@ std::optional<double> tilted_candelas(Section& section, const LightTable& table,
 /// The shape of a lamp or a sky; what 1 of it is [cd], empty where that is not known.
 std::optional<double> read_shape(Section& section, LightCase& light, const std::filesystem::path& folder) {
   if (const TomlNode* file = section.find("distribution")) {
-    LightTable table = read_light_table(resolve_path(*file, folder), file->origin);
+    LightTable table = read_light_table(readable_path(*file, folder));
     light.angle = std::move(table.angle);
     light.intensity = std::move(table.intensity);
     light.plane = std::move(table.plane);

@@ -194,7 +194,7 @@ TEST(BuildProblem, RefusesALampOnAWallThatShinesAtIt) {
   EXPECT_EQ(spot("[1, 0, 0]"), "");
 }
 
-// A black box in the room is none of the ways in.
+// The sun does not come in by the walls of a black box in the room.
 TEST(BuildProblem, LetsTheSunInByOuterWallsOnly) {
   const Case input = case_of(R"([mesh]
 max_volume = 0.2

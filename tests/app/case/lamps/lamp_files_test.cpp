@@ -32,13 +32,13 @@ std::string ldt(int symmetry, const Numbers& planes, int stored, const std::stri
 
 LightTable read(const std::string& text) {
   const TestFolder folder;
-  return read_light_table(folder.write("lamp.LDT", text), {});
+  return read_light_table(folder.write("lamp.LDT", text));
 }
 
 std::string refusal(const std::string& name, const std::string& text) {
   const TestFolder folder;
   try {
-    read_light_table(folder.write(name, text), {});
+    read_light_table(folder.write(name, text));
   } catch (const InputError& error) {
     const std::string message = error.what();
     return message.substr(message.find(name));
@@ -109,7 +109,7 @@ const std::string rest = "1 -1 1 2 1 1 2 0 0 0\n1 1 50\n0 180\n0\n100 100\n";
 TEST(Tilt, OfTheFileAndOfOneBesideIt) {
   const TestFolder folder;
   const auto file = folder.write("lamp.ies", header + "TILT=INCLUDE\n1\n3\n0 45 90\n1 0.9\n0.7\n" + rest);
-  const LightTable table = read_light_table(file, {});
+  const LightTable table = read_light_table(file);
   EXPECT_EQ(table.tilt.angle, (Numbers{0, 45, 90}));
   EXPECT_EQ(table.tilt.factor, (Numbers{1, 0.9, 0.7}));
   EXPECT_EQ(table.intensity, (Numbers{100, 100}));
@@ -118,14 +118,14 @@ TEST(Tilt, OfTheFileAndOfOneBesideIt) {
   EXPECT_FALSE(table.tilt.factor_at(91));
   folder.write("factors.tlt", "3\n2\n0 180\n1 0.5\n");
   const auto other = folder.write("other.ies", header + "TILT=factors.tlt\n" + rest);
-  EXPECT_EQ(read_light_table(other, {}).tilt.factor, (Numbers{1, 0.5}));
+  EXPECT_EQ(read_light_table(other).tilt.factor, (Numbers{1, 0.5}));
 }
 
 TEST(Tilt, IsReadInLettersOfAnyCase) {
   const TestFolder folder;
-  EXPECT_TRUE(read_light_table(folder.write("a.ies", header + "TILT=None\n" + rest), {}).tilt.angle.empty());
+  EXPECT_TRUE(read_light_table(folder.write("a.ies", header + "TILT=None\n" + rest)).tilt.angle.empty());
   const auto file = folder.write("b.ies", header + "Tilt=Include\n1\n2\n0 90\n1 0.5\n" + rest);
-  EXPECT_EQ(read_light_table(file, {}).tilt.factor, (Numbers{1, 0.5}));
+  EXPECT_EQ(read_light_table(file).tilt.factor, (Numbers{1, 0.5}));
 }
 
 TEST(Tilt, IsRefusedByFileAndLine) {

@@ -149,7 +149,7 @@ TEST(LightTable, ReadsIesFiles) {
   const auto file = folder.write("lamp.ies",
                                  "IESNA:LM-63-2002\n[TEST] 1\nTILT=NONE\n1 1000 1 3 1 1 2 0 0 0\n1 1 50\n"
                                  "0 45 90\n0\n100 80\n0\n");
-  const LightTable table = read_light_table(file, {});
+  const LightTable table = read_light_table(file);
   EXPECT_EQ(table.angle, (std::vector<double>{0, 45, 90}));
   EXPECT_EQ(table.intensity, (std::vector<double>{100, 80, 0}));
 }
@@ -166,7 +166,7 @@ std::string ies(int type, const std::string& vertical, const std::vector<int>& h
 TEST(LightTable, AddsThePlanesOfSymmetricLamps) {
   const TestFolder folder;
   const auto read = [&](int type, const std::string& vertical, const std::vector<int>& horizontal) {
-    return read_light_table(folder.write("lamp.ies", ies(type, vertical, horizontal)), {});
+    return read_light_table(folder.write("lamp.ies", ies(type, vertical, horizontal)));
   };
   using Numbers = std::vector<double>;
   const LightTable quadrant = read(1, "0 45 90", {0, 30, 90});
@@ -187,9 +187,7 @@ TEST(LightTable, AddsThePlanesOfSymmetricLamps) {
 
 TEST(LightTable, ReadsAnglesAndAzimuthsInAnyOrder) {
   const TestFolder folder;
-  const auto read = [&](const std::string& text) {
-    return read_light_table(folder.write("a.csv", text), {});
-  };
+  const auto read = [&](const std::string& text) { return read_light_table(folder.write("a.csv", text)); };
   const LightTable table = read("0, 180, 3\n0, 0, 1\n90, 0, 2\n90, 180, 4\n");
   EXPECT_EQ(table.angle, (std::vector<double>{0, 90}));
   EXPECT_EQ(table.plane, (std::vector<double>{0, 180, 360}));
@@ -204,7 +202,7 @@ TEST(LightTable, RefusesWhatItCannotUse) {
   const auto refusal = [&](const std::string& text) {
     const auto file = folder.write("lamp.ies", text);
     try {
-      read_light_table(file, {});
+      read_light_table(file);
     } catch (const InputError& error) {
       const std::string message = error.what();
       return message.substr(message.find("lamp.ies"));
@@ -226,7 +224,7 @@ TEST(LightTable, RefusesWhatItCannotUse) {
                   .starts_with("lamp.ies:7: the intensity -1 is negative"));
   EXPECT_TRUE(refusal("TILT=NONE\n1 1000 1 2 2 2 2 0 0 0\n1 1 50\n0 90\n0 90\n9 1\n1 1\n")
                   .starts_with("lamp.ies:4: vertical angles of type A or B from 0 to 90"));
-  EXPECT_THROW(read_light_table(folder.write("lamp.csv", "0, 1\n0, 2\n"), {}), InputError);
+  EXPECT_THROW(read_light_table(folder.write("lamp.csv", "0, 1\n0, 2\n")), InputError);
 }
 
 }  // namespace
