@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "base/errors.h"
 #include "tests/fuzz/check_light_table.h"
 
 /// A lamp is read as a table of finite intensities over rising angles, or refused.

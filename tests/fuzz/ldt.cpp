@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/case/lamps/ldt_file.h"
+
+#include "base/errors.h"
 #include "tests/fuzz/check_light_table.h"
 #include "tests/fuzz/input_file.h"
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "app/case/lamps/lamp_planes.h"
+#include "base/errors.h"
 #include "base/text/trimmed.h"
 
 namespace etendue {
