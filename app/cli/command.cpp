@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/cli/command.h"
 
+#include <nlohmann/json.hpp>
+
 #include <exception>
 
 #include "app/case/keys/key_help.h"
 #include "app/case/keys/key_schema.h"
 #include "app/case/keys/keys.h"
+#include "app/ranks/scratch_directory.h"
 #include "app/request/command_line.h"
 #include "app/request/commands.h"
 #include "app/setup/fault_report.h"
@@ -18,10 +21,26 @@ namespace {
 struct Dispatch {
   std::ostream& out;
   std::ostream& err;
+  RankGroup* ranks;
 
   ExitCode operator()(const RunRequest& request) const {
+    if (ranks != nullptr) return run_together(request);
     const bool is_asked_accuracy = read_case(request.file, request.overrides).accuracy.has_value();
     return is_asked_accuracy ? run_to_accuracy(request, out, err) : run_and_estimate(request, out, err);
+  }
+  /// The first process writes the results; what others write is thrown away.
+  ExitCode run_together(RunRequest request) const {
+    const Case input = read_case(request.file, request.overrides);
+    if (input.accuracy) throw InputError("[accuracy] is for one process; start one");
+    if (input.photons || input.radiosity)
+      throw InputError(
+          "solve.method: several processes share the directions of ordinates, and a run by photons or by "
+          "radiosity is for one; start one");
+    request.ranks = ranks;
+    if (ranks->rank() == 0) return run_and_estimate(request, out, err);
+    const ScratchDirectory scratch;
+    request.overrides.push_back("output.directory=" + nlohmann::json(scratch.path().string()).dump());
+    return run_and_estimate(request, out, err);
   }
   ExitCode operator()(const RenderRequest& request) const { return render_results(request, out, err); }
   ExitCode operator()(const BakeRequest& request) const { return bake_results(request, out, err); }
@@ -51,9 +70,16 @@ ExitCode checked(ExitCode code, std::ostream& out) {
 
 }  // namespace
 
-ExitCode run_command(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+ExitCode run_command(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err,
+                     RankGroup* ranks) {
   try {
-    return checked(std::visit(Dispatch{out, err}, parse_command_line(arguments)), out);
+    const Request command = parse_command_line(arguments);
+    if (ranks != nullptr && !std::holds_alternative<RunRequest>(command) &&
+        !std::holds_alternative<ShowText>(command))
+      throw InputError("several processes share runs alone: start one process for all other commands");
+    const ExitCode code = std::visit(Dispatch{out, err, ranks}, command);
+    // What others print is not heard.
+    return ranks != nullptr && ranks->rank() > 0 ? code : checked(code, out);
   } catch (const std::exception& fault) {
     const FaultReport report = report_of(fault);
     err << report.text << '\n';

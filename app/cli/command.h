@@ -6,11 +6,14 @@
 #include <vector>
 
 #include "app/request/exit_code.h"
+#include "base/parallel/rank_group.h"
 
 namespace etendue {
 
 /// The whole program: does what `arguments` (without the program's name) ask. Faults become one line each on
-/// `err`; nothing is thrown.
-ExitCode run_command(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);
+/// `err`; nothing is thrown. `ranks` are the processes that do the same, null where this one is alone: they
+/// share a run by ordinates, and all else is refused.
+ExitCode run_command(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err,
+                     RankGroup* ranks = nullptr);
 
 }  // namespace etendue

@@ -14,6 +14,7 @@
 #endif
 
 #include "app/cli/command.h"
+#include "app/ranks/rank_session.h"
 
 namespace {
 
@@ -59,5 +60,8 @@ int main(int count, char** arguments) {
   report_large_files();
   let_idle_threads_sleep(count, arguments);
   return_large_arrays();
-  return static_cast<int>(etendue::run_command({arguments + 1, arguments + count}, std::cout, std::cerr));
+  etendue::RankSession session;
+  return static_cast<int>(session.run([&](etendue::RankGroup* ranks, std::ostream& out, std::ostream& err) {
+    return etendue::run_command({arguments + 1, arguments + count}, out, err, ranks);
+  }));
 }

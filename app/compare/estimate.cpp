@@ -95,6 +95,7 @@ class Estimation {
            << std::flush;
     std::optional<KeptRun> other;
     run_case(again, out_, err_, [&](const RunResult& result) { other = kept_of(result); });
+    agree_on_costs(*other, request_.ranks);
     part.seconds = other->seconds;
     spent_ += other->seconds;
     const double ratio = repetition.ratio(*other);
@@ -172,6 +173,7 @@ ExitCode run_and_estimate(const RunRequest& request, std::ostream& out, std::ost
   if (request.estimate != EstimateWish::never) between.emplace(last_words_of_repetition);
   const ExitCode code = run_case(request, out, err, [&](const RunResult& result) { kept = kept_of(result); });
   if (request.estimate == EstimateWish::never || !kept || code == ExitCode::interrupted) return code;
+  agree_on_costs(*kept, request.ranks);
   if (!kept->whole || kept->numbers.empty()) {
     if (request.estimate == EstimateWish::always)
       out << "\nno estimate of errors: the run did not converge, or there is nothing to tell it of\n";

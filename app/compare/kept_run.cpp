@@ -67,4 +67,10 @@ KeptRun kept_of(const RunResult& run) {
   return kept;
 }
 
+void agree_on_costs(KeptRun& run, RankGroup* ranks) {
+  if (ranks == nullptr) return;
+  for (double* cost : {&run.seconds, &run.of_directions, &run.of_points, &run.memory})
+    *cost = ranks->of_first(*cost);
+}
+
 }  // namespace etendue

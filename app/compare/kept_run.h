@@ -7,6 +7,7 @@
 
 #include "app/compare/method_answer.h"
 #include "app/write/result/run_result.h"
+#include "base/parallel/rank_group.h"
 
 namespace etendue {
 
@@ -30,6 +31,9 @@ struct KeptRun {
 };
 
 KeptRun kept_of(const RunResult& run);
+
+/// The times and the memory of the first process, so that all decide alike; null: as they are.
+void agree_on_costs(KeptRun& run, RankGroup* ranks);
 
 /// What a number of `to` is more than in `from`; 0 where both are infinite, as UGR before a black background.
 double change_of(const AnswerNumber& from, const AnswerNumber& to);

@@ -9,6 +9,7 @@
 
 #include "app/case/case.h"
 #include "app/write/result/run_record.h"
+#include "base/parallel/rank_group.h"
 
 namespace etendue {
 
@@ -35,6 +36,7 @@ struct RunRequest : CaseRequest {
   RunRecord record = {};
   EstimateWish estimate = EstimateWish::automatic;
   RunTraces traces = RunTraces::all;
+  RankGroup* ranks = nullptr;  ///< processes that make this run together; null: this one alone
 };
 
 /// Pictures from a saved result. `file` is empty where the case of the result is meant.

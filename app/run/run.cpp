@@ -62,6 +62,10 @@ bool need_rays(const Case& input, AngularSpace space) {
   });
 }
 
+std::string ranks_text(const RankGroup* ranks) {
+  return ranks == nullptr ? "" : fmt::format(" in each of {} processes", ranks->count());
+}
+
 /// The seconds of a solution's stages; no time is in two of them.
 double sum_of(const SolveSeconds& solve) {
   return solve.setup + solve.lights + solve.orders + solve.sweep + solve.low_order;
@@ -119,6 +123,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   const DirectionSet& directions = setup.set();
   const CellLocator& locator = setup.locator;
   SolveOptions& options = setup.options;
+  options.ranks = request.ranks;
   OrdinateSensorTally ordinates(input.sensors, lights, locator);
   DirectionSetObserver tally_ordinates;
   if (need_all_ordinates(input.sensors, problem.space()))
@@ -141,8 +146,8 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
       asks_time || steps_heat ? directions_run_memory(input, problem, setup) : setup.memory();
   const std::string memory = memory_text(expected, problem);
   const Resolution resolution = setup.resolution(problem);
-  out << fmt::format("{}; bands: {}; threads: {}\n", directions_line(all_directions, input),
-                     problem.band_count(), options.threads)
+  out << fmt::format("{}; bands: {}; threads: {}{}\n", directions_line(all_directions, input),
+                     problem.band_count(), options.threads, ranks_text(request.ranks))
       << refraction_caution(all_directions, problem)
       << resolution_text(resolution, !iterates_temperatures(input)) << memory << std::flush;
   for (const std::string& phase : phase_texts(input)) out << "scattering in " << phase << std::endl;
@@ -178,6 +183,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   const Solution& solution = *solved;
   setup.set_emission(problem);
   interruption.note_all();
+  const bool is_interrupted = any_of(request.ranks, interruption.noted());
   // What is around the stages of the solution, and in none of them.
   seconds.setup += std::max(0.0, watch.lap() - sum_of(solution.seconds) - seconds.sensors);
   std::optional<RayRadiance> scene;
@@ -201,6 +207,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
                    .heat = setup.heat_solution(),
                    .expected_memory = static_cast<double>(expected.solving),
                    .is_coarse = is_coarse(resolution)};
+  if (request.ranks != nullptr) result.ranks = RunRanks{request.ranks->count(), request.ranks->traffic()};
   if (setup.exact) add_exact(*setup.exact, directions, result);
   result.seconds.measures = watch.lap();
   result.probes = read_probes(input.probes, lights, solution, locator, options.threads,
@@ -211,7 +218,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
                                 ShownStage(stages, "sensors").observer());
   result.seconds.sensors += watch.lap();
   result.time = std::move(heat_in_time);
-  if (asks_time && !interruption.noted()) result.time = solve_in_time(in_time, solution, stages, interrupted);
+  if (asks_time && !is_interrupted) result.time = solve_in_time(in_time, solution, stages, interrupted);
   note_left_out(result);
   result.seconds.total = watch.total();
   const ResultUse use = request.traces == RunTraces::none ? ResultUse::none

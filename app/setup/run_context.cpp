@@ -39,6 +39,7 @@ WrittenResults write_visibly(const RunResult& result, const StageDisplay& stages
 
 Case case_of(const RunRequest& request) {
   Case input = read_case(request.file, request.overrides);
+  if (request.ranks != nullptr && input.solve.threads == 0) input.solve.threads = request.ranks->threads();
   if (request.traces == RunTraces::all) return input;
   if (request.traces == RunTraces::none) input.cameras.clear();
   input.initial.reset();

@@ -47,6 +47,7 @@ struct IrradianceMeter {
 };
 
 class AngularInput;
+class RankGroup;
 class FollowingEmission;
 struct AddedExtinction;
 struct SavedState;
@@ -62,7 +63,10 @@ struct SolveOptions {
   DiffusionLength diffusion_length = DiffusionLength::automatic;
   double tolerance = 1e-6;  ///< estimated relative error of the iteration, per band
   int max_sweeps = 500;
-  int threads = 0;                                  ///< 0: all cores
+  int threads = 0;  ///< 0: all cores
+  /// Processes that share the ordinates of each sweep, and do the rest alike; must outlive the solution.
+  /// Null: this one sweeps alone.
+  RankGroup* ranks = nullptr;
   std::size_t order_memory = std::size_t{2} << 30;  ///< bytes that sweep orders may take; beyond, recomputed
   /// What a third-level cache may hold of a sweep [bytes]; with more, neighbouring ordinates go through the
   /// mesh together, tile by tile.

@@ -31,7 +31,7 @@ std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const Visible
     display.show(progress);
     if (every != 0 && progress.sweep % every == 0)
       write_checkpoint_visibly(solving, progress.state(), " after sweep " + std::to_string(progress.sweep));
-    return interruption.noted() ? SolveControl::stop : SolveControl::proceed;
+    return any_of(solving.options.ranks, interruption.noted()) ? SolveControl::stop : SolveControl::proceed;
   };
   SolveOptions options = solving.options;
   options.stops = [&] { return interruption.is_overdue(); };

@@ -40,7 +40,7 @@ std::optional<Solution> step_visibly(UncollidedLight& uncollided, const VisibleS
   const HeatStepsSetup stopping{setup.input,      setup.problem, setup.temperatures,
                                 setup.directions, options,       setup.locator};
   return take_heat_steps(stopping, uncollided,
-                         {[&] { return interruption.noted(); },
+                         {[&] { return any_of(options.ranks, interruption.noted()); },
                           [&](double share, const Solution& solution) {
                             interruption.note_the_first();
                             show(share);

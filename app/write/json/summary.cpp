@@ -59,6 +59,13 @@ Json as_json(const ExtendedClosing& closing, std::size_t pairs) {
           {"closing_passes", closing.passes}};
 }
 
+Json as_json(const RunRanks& ranks) {
+  return {{"count", ranks.count},
+          {"exchange_seconds", ranks.of_first.seconds},
+          {"sent_bytes", ranks.of_first.bytes},
+          {"exchanges", ranks.of_first.exchanges}};
+}
+
 Json as_json(const RadiosityReport& report) {
   const FactorChecks& checks = report.checks;
   return {{"patches", report.patches},
@@ -215,6 +222,7 @@ std::string summary_json(const RunResult& result, const std::vector<std::string>
   summary["bands"] = result.problem.bands().names;
   summary["units"] = {{"length", result.input.units.length}, {"power", result.input.units.power}};
   summary["threads"] = result.threads;
+  if (result.ranks) summary["ranks"] = as_json(*result.ranks);
   summary["converged"] = solution.converged();
   summary["interrupted"] = result.interrupted();
   if (!result.left_out.empty()) summary["left_out"] = result.left_out;

@@ -8,6 +8,7 @@
 #include "app/case/case.h"
 #include "app/write/result/run_record.h"
 #include "app/write/result/time_result.h"
+#include "base/parallel/rank_group.h"
 #include "solver/exact/exact_comparison.h"
 #include "solver/heat/heat_solution.h"
 #include "solver/observe/sensors/measurement.h"
@@ -19,6 +20,12 @@
 #include "solver/solution/solution.h"
 
 namespace etendue {
+
+/// Processes that shared a run.
+struct RunRanks {
+  int count = 1;
+  RankTraffic of_first = {};  ///< up to the end of the solution
+};
 
 /// Wall-clock seconds of a run up to its writing, beside those of the solution's stages.
 struct RunSeconds {
@@ -92,6 +99,7 @@ struct RunResult {
   std::optional<ExactComparison> exact = {};  ///< of a case that says what the answer is
   RunSeconds seconds;
   int threads = 1;
+  std::optional<RunRanks> ranks = {};  ///< of a run that several processes share
   RunRecord record = {};
   std::optional<HeatSolution> heat = {};   ///< of temperatures that follow by iteration
   std::optional<TimeResult> time = {};     ///< of a case with [time]

@@ -10,7 +10,8 @@ namespace etendue {
 
 SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions,
                          std::size_t cells_per_tile, LevelOrder levels, std::size_t bytes, int threads,
-                         const std::function<bool()>& stops, const std::function<void(double)>& share)
+                         const std::function<bool()>& stops, const std::function<void(double)>& share,
+                         const OwnPairs& own)
     : graph_(mesh),
       tiles_(mesh, cells_per_tile),
       directions_(directions),
@@ -21,8 +22,10 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
   const std::size_t one = static_cast<std::size_t>(mesh.cell_count()) * sizeof(SweepVisit);
   kept_count_ = static_cast<int>(std::min(orders_.size(), bytes / std::max<std::size_t>(one, 1)));
   visits_.reset(static_cast<SweepVisit*>(::operator new(static_cast<std::size_t>(kept_count_) * one)));
-  std::vector<std::size_t> lagged(orders_.size(), 0);
-  std::vector<std::uint32_t> slots(orders_.size(), 0);
+  std::vector<double> lagged(orders_.size(), 0), slots(orders_.size(), 0);
+  const auto is_own = [&](std::size_t p) { return own.are_own.empty() || own.are_own[p] != 0; };
+  const auto own_pairs =
+      own.are_own.empty() ? static_cast<std::ptrdiff_t>(pairs) : std::ranges::count(own.are_own, 1);
   std::atomic<bool> stopped = false;
   std::int32_t made = 0;
 #pragma omp parallel num_threads(threads)
@@ -32,23 +35,30 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
 #pragma omp for schedule(dynamic, 1)
     for (std::int32_t pair = 0; pair < pairs; ++pair) {
       if (!stopped && stops && stops()) stopped = true;
-      if (stopped) continue;
       const auto p = static_cast<std::size_t>(pair);
+      if (stopped || !is_own(p)) continue;
       const bool is_kept = pair < kept_count_;
       if (!is_kept) scratch.resize(graph_.cell_count());
       SweepOrder order = maker.make(direction(pair), is_kept ? kept_visits(pair) : std::span(scratch));
-      lagged[p] = order.lagged.size();
+      lagged[p] = static_cast<double>(order.lagged.size());
       slots[p] = order.slot_count;
       if (is_kept) orders_[p] = std::move(order);
       if (!share) continue;
 #pragma omp critical(share_of_sweep_orders)
-      share(static_cast<double>(++made) / pairs);
+      share(static_cast<double>(++made) / static_cast<double>(own_pairs));
     }
   }
-  if (stopped) throw SweepStopped{};
+  if (any_of(own.ranks, stopped)) throw SweepStopped{};
+  count_up(lagged, slots, own.ranks);
+}
+
+void SweepOrders::count_up(std::vector<double>& lagged, std::vector<double>& slots, RankGroup* ranks) {
+  for (std::vector<double>* of_own : {&lagged, &slots})
+    if (ranks != nullptr) ranks->merge(*of_own);
   lagged_start_.push_back(0);
-  for (const std::size_t count : lagged) lagged_start_.push_back(lagged_start_.back() + count);
-  largest_slot_count_ = *std::max_element(slots.begin(), slots.end());
+  for (const double count : lagged)
+    lagged_start_.push_back(lagged_start_.back() + static_cast<std::size_t>(count));
+  largest_slot_count_ = static_cast<std::uint32_t>(*std::ranges::max_element(slots));
 }
 
 const SweepOrder& SweepOrders::of_pair(std::int32_t pair, std::unique_ptr<SweepOrderMaker>& maker,

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/parallel/rank_group.h"
 #include "solver/angular/sets/direction_set.h"
 #include "solver/transport/order/sweep_order.h"
 
@@ -21,8 +22,14 @@ struct OwnedOrder {
   SweepOrder order;
 };
 
+/// The pairs of ordinates whose orders a rank makes.
+struct OwnPairs {
+  RankGroup* ranks = nullptr;  ///< null: this process alone makes all
+  std::vector<char> are_own;   ///< [pair]; empty: all are
+};
+
 /// The sweep orders of a direction set, one for each pair of opposite ordinates. As many are kept as fit into
-/// the memory that is allowed; the others are made again whenever they are needed.
+/// the memory that is allowed; the others, and those of other ranks, are made again whenever they are needed.
 class SweepOrders {
  public:
   /// The mesh and the directions must outlive it. `bytes` bounds what is kept. Where `stops`, asked by all
@@ -30,7 +37,7 @@ class SweepOrders {
   /// is made.
   SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& directions, std::size_t cells_per_tile,
               LevelOrder levels, std::size_t bytes, int threads, const std::function<bool()>& stops = {},
-              const std::function<void(double)>& share = {});
+              const std::function<void(double)>& share = {}, const OwnPairs& own = {});
 
   /// The order of ordinate 2 `pair`; 2 `pair` + 1 walks it backwards. `remade` holds it if it was not kept;
   /// `maker`, null at first, is one of the calling thread.
@@ -56,6 +63,8 @@ class SweepOrders {
     void operator()(SweepVisit* memory) const { ::operator delete(memory); }
   };
 
+  /// Where the lagged faces of each pair begin, and the most slots of all, from the numbers of each pair.
+  void count_up(std::vector<double>& lagged, std::vector<double>& slots, RankGroup* ranks);
   const Vec3& direction(std::int32_t pair) const;  ///< of its first ordinate
   std::span<SweepVisit> kept_visits(std::int32_t pair) const;
 

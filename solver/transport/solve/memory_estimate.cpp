@@ -179,6 +179,8 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
       2 * s.matrices * s.ordinates * s.ordinates + DirectionalEmission::table_size(problem, directions) +
       s.absorptions * s.ordinates + s.glossy.matrices +
       (s.glossy.faces + s.passing_mirrors) * s.ordinates / 2 * s.trace_length;
+  // Sums of sections of batches: three wait for others, of moments two and one that grows.
+  const double section_sums = 3 * (fields + moments + s.faces * s.trace_length);
   // The record of the last sweep, and the solution: fluence, three components of flux, the state.
   const double results = 3 * fields + 16 * s.cells * s.stride + state;
   const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;
@@ -204,7 +206,7 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   };
   const double orders = orders_of(s.ordinates) + (is_corrected ? orders_of(coarsest_directions) : 0);
   // Sources of moments and matrices too.
-  const double always = 2 * state + workspaces + records + moments + radiance + low_order;
+  const double always = 2 * state + section_sums + workspaces + records + moments + radiance + low_order;
   // The iteration has a place to correct in beside its vectors; at most, others hold the states of the first
   // and the best iterate and of what is saved and read out.
   const double corrected = (!is_typical ? 5 : iterates ? 1 : 0) * state;

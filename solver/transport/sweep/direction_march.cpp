@@ -13,6 +13,19 @@ void DirectionMarch<Real>::keep_positive(Fixup fixup) {
 }
 
 template <class Real>
+void DirectionMarch<Real>::merge_census(RankGroup& ranks) {
+  std::vector<double> numbers;
+  for (const FixupCensus& of : census_)
+    for (const double number :
+         {static_cast<double>(of.cells), static_cast<double>(of.failed), of.smallest, of.moved})
+      numbers.push_back(number);
+  ranks.merge(numbers);
+  for (std::size_t i = 0; i < census_.size(); ++i)
+    census_[i] = {static_cast<std::int64_t>(numbers[4 * i]), static_cast<std::int64_t>(numbers[4 * i + 1]),
+                  numbers[4 * i + 2], numbers[4 * i + 3]};
+}
+
+template <class Real>
 void DirectionMarch<Real>::form_rows(std::int32_t batch, const SweepPass& pass, Workspace& work) {
   const std::int32_t first = batch * d_.schedule.batch();
   const std::int32_t end = d_.schedule.batch_end(batch);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/parallel/rank_group.h"
 #include "solver/transport/kernel/sweep_kernel.h"
 #include "solver/transport/sweep/batch_workspace.h"
 #include "solver/transport/sweep/directional_input.h"
@@ -44,6 +45,8 @@ class DirectionMarch {
   /// [ordinate][stride] Values that the fixup changed; empty before keep_positive().
   const std::vector<FixupCensus>& census() const { return census_; }
   void clear_census() { census_.assign(census_.size(), FixupCensus()); }
+  /// Brings the census of each rank's ordinates to all.
+  void merge_census(RankGroup& ranks);
 
   /// Sets the sizes of a record before the batches of a sweep, which keeps the radiance of these ordinates.
   void begin_record(SweepRecord& record, std::span<const int> ordinates) {

@@ -10,6 +10,7 @@
 #include "base/parallel/thread_count.h"
 #include "solver/problem/band_selection.h"
 #include "solver/solution/angular_input.h"
+#include "solver/transport/order/batch_sections.h"
 
 namespace etendue {
 namespace {
@@ -76,8 +77,22 @@ SolveOptions without_record(SolveOptions options) {
   return options;
 }
 
+/// The pairs whose ordinates this rank sweeps.
+OwnPairs own_pairs(const OrdinateSchedule& schedule, RankGroup* ranks) {
+  OwnPairs own{ranks, {}};
+  if (ranks == nullptr) return own;
+  own.are_own.assign(static_cast<std::size_t>(schedule.place_count() / 2), 0);
+  const BatchSections sections(schedule.batch_count());
+  const std::int32_t end = sections.first_batch_of(ranks->rank() + 1, ranks->count());
+  for (std::int32_t batch = sections.first_batch_of(ranks->rank(), ranks->count()); batch < end; ++batch)
+    for (std::int32_t place = batch * schedule.batch(); place < schedule.batch_end(batch); ++place)
+      own.are_own[schedule.ordinate(place).at() / 2] = 1;
+  return own;
+}
+
 std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, const DirectionSet& directions,
-                                                const CellCoefficients& cells, const SolveOptions& options,
+                                                const CellCoefficients& cells,
+                                                const OrdinateSchedule& schedule, const SolveOptions& options,
                                                 double& seconds) {
   const auto start = std::chrono::steady_clock::now();
   const std::size_t cell_bytes = (cells.layout().length + cells.cell_length()) * sizeof(double);
@@ -85,7 +100,7 @@ std::shared_ptr<const SweepOrders> timed_orders(const TetrahedralMesh& mesh, con
   auto orders = std::make_shared<const SweepOrders>(
       mesh, directions, cells_per_tile(cell_count, cell_bytes, options.cache_bytes),
       skips_faces(cells.stride()) ? LevelOrder::alike : LevelOrder::neighbours, options.order_memory,
-      thread_count(options.threads), options.stops, options.orders_share);
+      thread_count(options.threads), options.stops, options.orders_share, own_pairs(schedule, options.ranks));
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return orders;
 }
@@ -96,11 +111,12 @@ Discretization::Discretization(const Problem& given, const DirectionSet& set,
                                std::span<const double> extinction_of_cells, const SolveOptions& wanted,
                                std::shared_ptr<const SweepOrders> known_orders, Scalar scalar)
     : Discretization(given, set, extinction_of_cells, wanted, added_extinction(wanted), scalar,
-                     treat_scattering(given, set), std::move(known_orders)) {}
+                     treat_scattering(given, set), std::move(known_orders),
+                     std::make_shared<WaitingSections>()) {}
 
 Discretization::Discretization(const Discretization& other, Scalar scalar)
     : Discretization(other.problem, other.directions, other.extinction, other.options, other.added, scalar,
-                     other.scattering, other.orders) {}
+                     other.scattering, other.orders, other.waiting) {}
 
 Discretization::Discretization(const Discretization& wide, const Problem& given,
                                std::span<const double> extinction_of_cells, std::span<const int> bands,
@@ -110,16 +126,18 @@ Discretization::Discretization(const Discretization& wide, const Problem& given,
                      {select_bands(std::span<const ScatteringTreatment>(wide.scattering.plan),
                                    static_cast<std::size_t>(wide.cells.bands()), bands),
                       of_bands(wide.scattering.groups, bands)},
-                     wide.orders) {}
+                     wide.orders, wide.waiting) {}
 
 Discretization::Discretization(const Discretization& fine, const DirectionSet& set, Scalar scalar)
     : Discretization(fine.problem, set, fine.extinction, without_record(fine.options), fine.added, scalar,
-                     {scattering_on_fewer(fine.problem, set, fine.scattering.plan), {}}, nullptr) {}
+                     {scattering_on_fewer(fine.problem, set, fine.scattering.plan), {}}, nullptr,
+                     fine.waiting) {}
 
 Discretization::Discretization(const Problem& given, const DirectionSet& set,
                                std::span<const double> extinction_of_cells, const SolveOptions& wanted,
                                AddedExtinction added_part, Scalar scalar, ScatteringTreatments treatments,
-                               std::shared_ptr<const SweepOrders> known_orders)
+                               std::shared_ptr<const SweepOrders> known_orders,
+                               std::shared_ptr<WaitingSections> known_waiting)
     : problem(given),
       directions(set),
       extinction(extinction_of_cells),
@@ -131,8 +149,10 @@ Discretization::Discretization(const Problem& given, const DirectionSet& set,
       schedule(problem, directions, batches_for(highest_degree(scattering.plan))),
       moments(problem, directions, cells, scattering.plan, schedule, observed_cells(problem.mesh(), options)),
       dense(problem, directions, cells, extinction, scattering.plan, scattering.groups),
-      orders(known_orders ? std::move(known_orders)
-                          : timed_orders(problem.mesh(), directions, cells, options, order_seconds)),
+      orders(known_orders
+                 ? std::move(known_orders)
+                 : timed_orders(problem.mesh(), directions, cells, schedule, options, order_seconds)),
+      waiting(std::move(known_waiting)),
       walls(problem, directions, schedule, orders->walls(), cells.stride(), cells.face_nodes()) {}
 
 std::size_t Discretization::fluence_size() const {

@@ -14,6 +14,7 @@
 #include "solver/transport/scattering/dense_scattering.h"
 #include "solver/transport/scattering/scattering_moments.h"
 #include "solver/transport/state/transport_state.h"
+#include "solver/transport/sweep/section_sums.h"
 #include "solver/transport/walls/wall_exchange.h"
 
 namespace etendue {
@@ -67,13 +68,15 @@ struct Discretization {
   DenseScattering dense;
   double order_seconds = 0;  ///< wall-clock time that the orders took; 0 where they are those of another
   std::shared_ptr<const SweepOrders> orders;
+  std::shared_ptr<WaitingSections> waiting;  ///< of this and of all that were made from it
   WallExchange walls;
 
  private:
   /// Makes its own orders where `known_orders` is null.
   Discretization(const Problem& problem, const DirectionSet& directions, std::span<const double> extinction,
                  const SolveOptions& options, AddedExtinction added_extinction, Scalar scalar,
-                 ScatteringTreatments treatments, std::shared_ptr<const SweepOrders> known_orders);
+                 ScatteringTreatments treatments, std::shared_ptr<const SweepOrders> known_orders,
+                 std::shared_ptr<WaitingSections> known_waiting);
 };
 
 }  // namespace etendue

@@ -24,7 +24,7 @@ MomentOperators<Real>::MomentOperators(const ScatteringMoments& moments, const O
       evaluation_(moments.orbits().evaluation().begin(), moments.orbits().evaluation().end()),
       integration_(moments.orbits().integration().begin(), moments.orbits().integration().end()),
       source_(moments.moments_size()),
-      sums_(adds_in_place ? 0 : moments.moments_size()) {}
+      sums_(moments.moments_size()) {}
 
 // The scratch row ends with a cache line, so that wide lanes do not straddle two of them in the rows behind
 // it.
@@ -79,25 +79,23 @@ void MomentOperators<Real>::moments_to_directions(std::int32_t batch, AlignedArr
 
 template <class Real>
 void MomentOperators<Real>::directions_to_moments(std::size_t first, std::size_t last, std::int32_t batch,
-                                                  AlignedArrayOf<Real>& batch_rows, TransportState& next) {
+                                                  AlignedArrayOf<Real>& batch_rows) {
   const std::vector<Real*> rows = rows_of_orbits(batch, batch_rows);
   MomentTaskOf<Real> task = task_of(rows);
   task.matrix = integration_.data() + factors_begin(batch);
-  if constexpr (adds_in_place) {
-    task.moment_rows = next.moments().data();
-  } else {
-    task.moment_rows = sums_.data();
-  }
+  task.moment_rows = sums_.data();
   task.first_row = first;
   task.last_row = last;
   kernels_.directions_to_moments(task);
 }
 
 template <class Real>
-void MomentOperators<Real>::finish(TransportState& next) {
-  if constexpr (!adds_in_place) {
-    std::copy(sums_.span().begin(), sums_.span().end(), next.moments().begin());
-    sums_.fill_zero();
+void MomentOperators<Real>::move_sums(std::size_t first, std::size_t last, std::span<double> moments,
+                                      bool adds) {
+  const std::size_t length = moments_.row_length() * static_cast<std::size_t>(moments_.moment_count());
+  for (std::size_t i = first * length; i < last * length; ++i) {
+    moments[i] = adds ? moments[i] + sums_[i] : double{sums_[i]};
+    sums_[i] = 0;
   }
 }
 

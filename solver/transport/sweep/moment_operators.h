@@ -3,13 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "solver/transport/kernel/sweep_kernel.h"
 #include "solver/transport/order/ordinate_schedule.h"
 #include "solver/transport/scattering/scattering_moments.h"
 #include "solver/transport/state/aligned_array.h"
-#include "solver/transport/state/transport_state.h"
 
 namespace etendue {
 
@@ -36,16 +36,13 @@ class MomentOperators {
   /// Writes the right-hand sides of all ordinates of a batch from the moments of the source: s_m of (11).
   void moments_to_directions(std::int32_t batch, AlignedArrayOf<Real>& batch_rows);
   /// Adds the moments of the radiance along the ordinates of a batch, phi_k of (11), in rows first … last
-  /// - 1. They are in the next state after finish() only.
+  /// - 1, to the sums of its section (BatchSections).
   void directions_to_moments(std::size_t first, std::size_t last, std::int32_t batch,
-                             AlignedArrayOf<Real>& batch_rows, TransportState& next);
-  /// Brings what was added in single precision into the next state.
-  void finish(TransportState& next);
+                             AlignedArrayOf<Real>& batch_rows);
+  /// Sets moments in these rows to the sums, or adds them there, and the sums to zero.
+  void move_sums(std::size_t first, std::size_t last, std::span<double> moments, bool adds);
 
  private:
-  /// Whether moments are added up where the next state has them.
-  static constexpr bool adds_in_place = scalar_of<Real> == Scalar::double_precision;
-
   std::size_t ordinate_length() const;
   int first_orbit(std::int32_t batch) const { return batch * schedule_.batch() / moments_.orbits().size(); }
   std::size_t factors_begin(std::int32_t batch) const {
@@ -62,7 +59,7 @@ class MomentOperators {
   std::vector<Real> evaluation_;   ///< Y_k, as MomentOrbits::evaluation() has them
   std::vector<Real> integration_;  ///< w Y_k, likewise
   AlignedArrayOf<Real> source_;    ///< [row][moment][node][stride]
-  AlignedArrayOf<Real> sums_;      ///< likewise, of the next state; empty where they are added in place
+  AlignedArrayOf<Real> sums_;      ///< likewise, of a section
 };
 
 extern template class MomentOperators<double>;

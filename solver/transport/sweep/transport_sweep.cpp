@@ -7,7 +7,6 @@
 #include "base/parallel/processor_timer.h"
 #include "solver/solution/angular_input.h"
 #include "solver/solution/saved_state.h"
-#include "solver/transport/order/sweep_stopped.h"
 #include "solver/transport/sweep/batch_reduction.h"
 
 namespace etendue {
@@ -149,9 +148,9 @@ void TransportSweepOf<Real>::share_records() {
 
 template <class Real>
 void TransportSweepOf<Real>::sweep(const SweepPass& pass, std::span<const int> ordinates) {
-  std::ranges::fill(pass.next.fluence(), 0.0);
-  std::ranges::fill(pass.next.moments(), 0.0);
-  std::ranges::fill(pass.next.irradiance(), 0.0);
+  if (discretization_.options.ranks != nullptr)  // others bring what they find for their ordinates
+    for (const std::span<double> part : {pass.next.radiance(), pass.next.mirrors(), pass.next.lagged()})
+      std::ranges::fill(part, 0.0);
   if (pass.record != nullptr) {
     march_.begin_record(*pass.record, ordinates);
     for (auto& work : workspaces_) work->begin_record(discretization_, *pass.record);
@@ -159,28 +158,32 @@ void TransportSweepOf<Real>::sweep(const SweepPass& pass, std::span<const int> o
   for (auto& work : workspaces_)
     for (auto& member : work->members) member.is_filled = false;
   march_batches(pass);
-  moments_.finish(pass.next);
-  if (pass.record != nullptr)
+  if (pass.record != nullptr) {
+    for (SectionSums& sums : *discretization_.waiting) sums.end_record();
     for (auto& work : workspaces_) work->end_record();
+  }
   cost_.band_sweeps += cells().bands();
 }
 
 template <class Real>
 void TransportSweepOf<Real>::march_batches(const SweepPass& pass) {
-  const BatchReduction<Real> reduction(discretization_, moments_, threads_, cost_.processor_seconds);
-  const std::int32_t batch_count = discretization_.schedule.batch_count();
-  for (std::int32_t first = 0; first < batch_count; first += threads_) {
-    const int batches = std::min(threads_, batch_count - first);
+  BatchReduction<Real> reduction(discretization_, moments_, *discretization_.waiting, pass, threads_,
+                                 cost_.processor_seconds);
+  const std::int32_t begin = reduction.first_batch(), end = reduction.end_batch();
+  for (std::int32_t first = begin; first < end && !stop_.is_set(); first += threads_) {
+    const int batches = std::min(threads_, end - first);
 #pragma omp parallel for schedule(static, 1) num_threads(batches)
     for (int t = 0; t < batches; ++t) {
       const ProcessorTimer timer(cost_.processor_seconds);
       march_.march(first + t, pass, *workspaces_[static_cast<std::size_t>(t)]);
     }
-    if (stop_.is_set()) throw SweepStopped{};
-    reduction.add(first, std::span(workspaces_).first(static_cast<std::size_t>(batches)), pass);
+    if (stop_.is_set()) break;
+    reduction.add(std::span(workspaces_).first(static_cast<std::size_t>(batches)));
     if (const auto& told = discretization_.options.sweep_share)
-      told(static_cast<double>(first + batches) / batch_count);
+      told(static_cast<double>(first + batches - begin) / (end - begin));
   }
+  reduction.finish(stop_.is_set());
+  if (RankGroup* ranks = discretization_.options.ranks) march_.merge_census(*ranks);
 }
 
 template class TransportSweepOf<double>;

@@ -24,9 +24,9 @@ namespace etendue {
 /// state; the radiance itself is never stored.
 ///
 /// A sweep forms the source, equation (11), lets threads march along batches of ordinates
-/// (direction_march.h), and adds their sums in the order of the batches (batch_reduction.h): the same bits
-/// for any number of threads. States are in double precision whatever the numbers, double or float, that the
-/// sweep itself computes with.
+/// (direction_march.h), and adds their sums in a fixed order (batch_reduction.h): the same bits for any
+/// number of threads, and of ranks that share the batches (SolveOptions::ranks). States are in double
+/// precision whatever the numbers, double or float, that the sweep itself computes with.
 template <class Real>
 class TransportSweepOf {
  public:
