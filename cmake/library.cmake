@@ -1,10 +1,10 @@
-# All rooms as one library for other programs. Its interface is app/api/include.
+# All rooms as one library for other programs, but for MPI. Its interface is app/api/include.
 set(room_objects "")
 foreach(folder base mesh solver app)
   etendue_targets_below(${folder} targets)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
-    if(type MATCHES "STATIC_LIBRARY|OBJECT_LIBRARY")
+    if(type MATCHES "STATIC_LIBRARY|OBJECT_LIBRARY" AND NOT target STREQUAL "etendue_rank_session")
       list(APPEND room_objects $<TARGET_OBJECTS:${target}>)
     endif()
   endforeach()

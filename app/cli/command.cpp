@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/cli/command.h"
 
-#include <nlohmann/json.hpp>
-
 #include <exception>
 
 #include "app/case/keys/key_help.h"
 #include "app/case/keys/key_schema.h"
 #include "app/case/keys/keys.h"
-#include "app/ranks/scratch_directory.h"
 #include "app/request/command_line.h"
 #include "app/request/commands.h"
 #include "app/setup/fault_report.h"
@@ -28,18 +25,13 @@ struct Dispatch {
     const bool is_asked_accuracy = read_case(request.file, request.overrides).accuracy.has_value();
     return is_asked_accuracy ? run_to_accuracy(request, out, err) : run_and_estimate(request, out, err);
   }
-  /// The first process writes the results; what others write is thrown away.
   ExitCode run_together(RunRequest request) const {
     const Case input = read_case(request.file, request.overrides);
     if (input.accuracy) throw InputError("[accuracy] is for one process; start one");
-    if (input.photons || input.radiosity)
+    if (input.radiosity)
       throw InputError(
-          "solve.method: several processes share the directions of ordinates, and a run by photons or by "
-          "radiosity is for one; start one");
+          "solve.method: several processes share ordinates or photons, and radiosity is for one; start one");
     request.ranks = ranks;
-    if (ranks->rank() == 0) return run_and_estimate(request, out, err);
-    const ScratchDirectory scratch;
-    request.overrides.push_back("output.directory=" + nlohmann::json(scratch.path().string()).dump());
     return run_and_estimate(request, out, err);
   }
   ExitCode operator()(const RenderRequest& request) const { return render_results(request, out, err); }

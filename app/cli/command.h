@@ -12,7 +12,7 @@ namespace etendue {
 
 /// The whole program: does what `arguments` (without the program's name) ask. Faults become one line each on
 /// `err`; nothing is thrown. `ranks` are the processes that do the same, null where this one is alone: they
-/// share a run by ordinates, and all else is refused.
+/// share a run by ordinates or photons, and all else is refused.
 ExitCode run_command(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err,
                      RankGroup* ranks = nullptr);
 

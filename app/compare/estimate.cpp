@@ -74,13 +74,20 @@ class Estimation {
       else
         repeat(repetition, change, forecast, part);
     } catch (const InputError& error) {
+      refuse_alone();
       part.how = error.what();
     } catch (const NotFiniteError& error) {
       part.how = error.what();
     } catch (const std::bad_alloc&) {
+      refuse_alone();
       part.how = "the memory of this machine does not suffice for it";
     }
     parts_.push_back(std::move(part));
+  }
+
+  /// Within a repetition a process may fail that others wait for: then all of them end.
+  void refuse_alone() const {
+    if (request_.ranks != nullptr && is_repeating_) throw;
   }
 
   void repeat(const Repetition& repetition, const std::string& change, double forecast, ErrorPart& part) {
@@ -94,8 +101,10 @@ class Estimation {
                           name_of(repetition.cause), change, forecast)
            << std::flush;
     std::optional<KeptRun> other;
+    is_repeating_ = true;
     run_case(again, out_, err_, [&](const RunResult& result) { other = kept_of(result); });
     agree_on_costs(*other, request_.ranks);
+    is_repeating_ = false;
     part.seconds = other->seconds;
     spent_ += other->seconds;
     const double ratio = repetition.ratio(*other);
@@ -162,6 +171,7 @@ class Estimation {
   std::ostream& err_;
   std::vector<ErrorPart> parts_;
   double spent_ = 0;
+  bool is_repeating_ = false;
 };
 
 }  // namespace
@@ -180,6 +190,7 @@ ExitCode run_and_estimate(const RunRequest& request, std::ostream& out, std::ost
     return code;
   }
   const ErrorEstimate estimate = Estimation(request, *kept, out, err).made();
+  if (!writes_results(request.ranks)) return code;
   if (is_known(estimate)) {
     Interruption writing;
     writing.note_all();  // the files become whole

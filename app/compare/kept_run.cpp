@@ -71,6 +71,7 @@ void agree_on_costs(KeptRun& run, RankGroup* ranks) {
   if (ranks == nullptr) return;
   for (double* cost : {&run.seconds, &run.of_directions, &run.of_points, &run.memory})
     *cost = ranks->of_first(*cost);
+  run.whole = !ranks->any(!run.whole);
 }
 
 }  // namespace etendue

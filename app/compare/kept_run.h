@@ -32,7 +32,8 @@ struct KeptRun {
 
 KeptRun kept_of(const RunResult& run);
 
-/// The times and the memory of the first process, so that all decide alike; null: as they are.
+/// The times and the memory of the first process, and whether all have all, so that all decide alike; null:
+/// as they are.
 void agree_on_costs(KeptRun& run, RankGroup* ranks);
 
 /// What a number of `to` is more than in `from`; 0 where both are infinite, as UGR before a black background.

@@ -2,6 +2,7 @@
 #include "app/ranks/mpi_rank_group.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <thread>
 
@@ -42,7 +43,8 @@ MpiRankGroup::MpiRankGroup() {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &count_);
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  threads_ = std::clamp(cores / processes_here(), 1, thread_count(0));
+  core_share_ = std::max(1, cores / processes_here());
+  bound_cores_ = thread_count(0);
 }
 
 void MpiRankGroup::exchange_round(std::span<const SumNode> nodes, std::size_t round, const double* own,
@@ -123,10 +125,21 @@ bool MpiRankGroup::any(bool value) {
   return is != 0;
 }
 
-double MpiRankGroup::of_first(double value) {
+bool MpiRankGroup::meet(bool value) {
   const Timed timed(traffic_, 1);
-  MPI_Bcast(&value, 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
-  return value;
+  int is = value ? 1 : 0, here = 0;
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Iallreduce(MPI_IN_PLACE, &is, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD, &request);
+  for (MPI_Test(&request, &here, MPI_STATUS_IGNORE); here == 0; MPI_Test(&request, &here, MPI_STATUS_IGNORE))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return is != 0;
+}
+
+void MpiRankGroup::bring(std::span<double> values, int from) {
+  for_each_block(values.size(), [&](std::size_t first, std::size_t size) {
+    const Timed timed(traffic_, rank_ == from ? size : 0);
+    MPI_Bcast(values.data() + first, static_cast<int>(size), MPI_DOUBLE, from, MPI_COMM_WORLD);
+  });
 }
 
 }  // namespace etendue

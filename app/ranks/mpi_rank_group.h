@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "base/parallel/rank_group.h"
@@ -16,13 +17,17 @@ class MpiRankGroup : public RankGroup {
 
   int rank() const override { return rank_; }
   int count() const override { return count_; }
-  int threads() const override { return threads_; }
+  int threads() const override { return std::min(core_share_, bound_cores_); }
   RankTraffic traffic() const override { return traffic_; }
+  /// Cores that the launcher has bound this process to, and its share of those of its machine.
+  int bound_cores() const { return bound_cores_; }
+  int core_share() const { return core_share_; }
   void sum_tree(std::span<const SumNode> nodes, std::span<const std::span<const double>> own,
                 std::span<double> sum) override;
   void merge(std::span<double> values) override;
   bool any(bool value) override;
-  double of_first(double value) override;
+  bool meet(bool value) override;
+  void bring(std::span<double> values, int from) override;
 
  private:
   class Timed;
@@ -38,7 +43,7 @@ class MpiRankGroup : public RankGroup {
 
   int rank_ = 0;
   int count_ = 1;
-  int threads_ = 1;
+  int bound_cores_ = 1, core_share_ = 1;
   RankTraffic traffic_;
   std::vector<double> received_;  ///< [node][number of this rank's share of a block]
 };

@@ -62,10 +62,6 @@ bool need_rays(const Case& input, AngularSpace space) {
   });
 }
 
-std::string ranks_text(const RankGroup* ranks) {
-  return ranks == nullptr ? "" : fmt::format(" in each of {} processes", ranks->count());
-}
-
 /// The seconds of a solution's stages; no time is in two of them.
 double sum_of(const SolveSeconds& solve) {
   return solve.setup + solve.lights + solve.orders + solve.sweep + solve.low_order;
@@ -87,7 +83,8 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   Stopwatch watch;
   RunSeconds seconds;
   const Case input = case_of(request);
-  if (request.traces != RunTraces::none) check_output_directory(input.output.directory);
+  const bool writes = request.traces != RunTraces::none && writes_results(request.ranks);
+  if (writes) check_output_directory(input.output.directory);
   check_output_memory(input);
   if (input.initial) check_initial(*input.initial, input);
   seconds.read = watch.lap();
@@ -100,7 +97,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   const StageDisplay stages{style, shown, interrupted};
   const TetrahedralMesh mesh = mesh_visibly(input, verbose_log(request, err), stages);
   seconds.mesh = watch.lap();
-  if (request.traces != RunTraces::none && mesh.parents().mesh && !mesh.parents().mesh->patch_types.empty())
+  if (writes && mesh.parents().mesh && !mesh.parents().mesh->patch_types.empty())
     check_output_directory(input.output.directory / "openfoam");
   out << mesh_line(mesh) << std::flush;
   std::optional<ShownStage> setting_up(std::in_place, stages, "setting up");
@@ -111,7 +108,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   out << std::flush;
   seconds.setup = watch.lap();
   out << lamp_text(problem, input) << std::flush;
-  if (input.photons || input.radiosity) log.belongs_in(input.output.directory);
+  if (writes && (input.photons || input.radiosity)) log.belongs_in(input.output.directory);
   if (input.photons)
     return run_by_photons({request, input, problem, seconds, watch, interruption, shown}, out, err, reader);
   if (input.radiosity)
@@ -158,7 +155,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
   if (steps_heat) out << heat_steps_text(input) << std::flush;
   if (asks_time) out << time_plan_text(in_time) << std::flush;
 
-  log.belongs_in(input.output.directory);
+  if (writes) log.belongs_in(input.output.directory);
   seconds.setup += watch.lap();
   // A signal before the first sweep is done ends the program at once: there is nothing to keep.
   std::optional<UncollidedLight> uncollided;
@@ -172,14 +169,17 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
     in_time.uncollided = std::move(kept);
   }
   const VisibleSolving solving{input,  problem, all_directions, options,
-                               stages, err,     interruption,   request.traces == RunTraces::all};
+                               stages, err,     interruption,   writes && request.traces == RunTraces::all};
   std::optional<TimeResult> heat_in_time;
   const std::optional<Solution> solved =
       steps_heat ? step_visibly(*uncollided, solving,
                                 {input, problem, *setup.temperatures, directions, options, locator},
                                 tally_ordinates, heat_in_time.emplace())
                  : solve_visibly(*uncollided, solving, tally_ordinates);
-  if (!solved) return ExitCode::interrupted;
+  if (!solved) {
+    meet(request.ranks, true);
+    return ExitCode::interrupted;
+  }
   const Solution& solution = *solved;
   setup.set_emission(problem);
   interruption.note_all();
@@ -207,7 +207,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
                    .heat = setup.heat_solution(),
                    .expected_memory = static_cast<double>(expected.solving),
                    .is_coarse = is_coarse(resolution)};
-  if (request.ranks != nullptr) result.ranks = RunRanks{request.ranks->count(), request.ranks->traffic()};
+  result.ranks = run_ranks(request.ranks);
   if (setup.exact) add_exact(*setup.exact, directions, result);
   result.seconds.measures = watch.lap();
   result.probes = read_probes(input.probes, lights, solution, locator, options.threads,
@@ -225,6 +225,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
                         : judge                           ? judge(result)
                                                           : ResultUse::all;
   if (use == ResultUse::none) return conclude_without_traces(result, reader);
+  if (!writes) return conclude_beside(result, reader, interruption, request.ranks);
   const WrittenResults written = write_visibly(result, stages);
   (use == ResultUse::all ? results : out)
       << convergence_text(result) << uncollided_text(result) << balance_text(result) << powers_text(result)
@@ -243,7 +244,7 @@ ExitCode run_logged(const RunRequest& request, const RunStreams& streams, const 
     if (!taken) result.left_out.emplace_back("pictures");
   }
   if (reader) reader(result);
-  return conclude(result, interruption.noted(), err);
+  return conclude(result, meet(request.ranks, interruption.noted()), err);
 }
 
 /// With its style of progress, and the time it began.

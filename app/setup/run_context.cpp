@@ -47,6 +47,15 @@ Case case_of(const RunRequest& request) {
   return input;
 }
 
+std::string ranks_text(const RankGroup* ranks) {
+  return ranks == nullptr ? "" : fmt::format(" in each of {} processes", ranks->count());
+}
+
+std::optional<RunRanks> run_ranks(const RankGroup* ranks) {
+  if (ranks == nullptr) return std::nullopt;
+  return RunRanks{ranks->count(), ranks->traffic()};
+}
+
 int thread_count(const Case& input) {
   const int count = input.solve.threads > 0
                         ? input.solve.threads
@@ -92,6 +101,7 @@ RunResult result_of(const RunContext& run, const Solution& solution, std::vector
                    .regions = region_powers(run.problem, solution),
                    .seconds = run.seconds,
                    .threads = threads,
+                   .ranks = run_ranks(run.request.ranks),
                    .record = run.request.record};
   result.seconds.total = run.watch.total();
   return result;
@@ -129,6 +139,13 @@ ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err) 
         "not converged to solve.tolerance = {} within solve.max_sweeps = {}; the results are marked; {}",
         result.input.solve.tolerance, result.input.solve.max_sweeps, how_to_go_on(result.input));
   return ExitCode::not_converged;
+}
+
+ExitCode conclude_beside(const RunResult& result, const ResultReader& reader,
+                         const Interruption& interruption, RankGroup* ranks) {
+  if (reader) reader(result);
+  std::ostream nowhere(nullptr);
+  return conclude(result, meet(ranks, interruption.noted()), nowhere);
 }
 
 ExitCode conclude_without_traces(const RunResult& result, const ResultReader& reader) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -56,6 +58,11 @@ std::string how_to_go_on(const Case& input);
 /// The threads of a run, those that are wanted or all cores.
 int thread_count(const Case& input);
 
+/// Behind the number of threads: in how many processes; empty where this one is alone.
+std::string ranks_text(const RankGroup* ranks);
+/// The processes that shared a run so far.
+std::optional<RunRanks> run_ranks(const RankGroup* ranks);
+
 /// What a run by another method than directions came to, so far as all methods have it. `solution` must
 /// outlive the result.
 RunResult result_of(const RunContext& run, const Solution& solution, std::vector<ProbeRow> probes,
@@ -67,6 +74,9 @@ void note_left_out(RunResult& result);
 /// The exit code of a run that has written its results, with the line on standard error that goes with one
 /// other than 0.
 ExitCode conclude(const RunResult& result, bool interrupted, std::ostream& err);
+/// The end of a run in a process that does not write what another one does, once that has written it.
+ExitCode conclude_beside(const RunResult& result, const ResultReader& reader,
+                         const Interruption& interruption, RankGroup* ranks);
 /// The end of a run that leaves nothing: its reader has the result.
 ExitCode conclude_without_traces(const RunResult& result, const ResultReader& reader);
 

@@ -62,7 +62,7 @@ class SolverInTime {
                           setup.options.threads, stage.observer());
     }
     stage_.emplace(stages, "light in time");
-    result_.interrupted = interrupted_();
+    result_.interrupted = is_interrupted();
   }
 
   TimeResult result() {
@@ -217,9 +217,13 @@ class SolverInTime {
 
   const UncollidedInTime* uncollided() const { return uncollided_ ? &*uncollided_ : nullptr; }
 
+  /// Asked by one thread of each process, in the same order.
+  bool is_interrupted() const { return any_of(setup_.options.ranks, interrupted_()); }
+
   SolveObserver observe() const {
-    return
-        [this](const SweepProgress&) { return interrupted_() ? SolveControl::stop : SolveControl::proceed; };
+    return [this](const SweepProgress&) {
+      return is_interrupted() ? SolveControl::stop : SolveControl::proceed;
+    };
   }
 
   void note(const Solution& solution) {
@@ -232,7 +236,7 @@ class SolverInTime {
 
   void note(const SolvedRates& solved) {
     note(solved.solution);
-    result_.interrupted = solved.solution.interrupted || interrupted_();
+    result_.interrupted = is_interrupted() || solved.solution.interrupted;
     result_.rates += static_cast<int>(solved.count);
     stage_->observer()((time_.until ? share_of_rates : 1) * static_cast<double>(result_.rates) /
                        static_cast<double>(rate_count(time_)));

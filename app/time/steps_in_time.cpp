@@ -79,13 +79,14 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
   SolveOptions options = setup.options;
   options.meters = numbers.meters();
   options.stops = interrupted;
+  const auto is_interrupted = [&] { return any_of(setup.options.ranks, interrupted()); };
   StepsInTime& taken = result.steps.emplace();
   taken.quantities = numbers.quantities();
   const UnitLabels units(setup.input.units, setup.input.angular_space);
   for (const std::string& band : setup.problem.bands().names)
     taken.quantities.push_back({"energy", "light", band, units.power + " " + time.unit});
   const auto observe = [&](const SweepProgress&) {
-    return interrupted() ? SolveControl::stop : SolveControl::proceed;
+    return is_interrupted() ? SolveControl::stop : SolveControl::proceed;
   };
   const std::vector<double> frames = frame_times(time);
   const auto reader = [&](const TimeStep& step) {
@@ -102,7 +103,7 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
       if (step.uncollided != nullptr) add_to(taken.frames.back().values, step.uncollided->field.fluence);
     }
     share(step.end / *time.until);
-    return !interrupted();
+    return !is_interrupted();
   };
   try {
     march_in_time(setup.problem, setup.sets.front(), slowness_of(setup.input, setup.problem), courses, steps,
@@ -116,7 +117,7 @@ void take_steps(const TimeSetup& setup, const TimeNumbers& numbers, const Soluti
     taken.fault = fault.what();
   }
   if (!taken.fault.empty()) result.converged = false;
-  result.interrupted = result.interrupted || interrupted();
+  result.interrupted = is_interrupted() || result.interrupted;
   if (taken.steps.empty() && taken.fault.empty()) result.steps.reset();
 }
 

@@ -53,12 +53,41 @@ class RankGroup {
   virtual void merge(std::span<double> values) = 0;
   /// Whether it is true for any rank.
   virtual bool any(bool value) = 0;
+  /// The same of processes that may have to wait long for each other: no core is kept busy meanwhile.
+  virtual bool meet(bool value) = 0;
+  /// Brings the values of one rank to all.
+  virtual void bring(std::span<double> values, int from) = 0;
+
   /// The value of the first rank.
-  virtual double of_first(double value) = 0;
+  double of_first(double value) {
+    bring({&value, 1}, 0);
+    return value;
+  }
+};
+
+/// Which of many like things a process does where several share them: blocks of them in turns.
+class RankShare {
+ public:
+  /// Null: all.
+  explicit RankShare(const RankGroup* ranks)
+      : rank_(ranks != nullptr ? static_cast<std::size_t>(ranks->rank()) : 0),
+        count_(ranks != nullptr ? static_cast<std::size_t>(ranks->count()) : 1) {}
+
+  bool has(std::size_t thing) const { return thing / block % count_ == rank_; }
+
+ private:
+  static constexpr std::size_t block = 64;
+
+  std::size_t rank_, count_;
 };
 
 /// Whether it is true for any process of a group; null: for this one, which is alone.
 inline bool any_of(RankGroup* ranks, bool value) { return ranks != nullptr ? ranks->any(value) : value; }
+
+inline bool meet(RankGroup* ranks, bool value) { return ranks != nullptr ? ranks->meet(value) : value; }
+
+/// Whether this process writes what all of a group find: the first does.
+inline bool writes_results(const RankGroup* ranks) { return ranks == nullptr || ranks->rank() == 0; }
 
 /// Numbers that are exchanged at a time.
 inline constexpr std::size_t exchange_block = std::size_t{1} << 22;

@@ -26,7 +26,8 @@ ExitCode run_by_photons(const RunContext& run, std::ostream& out, std::ostream& 
   const CellLocator locator(run.problem.mesh());
   place_probes(run.input.probes, run.problem.mesh(), locator);
   const int threads = thread_count(run.input);
-  out << fmt::format("photons; bands: {}; threads: {}\n", run.problem.band_count(), threads)
+  out << fmt::format("photons; bands: {}; threads: {}{}\n", run.problem.band_count(), threads,
+                     ranks_text(run.request.ranks))
       << memory_text(photon_run_memory(run.input, run.problem), run.problem) << std::flush;
   if (!run.input.sensors.empty())
     out << "  photons read no sensors in this version: those of the case do nothing here"
@@ -37,7 +38,8 @@ ExitCode run_by_photons(const RunContext& run, std::ostream& out, std::ostream& 
   const StageDisplay stages{style, out, interrupted};
   RunSeconds seconds = run.seconds;
   seconds.setup += run.watch.lap();
-  PhotonRun found = run_photons({run.input, run.problem, locator, threads, stages, run.interruption});
+  PhotonRun found =
+      run_photons({run.input, run.problem, locator, threads, stages, run.interruption, run.request.ranks});
   seconds.probes = found.probe_seconds;
   seconds.measures = run.watch.lap() - found.solution.seconds.sweep - found.probe_seconds;
   run.interruption.note_all();
@@ -51,6 +53,8 @@ ExitCode run_by_photons(const RunContext& run, std::ostream& out, std::ostream& 
   seconds.total = run.watch.total();
   result.seconds = seconds;
   note_left_out(result);
+  if (!writes_results(run.request.ranks))
+    return conclude_beside(result, reader, run.interruption, run.request.ranks);
   const WrittenResults written = write_visibly(result, stages);
   out << photons_text(result) << balance_text(result) << powers_text(result) << probes_text(result)
       << time_text(result) << errors_text(result) << closing_text(result, written) << std::flush;
@@ -63,7 +67,7 @@ ExitCode run_by_photons(const RunContext& run, std::ostream& out, std::ostream& 
     if (!taken) result.left_out.emplace_back("pictures");
   }
   if (reader) reader(result);
-  return conclude(result, run.interruption.noted(), err);
+  return conclude(result, meet(run.request.ranks, run.interruption.noted()), err);
 }
 
 }  // namespace etendue

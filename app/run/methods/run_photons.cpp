@@ -110,6 +110,7 @@ PhotonOptions options_of(const PhotonRunInput& run) {
   options.until = wanted.until;
   options.seed = static_cast<std::uint64_t>(wanted.seed);
   options.threads = run.threads;
+  options.ranks = run.ranks;
   return options;
 }
 

@@ -20,6 +20,7 @@ struct PhotonRunInput {
   int threads = 1;
   const StageDisplay& stages;
   Interruption& interruption;
+  RankGroup* ranks = nullptr;  ///< processes that share the histories; null: this one alone
 };
 
 /// A solution by photons with all that is measured of it.

@@ -29,7 +29,7 @@ std::optional<Solution> solve_visibly(UncollidedLight& uncollided, const Visible
     stage.reset();
     solving.interruption.note_the_first();
     display.show(progress);
-    if (every != 0 && progress.sweep % every == 0)
+    if (solving.leaves_state && every != 0 && progress.sweep % every == 0)
       write_checkpoint_visibly(solving, progress.state(), " after sweep " + std::to_string(progress.sweep));
     return any_of(solving.options.ranks, interruption.noted()) ? SolveControl::stop : SolveControl::proceed;
   };

@@ -16,7 +16,7 @@ class StepCheckpoints {
     for (const BandConvergence& band : solution.convergence) sweeps = std::max(sweeps, band.sweeps);
     sweeps_ += sweeps;
     const int every = solving_.input.output.checkpoint_every;
-    if (every == 0 || sweeps_ < every) return;
+    if (!solving_.leaves_state || every == 0 || sweeps_ < every) return;
     sweeps_ = 0;
     write_checkpoint_visibly(solving_, solution.state, "");
   }

@@ -68,13 +68,13 @@ DirectionalMedia::DirectionalMedia(const Problem& problem) : bands_(problem.band
     }
 }
 
-double DirectionalMedia::beyond_bounds() const {
+std::pair<std::int64_t, std::int64_t> DirectionalMedia::beyond_bounds() const {
   std::int64_t beyond = 0, draws = 0;
   for (const KernelSampler* kernel : kernels_) {
     beyond += kernel->beyond_bound().first;
     draws += kernel->beyond_bound().second;
   }
-  return draws > 0 ? static_cast<double>(beyond) / static_cast<double>(draws) : 0;
+  return {beyond, draws};
 }
 
 DirectionalMedium::DirectionalMedium(const Problem& problem, const RayMatter& matter, int region, int band,

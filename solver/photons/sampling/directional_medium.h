@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "solver/angular/media/ray_matter.h"
@@ -44,8 +46,8 @@ class DirectionalMedia {
   explicit DirectionalMedia(const Problem& problem);
 
   bool empty() const { return matter_ == nullptr; }
-  /// Part of the draws from kernels at which a kernel was larger than it was taken to be at most.
-  double beyond_bounds() const;
+  /// Draws from kernels at which a kernel was larger than it was taken to be at most, and all draws.
+  std::pair<std::int64_t, std::int64_t> beyond_bounds() const;
   /// Null where nothing depends on the direction.
   const DirectionalMedium* of(int region, int band) const {
     return empty() ? nullptr : media_[static_cast<std::size_t>(region * bands_ + band)].get();

@@ -2,6 +2,7 @@
 #include "solver/photons/solve/photon_batch.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/parallel/processor_timer.h"
 
@@ -47,6 +48,38 @@ PhotonBatches::Outcome PhotonBatches::walk(std::uint64_t first, std::size_t coun
   input_.emission.add_to(outcome.fields);
   outcome.seconds = processor_seconds() - start;
   return outcome;
+}
+
+void PhotonBatches::bring(Outcome& outcome, RankGroup& ranks, int from) const {
+  if (ranks.rank() != from) {
+    outcome.fields = empty_fields(problem_);
+    complete_fields(problem_, outcome.fields);
+    input_.emission.add_to(outcome.fields);
+  }
+  Solution& fields = outcome.fields;
+  for (std::vector<double>* values :
+       {&fields.fluence, &fields.net_flux, &fields.absorbed, &fields.irradiance, &fields.exitance})
+    ranks.bring(*values, from);
+  PhotonCounts& counts = outcome.counts;
+  std::array numbers = {static_cast<double>(counts.segments), static_cast<double>(counts.collisions),
+                        static_cast<double>(counts.lost), outcome.seconds};
+  ranks.bring(numbers, from);
+  counts.segments = static_cast<std::uint64_t>(numbers[0]);
+  counts.collisions = static_cast<std::uint64_t>(numbers[1]);
+  counts.lost = static_cast<std::uint64_t>(numbers[2]);
+  outcome.seconds = numbers[3];
+}
+
+double PhotonBatches::beyond_bounds(RankGroup* ranks) const {
+  const auto [beyond, draws] = input_.media.beyond_bounds();
+  double all_beyond = 0, all_draws = 0;
+  for (int rank = 0; rank < (ranks != nullptr ? ranks->count() : 1); ++rank) {
+    std::array numbers = {static_cast<double>(beyond), static_cast<double>(draws)};
+    if (ranks != nullptr) ranks->bring(numbers, rank);
+    all_beyond += numbers[0];
+    all_draws += numbers[1];
+  }
+  return all_draws > 0 ? all_beyond / all_draws : 0;
 }
 
 void PhotonBatches::walk_in_time(int number, std::uint64_t first, std::size_t count, const TimedTally& tally,

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/parallel/rank_group.h"
 #include "base/parallel/stage_observer.h"
 #include "solver/photons/kernel/photon_kernel.h"
 #include "solver/photons/solve/photon_mesh.h"
@@ -39,6 +40,8 @@ class PhotonBatches {
   /// they are alike, so is their noise. The counter counts the histories of all bands, and cuts the batch
   /// short where it is stopped. May be called by several threads at a time.
   Outcome walk(std::uint64_t first, std::size_t count, StageCounter& counter) const;
+  /// Brings the outcome of a batch, which is whole, from one rank to all.
+  void bring(Outcome& outcome, RankGroup& ranks, int from) const;
 
   /// The same histories of one band by time; adds to the tally. May be called by several threads at a time,
   /// each with a tally of its own.
@@ -53,8 +56,8 @@ class PhotonBatches {
   };
   Hits hits(int band, std::uint64_t first, std::size_t count, StageCounter& counter) const;
 
-  /// Of draws from kernels the part that was beyond what they were taken to be at most.
-  double beyond_bounds() const { return input_.media.beyond_bounds(); }
+  /// Of draws from kernels, those of all ranks, the part that was beyond what they were taken to be at most.
+  double beyond_bounds(RankGroup* ranks) const;
   /// Adds what complete_fields() does not know: emission by formulas.
   void add_emission(Solution& fields) const { input_.emission.add_to(fields); }
 

@@ -80,19 +80,58 @@ class PhotonRun {
     return std::clamp(std::ceil(whole), 1.0, largest_batch);
   }
 
+  /// Batches between two looks at the error.
+  struct Round {
+    double size, rest;
+    std::uint64_t first;
+    int count;
+
+    std::size_t number(int batch) const {
+      return static_cast<std::size_t>(std::min(size, rest - batch * size));
+    }
+    std::uint64_t begin(int batch) const { return first + static_cast<std::uint64_t>(batch * size); }
+  };
+
   void walk_round() {
     const double size = batch_size(), rest = left();
-    const int count = static_cast<int>(std::min<double>(batches_of_a_round, std::ceil(rest / size)));
-    const std::uint64_t first = sums_.histories;
+    const Round round{size, rest, sums_.histories,
+                      static_cast<int>(std::min<double>(batches_of_a_round, std::ceil(rest / size)))};
+    if (options_.ranks != nullptr) return walk_by_ranks(round, *options_.ranks);
     const int threads = thread_count(options_.threads);
 #pragma omp parallel for ordered schedule(static, 1) num_threads(threads)
-    for (int i = 0; i < count; ++i) {
-      const double before = i * size;
-      const auto number = static_cast<std::size_t>(std::min(size, rest - before));
-      PhotonBatches::Outcome outcome;
-      if (!stopped_) outcome = batches_.walk(first + static_cast<std::uint64_t>(before), number, counter_);
+    for (int i = 0; i < round.count; ++i) {
+      const PhotonBatches::Outcome outcome = walk(round, i);
 #pragma omp ordered
-      add(outcome, number);
+      add(outcome, round.number(i));
+    }
+  }
+
+  PhotonBatches::Outcome walk(const Round& round, int batch) {
+    if (stopped_) return {};
+    return batches_.walk(round.begin(batch), round.number(batch), counter_);
+  }
+
+  /// Each rank walks as many batches at a time as it has threads; all of them add all batches in their order.
+  void walk_by_ranks(const Round& round, RankGroup& ranks) {
+    const int threads = static_cast<int>(ranks.of_first(thread_count(options_.threads)));
+    const int at_a_time = threads * ranks.count();
+    for (int first = 0; first < round.count; first += at_a_time) {
+      const int count = std::min(at_a_time, round.count - first);
+      std::vector<PhotonBatches::Outcome> outcomes(static_cast<std::size_t>(count));
+      const int begin = std::min(count, ranks.rank() * threads), end = std::min(count, begin + threads);
+#pragma omp parallel for schedule(static, 1) num_threads(threads)
+      for (int i = begin; i < end; ++i) outcomes[static_cast<std::size_t>(i)] = walk(round, first + i);
+      for (int i = begin; i < end; ++i)
+        if (outcomes[static_cast<std::size_t>(i)].fields.fluence.empty()) stopped_ = true;
+      stopped_ = ranks.any(stopped_);
+      for (int i = 0; i < count && !stopped_; ++i) {
+        PhotonBatches::Outcome& outcome = outcomes[static_cast<std::size_t>(i)];
+        batches_.bring(outcome, ranks, i / threads);
+        merge(outcome, round.number(first + i));
+        outcome = {};
+      }
+      if (!stopped_) stopped_ = ranks.any(!tell());
+      if (stopped_) return;
     }
   }
 
@@ -101,10 +140,15 @@ class PhotonRun {
     if (outcome.fields.fluence.empty()) stopped_ = true;
     if (stopped_) return;
     merge(outcome, number);
+    if (!tell()) stopped_ = true;
+  }
+
+  /// Tells the observer of batches that are whole. Returns whether to go on.
+  bool tell() {
     std::vector<double> error = errors();
     const std::lock_guard<std::mutex> lock(telling_);
     whole_ = {sums_.fluence.batches(), static_cast<double>(sums_.histories), std::move(error)};
-    if (observer_ && observer_(progress()) == SolveControl::stop) stopped_ = true;
+    return !observer_ || observer_(progress()) == SolveControl::proceed;
   }
 
   /// Within batches.
@@ -141,7 +185,9 @@ class PhotonRun {
   /// While `telling_` is held.
   PhotonProgress progress() const {
     PhotonProgress progress;
-    const double walked = static_cast<double>(counter_.done()) / static_cast<double>(bands_);
+    // Other ranks are as far as this one.
+    const double walked = static_cast<double>(counter_.done()) / static_cast<double>(bands_) *
+                          (options_.ranks != nullptr ? options_.ranks->count() : 1);
     progress.histories = begun_with_ + walked;
     progress.batches = whole_.batches;
     progress.planned = begun_with_ + options_.photons;
@@ -221,7 +267,7 @@ class PhotonRun {
   void add_notes(Solution& solution) const {
     if (begun_with_ > 0)
       solution.notes.push_back(fmt::format("{:.6g} histories a band of earlier runs count too", begun_with_));
-    if (const double beyond = batches_.beyond_bounds(); beyond > 0)
+    if (const double beyond = batches_.beyond_bounds(options_.ranks); beyond > 0)
       solution.notes.push_back(fmt::format(
           "in {:.2g} of the directions drawn a kernel was larger than was found beforehand, and cut there",
           beyond));

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/parallel/rank_group.h"
 #include "mesh/tetrahedra/search/cell_locator.h"
 #include "solver/photons/solve/batch_statistics.h"
 #include "solver/problem/problem.h"
@@ -35,6 +36,7 @@ struct PhotonOptions {
   double until = 0;      ///< relative standard error of the fluence to reach; 0: all histories are walked
   std::uint64_t seed = 1;
   int threads = 0;                      ///< 0: all cores
+  RankGroup* ranks = nullptr;           ///< processes that share the histories; null: this one alone
   const PhotonSums* initial = nullptr;  ///< more histories are added to these; must outlive the call
 };
 

@@ -21,7 +21,11 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
   // All orders of a mesh are about as large: which are kept is decided beforehand, by their number.
   const std::size_t one = static_cast<std::size_t>(mesh.cell_count()) * sizeof(SweepVisit);
   kept_count_ = static_cast<int>(std::min(orders_.size(), bytes / std::max<std::size_t>(one, 1)));
-  visits_.reset(static_cast<SweepVisit*>(::operator new(static_cast<std::size_t>(kept_count_) * one)));
+  place_.assign(orders_.size(), not_kept);
+  std::int32_t places = 0;
+  for (std::size_t p = 0; p < orders_.size() && places < kept_count_; ++p)
+    if (own.are_own.empty() || own.are_own[p] != 0) place_[p] = places++;
+  visits_.reset(static_cast<SweepVisit*>(::operator new(static_cast<std::size_t>(places) * one)));
   std::vector<double> lagged(orders_.size(), 0), slots(orders_.size(), 0);
   const auto is_own = [&](std::size_t p) { return own.are_own.empty() || own.are_own[p] != 0; };
   const auto own_pairs =
@@ -37,7 +41,7 @@ SweepOrders::SweepOrders(const TetrahedralMesh& mesh, const DirectionSet& direct
       if (!stopped && stops && stops()) stopped = true;
       const auto p = static_cast<std::size_t>(pair);
       if (stopped || !is_own(p)) continue;
-      const bool is_kept = pair < kept_count_;
+      const bool is_kept = place_[p] != not_kept;
       if (!is_kept) scratch.resize(graph_.cell_count());
       SweepOrder order = maker.make(direction(pair), is_kept ? kept_visits(pair) : std::span(scratch));
       lagged[p] = static_cast<double>(order.lagged.size());
@@ -73,7 +77,7 @@ const SweepOrder& SweepOrders::of_pair(std::int32_t pair, std::unique_ptr<SweepO
 
 std::span<SweepVisit> SweepOrders::kept_visits(std::int32_t pair) const {
   const std::size_t cells = graph_.cell_count();
-  return {visits_.get() + static_cast<std::size_t>(pair) * cells, cells};
+  return {visits_.get() + static_cast<std::size_t>(place_[static_cast<std::size_t>(pair)]) * cells, cells};
 }
 
 const Vec3& SweepOrders::direction(std::int32_t pair) const {

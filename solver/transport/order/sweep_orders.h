@@ -44,6 +44,7 @@ class SweepOrders {
   const SweepOrder& of_pair(std::int32_t pair, std::unique_ptr<SweepOrderMaker>& maker,
                             OwnedOrder& remade) const;
 
+  /// As many as one process alone keeps.
   int kept_count() const { return kept_count_; }
   int pair_count() const { return static_cast<int>(orders_.size()); }
   /// Lagged faces of one pair, known for all pairs; and where they begin in the list of all.
@@ -72,7 +73,9 @@ class SweepOrders {
   SweepTiles tiles_;
   const DirectionSet& directions_;
   LevelOrder levels_;
-  std::unique_ptr<SweepVisit[], Unwritten> visits_;  ///< [kept pair][cell]
+  std::unique_ptr<SweepVisit[], Unwritten> visits_;  ///< [place of a pair][cell]
+  static constexpr std::int32_t not_kept = -1;
+  std::vector<std::int32_t> place_;  ///< [pair] among those whose visits are kept, or not_kept
   std::vector<std::optional<SweepOrder>> orders_;
   std::vector<std::size_t> lagged_start_;
   std::uint32_t largest_slot_count_ = 0;

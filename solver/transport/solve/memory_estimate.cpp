@@ -8,6 +8,7 @@
 #include "solver/problem/mirror.h"
 #include "solver/transport/iteration/gmres.h"
 #include "solver/transport/iteration/positive_iteration.h"
+#include "solver/transport/order/batch_sections.h"
 #include "solver/transport/scattering/scattering_plan.h"
 #include "solver/transport/solve/acceleration_policy.h"
 #include "solver/transport/solve/angular_multigrid.h"
@@ -164,7 +165,12 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
   const int threads = thread_count(options.threads);
   // Cells at the boundary keep their slots; besides, a front through the mesh is live at a time.
   const double slots = (2 * s.faces + 8 * std::pow(s.cells, 2.0 / 3)) * s.cell_length;
-  const double batch = OrdinateSchedule(problem, directions, Batches::of_neighbours).batch();
+  const OrdinateSchedule schedule(problem, directions, Batches::of_neighbours);
+  const double batch = schedule.batch();
+  // Sums of sections of batches that wait for others, of moments one less, and one that grows.
+  const double waiting = std::log2(BatchSections(schedule.batch_count()).count());
+  const double section_sums =
+      waiting * (fields + s.faces * s.trace_length) + std::max(1.0, waiting) * moments;
   // The numbers that sweeps in a precision work on: fluence, and in those that are recorded net flux.
   const auto workspaces_of = [&](std::size_t bytes, double summed_fields) {
     const bool is_tiled = static_cast<double>(bytes) * s.cells * (s.record_length + s.cell_length) >
@@ -179,8 +185,6 @@ std::size_t estimate_memory(const Problem& problem, const DirectionSet& directio
       2 * s.matrices * s.ordinates * s.ordinates + DirectionalEmission::table_size(problem, directions) +
       s.absorptions * s.ordinates + s.glossy.matrices +
       (s.glossy.faces + s.passing_mirrors) * s.ordinates / 2 * s.trace_length;
-  // Sums of sections of batches: three wait for others, of moments two and one that grows.
-  const double section_sums = 3 * (fields + moments + s.faces * s.trace_length);
   // The record of the last sweep, and the solution: fluence, three components of flux, the state.
   const double results = 3 * fields + 16 * s.cells * s.stride + state;
   const double kept = static_cast<double>(options.keep_ordinates.size()) * 2 * fields;

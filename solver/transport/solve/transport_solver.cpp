@@ -133,6 +133,9 @@ double TransportSolver::sweep_cost() const {
     swept += coarse_->processor_seconds();
     ordinates += static_cast<double>(coarse_->band_sweep_count()) * coarse_->count();
   }
+  // Other ranks took as long.
+  const RankGroup* ranks = sweep_.discretization().options.ranks;
+  if (ranks != nullptr) swept *= ranks->count();
   return 1e9 * swept / (ordinates * sweep_.mesh().cell_count());
 }
 

@@ -100,6 +100,7 @@ void TransportSweepOf<Real>::sweep_state(const SweepPass& pass) {
   form_source(pass);
   march_.clear_census();
   sweep(pass, discretization_.options.keep_ordinates);
+  if (RankGroup* ranks = discretization_.options.ranks) march_.merge_census(*ranks);
 }
 
 template <class Real>
@@ -183,7 +184,6 @@ void TransportSweepOf<Real>::march_batches(const SweepPass& pass) {
       told(static_cast<double>(first + batches - begin) / (end - begin));
   }
   reduction.finish(stop_.is_set());
-  if (RankGroup* ranks = discretization_.options.ranks) march_.merge_census(*ranks);
 }
 
 template class TransportSweepOf<double>;

@@ -150,7 +150,7 @@ UncollidedLight::UncollidedLight(const LightSetup& lights, const SolveOptions& o
     : lights_(lights), threads_(thread_count(options.threads)) {
   if (lights.empty()) return;
   const auto start = WallClock::now();
-  field_ = uncollided_field(lights.paths(), lights.sources(), threads_, observer);
+  field_ = uncollided_field(lights.paths(), lights.sources(), threads_, observer, options.ranks);
   seconds_ = seconds_since(start);
 }
 

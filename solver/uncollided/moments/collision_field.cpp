@@ -69,6 +69,35 @@ void CollisionField::add(CellIndex cell, double volume, const DirectionalMoments
   old = std::move(sum);
 }
 
+// Of each cell: its number, the number of its directions, their numbers and the values.
+void CollisionField::share(RankGroup& ranks) {
+  if (empty()) return;
+  std::vector<double> own;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Cell& cell = cells_[c];
+    if (cell.direction.empty()) continue;
+    own.push_back(static_cast<double>(c));
+    own.push_back(static_cast<double>(cell.direction.size()));
+    own.insert(own.end(), cell.direction.begin(), cell.direction.end());
+    own.insert(own.end(), cell.values.begin(), cell.values.end());
+  }
+  for (int rank = 0; rank < ranks.count(); ++rank) {
+    const bool is_own = rank == ranks.rank();
+    double size = static_cast<double>(own.size());
+    ranks.bring({&size, 1}, rank);
+    std::vector<double> brought(is_own ? 0 : static_cast<std::size_t>(size));
+    ranks.bring(is_own ? own : brought, rank);
+    for (auto at = brought.begin(); at != brought.end();) {
+      Cell& cell = cells_[static_cast<std::size_t>(*at++)];
+      const auto count = static_cast<std::size_t>(*at++);
+      for (std::size_t k = 0; k < count; ++k) cell.direction.push_back(static_cast<std::int32_t>(*at++));
+      const auto end = at + static_cast<std::ptrdiff_t>(count * 4 * bands_);
+      cell.values.assign(at, end);
+      at = end;
+    }
+  }
+}
+
 CollisionField CollisionField::with_bands(std::size_t bands) const {
   CollisionField other(directions_, cells_.size(), bands);
   for (std::size_t c = 0; c < cells_.size(); ++c) {

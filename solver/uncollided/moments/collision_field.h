@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/parallel/rank_group.h"
 #include "solver/angular/media/ray_matter.h"
 #include "solver/problem/phase_list.h"
 #include "solver/uncollided/moments/directional_moments.h"
@@ -33,6 +34,8 @@ class CollisionField {
   std::shared_ptr<const IncidentDirections> shared_directions() const { return directions_; }
   /// Adds the integrals over a cell. Threads may add to different cells at a time.
   void add(CellIndex cell, double volume, const DirectionalMoments& moments);
+  /// Brings the cells that each rank has added to, and no other one has, to all.
+  void share(RankGroup& ranks);
 
   /// Of a cell: numbers of directions, ascending.
   std::span<const std::int32_t> directions_at(CellIndex cell) const { return cells_[cell.at()].direction; }

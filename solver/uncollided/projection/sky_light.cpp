@@ -219,8 +219,8 @@ class BeamGroup {
 
 }  // namespace
 
-void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads, StageCounter& counter,
-                   const std::function<void(const LitCell&, NodalMoments&)>& begin,
+void add_sky_light(const LightPaths& paths, const SkySource& sky, const RankShare& own, int threads,
+                   StageCounter& counter, const std::function<void(const LitCell&, NodalMoments&)>& begin,
                    const std::function<void(const LitCell&, const NodalMoments&)>& add) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   Beginnings beginnings{planes_of_faces(mesh), cells_of_vertices(mesh), {}};
@@ -233,6 +233,7 @@ void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads, S
                            static_cast<std::size_t>(mesh.cell_count()), threads, 64,
                            [&] { return NodalMoments(4, paths.matter().empty() ? 4 : 6, paths.bands()); },
                            [&](std::size_t c, NodalMoments& moments) {
+                             if (!own.has(c)) return counter.add();
                              const LitCell cell(paths, CellIndex(static_cast<std::int64_t>(c)));
                              moments.clear();
                              begin(cell, moments);

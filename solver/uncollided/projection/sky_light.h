@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "base/parallel/rank_group.h"
 #include "base/parallel/stage_observer.h"
 #include "solver/uncollided/projection/cell_light.h"
 #include "solver/uncollided/sources/sky_source.h"
@@ -18,8 +19,8 @@ namespace etendue {
 /// integrals over a cell (with what is absorbed and scatters where a medium depends on directions or
 /// varies in cells), several times for each cell, each of several beams, and by several threads at a time for
 /// different cells. The counter counts sky_visits() parts and may stop it.
-void add_sky_light(const LightPaths& paths, const SkySource& sky, int threads, StageCounter& counter,
-                   const std::function<void(const LitCell&, NodalMoments&)>& begin,
+void add_sky_light(const LightPaths& paths, const SkySource& sky, const RankShare& own, int threads,
+                   StageCounter& counter, const std::function<void(const LitCell&, NodalMoments&)>& begin,
                    const std::function<void(const LitCell&, const NodalMoments&)>& add);
 
 /// How often add_sky_light() comes to a vertex or a cell.

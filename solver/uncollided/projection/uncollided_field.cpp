@@ -124,12 +124,13 @@ struct Workspace {
 };
 
 void add_cells(const LightPaths& paths, const LightSource& source, const ShadowPlanes& shadows,
-               const std::optional<ExtendedLight>& extended, int threads, StageCounter& counter,
-               UncollidedField& field) {
+               const std::optional<ExtendedLight>& extended, const RankShare& own, int threads,
+               StageCounter& counter, UncollidedField& field) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const RayMatter& matter = paths.matter();
   const DirectionalCells directional(paths);
   const auto add_cell = [&](std::size_t c, Workspace& work) {
+    if (!own.has(c)) return counter.add();
     const LitCell cell(paths, CellIndex(static_cast<std::int64_t>(c)));
     NodalMoments& moments = work.moments;
     moments.clear();
@@ -160,11 +161,12 @@ void add_cells(const LightPaths& paths, const LightSource& source, const ShadowP
 }
 
 void add_walls(const LightPaths& paths, const LightSource& source, const ShadowPlanes& shadows,
-               const std::optional<ExtendedLight>& extended, int threads, StageCounter& counter,
-               std::vector<double>& irradiance) {
+               const std::optional<ExtendedLight>& extended, const RankShare& own, int threads,
+               StageCounter& counter, std::vector<double>& irradiance) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::size_t bands = paths.bands();
   const auto add_face = [&](std::size_t f, Workspace& work) {
+    if (!own.has(f)) return counter.add();
     const FaceIndex face(static_cast<std::int64_t>(f));
     NodalMoments& moments = work.moments;
     moments.clear();
@@ -197,6 +199,26 @@ std::size_t visits(const TetrahedralMesh& mesh, const SourceViews& sources) {
   return count;
 }
 
+UncollidedField dark_field(const LightPaths& paths) {
+  const TetrahedralMesh& mesh = paths.problem().mesh();
+  UncollidedField field;
+  field.fluence.assign(static_cast<std::size_t>(mesh.cell_count()) * 4 * paths.bands(), 0);
+  field.net_flux.assign(3 * field.fluence.size(), 0);
+  field.irradiance.assign(static_cast<std::size_t>(mesh.boundary_face_count()) * 3 * paths.bands(), 0);
+  if (paths.matter().empty()) return field;
+  field.collided.assign(field.fluence.size(), 0);
+  field.absorbed.assign(static_cast<std::size_t>(mesh.cell_count()) * paths.bands(), 0);
+  return field;
+}
+
+/// Brings the cells and faces of each rank to all.
+void share(UncollidedField& field, RankGroup& ranks) {
+  for (std::vector<double>* values :
+       {&field.fluence, &field.net_flux, &field.irradiance, &field.collided, &field.absorbed})
+    ranks.merge(*values);
+  field.collisions.share(ranks);
+}
+
 }  // namespace
 
 double scattered_density(const Problem& problem, const UncollidedField& field, std::size_t entry) {
@@ -207,24 +229,17 @@ double scattered_density(const Problem& problem, const UncollidedField& field, s
 
 UncollidedField uncollided_field(const LightPaths& paths, const SourceViews& sources,
                                  std::shared_ptr<const IncidentDirections> incident, int threads,
-                                 const StageObserver& observer) {
-  const TetrahedralMesh& mesh = paths.problem().mesh();
-  UncollidedField field;
-  field.fluence.assign(static_cast<std::size_t>(mesh.cell_count()) * 4 * paths.bands(), 0);
-  field.net_flux.assign(3 * field.fluence.size(), 0);
-  field.irradiance.assign(static_cast<std::size_t>(mesh.boundary_face_count()) * 3 * paths.bands(), 0);
-  if (!paths.matter().empty()) {
-    field.collided.assign(field.fluence.size(), 0);
-    field.absorbed.assign(static_cast<std::size_t>(mesh.cell_count()) * paths.bands(), 0);
-  }
+                                 const StageObserver& observer, RankGroup* ranks) {
+  UncollidedField field = dark_field(paths);
   const DirectionalCells directional(paths);
   if (!sources.empty() && directional.any())
     field.collisions = {incident ? std::move(incident) : incident_directions(paths, sources),
-                        static_cast<std::size_t>(mesh.cell_count()), paths.bands()};
+                        static_cast<std::size_t>(paths.problem().mesh().cell_count()), paths.bands()};
   const std::vector<ShadowEdge> shadow_edges = shadow_edges_of(paths);
-  StageCounter counter(visits(mesh, sources), observer);
+  const RankShare own(ranks);
+  StageCounter counter(visits(paths.problem().mesh(), sources), observer);
   for (const LightSource* source : sources) {
-    if (counter.stopped()) return field;
+    if (counter.stopped()) break;
     const WideSource* wide = source->as_wide();
     std::optional<ExtendedLight> extended;
     if (wide != nullptr && wide->as_extended() != nullptr)
@@ -232,7 +247,7 @@ UncollidedField uncollided_field(const LightPaths& paths, const SourceViews& sou
     const ShadowPlanes planes(paths, shadow_edges, *source);
     if (wide != nullptr && wide->as_sky() != nullptr)
       add_sky_light(
-          paths, *wide->as_sky(), threads, counter,
+          paths, *wide->as_sky(), own, threads, counter,
           [&](const LitCell& cell, NodalMoments& moments) {
             directional.prepare(cell.index, field.collisions, AngularDetail::coarse, moments);
           },
@@ -240,22 +255,24 @@ UncollidedField uncollided_field(const LightPaths& paths, const SourceViews& sou
             add_moments(paths, cell, moments, field);
           });
     else
-      add_cells(paths, *source, planes, extended, threads, counter, field);
-    if (counter.stopped()) return field;
-    add_walls(paths, *source, planes, extended, threads, counter, field.irradiance);
+      add_cells(paths, *source, planes, extended, own, threads, counter, field);
+    if (counter.stopped()) break;
+    add_walls(paths, *source, planes, extended, own, threads, counter, field.irradiance);
   }
+  if (ranks != nullptr) share(field, *ranks);
   return field;
 }
 
 UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads,
-                                 const StageObserver& observer) {
+                                 const StageObserver& observer, RankGroup* ranks) {
   SourceViews views;
   for (const auto& source : sources) views.push_back(source.get());
   bool stopped = false;
-  UncollidedField field = uncollided_field(paths, views, nullptr, threads, [&](double share) {
+  const StageObserver noting = [&](double share) {
     stopped = observer && !observer(share);
     return !stopped;
-  });
+  };
+  UncollidedField field = uncollided_field(paths, views, nullptr, threads, noting, ranks);
   if (!stopped) field.glossy = GlossyBeams(paths, sources, threads);
   return field;
 }

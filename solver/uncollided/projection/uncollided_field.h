@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/parallel/rank_group.h"
 #include "base/parallel/stage_observer.h"
 #include "solver/uncollided/moments/collision_field.h"
 #include "solver/uncollided/moments/glossy_beams.h"
@@ -32,9 +33,10 @@ double scattered_density(const Problem& problem, const UncollidedField& field, s
 /// a beam in columns along it, both in closed form along the path through a cell and cut along the edges of
 /// shadows (ShadowPlanes), or by four points where it is even; of a light with an extent by its attenuation
 /// on the paths to the vertices (ExtendedLight). The same bits for any number of threads. An observer that
-/// stops it leaves the field incomplete.
+/// stops it leaves the field incomplete. `ranks` are processes that share cells and faces and all get the
+/// whole field; null: this one alone.
 UncollidedField uncollided_field(const LightPaths& paths, const LightSources& sources, int threads,
-                                 const StageObserver& observer = {});
+                                 const StageObserver& observer = {}, RankGroup* ranks = nullptr);
 
 using SourceViews = std::vector<const LightSource*>;
 
@@ -42,6 +44,6 @@ using SourceViews = std::vector<const LightSource*>;
 /// those of these sources.
 UncollidedField uncollided_field(const LightPaths& paths, const SourceViews& sources,
                                  std::shared_ptr<const IncidentDirections> incident, int threads,
-                                 const StageObserver& observer = {});
+                                 const StageObserver& observer = {}, RankGroup* ranks = nullptr);
 
 }  // namespace etendue

@@ -9,8 +9,8 @@
 #include "solver/solution/solve_observer.h"
 #include "solver/transport/order/batch_sections.h"
 #include "solver/transport/solve/solve.h"
-#include "tests/solver/transport/ranks/thread_ranks.h"
 #include "tests/solver/transport/sample_problems.h"
+#include "tests/support/thread_ranks.h"
 
 namespace etendue::shared_sweep_test {
 namespace {

@@ -70,10 +70,11 @@ class ThreadRanks {
                      [&](std::size_t rank) { is = is || group.arrays_[rank][0] != 0; });
       return is;
     }
-    double of_first(double value) override {
-      const std::vector<double> mine{value};
-      group.exchange(number, mine, 1, [&](std::size_t) { value = group.arrays_[0][0]; });
-      return value;
+    bool meet(bool value) override { return any(value); }
+    void bring(std::span<double> values, int from) override {
+      const std::vector<double> mine(values.begin(), values.end());
+      group.exchange(number, mine, values.size(),
+                     [&](std::size_t i) { values[i] = group.arrays_[static_cast<std::size_t>(from)][i]; });
     }
 
     ThreadRanks& group;
