@@ -92,7 +92,7 @@ inline bool writes_results(const RankGroup* ranks) { return ranks == nullptr || 
 /// Numbers that are exchanged at a time.
 inline constexpr std::size_t exchange_block = std::size_t{1} << 22;
 
-/// Where the share of a rank begins in a block of so many numbers; the share ends where that of the next rank
+/// Begin of the share of a rank in a block of so many numbers; the share ends where that of the next rank
 /// begins. In an array each block of `exchange_block` numbers, and the last, has shares of its own.
 inline std::size_t begin_of_share(std::size_t block, int rank, int ranks) {
   return block * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks);

@@ -18,8 +18,8 @@ namespace etendue {
 /// and the record, batch after batch in each section, and the sections in a binary tree, so that the bits
 /// depend neither on the number of threads nor on that of ranks.
 ///
-/// The sums of sections that wait for their siblings stand in a stack, of which the lowest has its arrays in
-/// the next state.
+/// The sums of sections that wait for their siblings form a stack, of which the lowest has its arrays in the
+/// next state.
 template <class Real>
 class BatchReduction {
  public:

@@ -70,11 +70,11 @@ struct ExtendedLight::Site {
 };
 
 ExtendedLight::ExtendedLight(const LightPaths& paths, const ExtendedSource& source,
-                             const std::vector<ShadowEdge>& shadow_edges, int threads)
+                             const std::vector<ShadowEdge>& shadow_edges, int threads, RankGroup* ranks)
     : paths_(paths),
       source_(source),
       bands_(paths.bands()),
-      vertex_attenuation_(paths, source, threads),
+      vertex_attenuation_(paths, source, threads, ranks),
       edges_(paths, source, shadow_edges) {}
 
 // Much larger cells hold nearly the light of a point.

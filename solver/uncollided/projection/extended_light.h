@@ -25,7 +25,7 @@ namespace etendue {
 class ExtendedLight {
  public:
   ExtendedLight(const LightPaths& paths, const ExtendedSource& source,
-                const std::vector<ShadowEdge>& shadow_edges, int threads);
+                const std::vector<ShadowEdge>& shadow_edges, int threads, RankGroup* ranks = nullptr);
 
   void add(const LitCell& cell, LightBeams& beams, NodalMoments& moments) const;
   void add(FaceIndex face, LightBeams& beams, NodalMoments& moments) const;

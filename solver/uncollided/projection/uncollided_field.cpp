@@ -243,7 +243,7 @@ UncollidedField uncollided_field(const LightPaths& paths, const SourceViews& sou
     const WideSource* wide = source->as_wide();
     std::optional<ExtendedLight> extended;
     if (wide != nullptr && wide->as_extended() != nullptr)
-      extended.emplace(paths, *wide->as_extended(), shadow_edges, threads);
+      extended.emplace(paths, *wide->as_extended(), shadow_edges, threads, ranks);
     const ShadowPlanes planes(paths, shadow_edges, *source);
     if (wide != nullptr && wide->as_sky() != nullptr)
       add_sky_light(

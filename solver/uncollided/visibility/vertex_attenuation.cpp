@@ -2,6 +2,7 @@
 #include "solver/uncollided/visibility/vertex_attenuation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mesh/tetrahedra/adjacency/vertex_cells.h"
@@ -17,6 +18,33 @@ constexpr LightDetail sampling{0.35, 0.03, 0.6, 0.9, TriangleRule::three_points}
 constexpr double steep = 0.02;
 /// Depths and directions that differ by less are the same.
 constexpr double same = 1e-9;
+
+/// Brings what each rank has sampled, [place][band] and the visibility of each place, to all.
+void share(std::vector<PathAttenuation>& attenuation, std::vector<Visibility>& visibility, std::size_t bands,
+           RankGroup* ranks) {
+  if (ranks == nullptr) return;
+  constexpr std::size_t length = 6;  // numbers of an attenuation
+  const RankShare own(ranks);
+  std::vector<double> numbers(length * attenuation.size() + visibility.size(), 0);
+  const std::span<double> seen = std::span(numbers).last(visibility.size());
+  for (std::size_t place = 0; place < visibility.size(); ++place) {
+    if (!own.has(place)) continue;
+    seen[place] = static_cast<double>(visibility[place]);
+    for (std::size_t i = place * bands; i < (place + 1) * bands; ++i) {
+      const PathAttenuation& of = attenuation[i];
+      const std::array<double, length> packed = {of.visible,        of.extinction,     of.deflection.x(),
+                                                 of.deflection.y(), of.deflection.z(), of.length};
+      std::ranges::copy(packed, numbers.begin() + static_cast<std::ptrdiff_t>(length * i));
+    }
+  }
+  ranks->merge(numbers);
+  for (std::size_t i = 0; i < attenuation.size(); ++i) {
+    const double* const of = numbers.data() + length * i;
+    attenuation[i] = {of[0], of[1], Vec3(of[2], of[3], of[4]), of[5]};
+  }
+  for (std::size_t place = 0; place < visibility.size(); ++place)
+    visibility[place] = static_cast<Visibility>(static_cast<int>(seen[place]));
+}
 
 }  // namespace
 
@@ -37,27 +65,31 @@ PathAttenuation InterpolatedAttenuation<corners>::at(const std::array<double, co
   return attenuation;
 }
 
-VertexAttenuation::VertexAttenuation(const LightPaths& paths, const ExtendedSource& source, int threads)
+VertexAttenuation::VertexAttenuation(const LightPaths& paths, const ExtendedSource& source, int threads,
+                                     RankGroup* ranks)
     : source_(source), bands_(paths.bands()) {
-  sample_vertices(paths, threads);
-  if (!are_even()) sample_edges(paths, threads);
+  sample_vertices(paths, threads, ranks);
+  if (!are_even()) sample_edges(paths, threads, ranks);
 }
 
-void VertexAttenuation::sample_vertices(const LightPaths& paths, int threads) {
+void VertexAttenuation::sample_vertices(const LightPaths& paths, int threads, RankGroup* ranks) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   const std::vector<CellIndex> cells = cells_of_vertices(mesh);
   at_vertices_.resize(cells.size() * bands_);
   vertex_visibility_.resize(cells.size());
+  const RankShare own(ranks);
 #pragma omp parallel num_threads(threads)
   {
     LightBeams beams(bands_);
 #pragma omp for schedule(dynamic, 64)
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
       const auto i = static_cast<std::size_t>(v);
+      if (!own.has(i)) continue;
       vertex_visibility_[i] = sample(source_, {cells[i], mesh.point(VertexIndex(v))}, sampling, beams,
                                      std::span(at_vertices_).subspan(i * bands_, bands_));
     }
   }
+  share(at_vertices_, vertex_visibility_, bands_, ranks);
   // The visibility from a vertex of a sheet depends on the side, so the cells around it do not share it.
   for (const std::int32_t v : vertices_of_sheets(mesh))
     vertex_visibility_[static_cast<std::size_t>(v)] = Visibility::depends_on_side;
@@ -78,19 +110,20 @@ bool VertexAttenuation::are_even() const {
   return true;
 }
 
-void VertexAttenuation::sample_edges(const LightPaths& paths, int threads) {
+void VertexAttenuation::sample_edges(const LightPaths& paths, int threads, RankGroup* ranks) {
   const TetrahedralMesh& mesh = paths.problem().mesh();
   edges_ = MeshEdges(mesh, [&](std::int32_t v) {
     return vertex_visibility_[static_cast<std::size_t>(v)] == Visibility::all;
   });
   at_edges_.resize(edges_.size() * bands_);
   edge_visibility_.resize(edges_.size());
-  steep_.resize(edges_.size());
+  const RankShare own(ranks);
 #pragma omp parallel num_threads(threads)
   {
     LightBeams beams(bands_);
 #pragma omp for schedule(dynamic, 64)
     for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (!own.has(e)) continue;
       const MeshEdges::Edge& edge = edges_[e];
       const Vec3 middle = (mesh.point(VertexIndex(edge.first)) + mesh.point(VertexIndex(edge.second))) / 2;
       const std::span<PathAttenuation> attenuation = std::span(at_edges_).subspan(e * bands_, bands_);
@@ -102,10 +135,13 @@ void VertexAttenuation::sample_edges(const LightPaths& paths, int threads) {
         here.visible -= (p.visible + q.visible) / 2;
         here.extinction -= (p.extinction + q.extinction) / 2;
         here.deflection -= (p.deflection + q.deflection) / 2;
-        if (std::abs(here.extinction) * here.length > steep) steep_[e] = 1;
       }
     }
   }
+  share(at_edges_, edge_visibility_, bands_, ranks);
+  steep_.resize(edges_.size());
+  for (std::size_t i = 0; i < at_edges_.size(); ++i)
+    if (std::abs(at_edges_[i].extinction) * at_edges_[i].length > steep) steep_[i / bands_] = 1;
 }
 
 template <std::size_t corners>

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/parallel/rank_group.h"
 #include "mesh/tetrahedra/adjacency/mesh_edges.h"
 #include "solver/uncollided/visibility/path_attenuation.h"
 
@@ -32,7 +33,9 @@ enum class Interpolation { possible, steep, unseen };
 /// middles of its edges: shared by the cells and faces around them.
 class VertexAttenuation {
  public:
-  VertexAttenuation(const LightPaths& paths, const ExtendedSource& source, int threads);
+  /// `ranks` are processes that share the rays; null: this one alone.
+  VertexAttenuation(const LightPaths& paths, const ExtendedSource& source, int threads,
+                    RankGroup* ranks = nullptr);
 
   /// Gets the attenuation between these vertices, unless a part of the light is hidden.
   template <std::size_t corners>
@@ -40,8 +43,8 @@ class VertexAttenuation {
                      InterpolatedAttenuation<corners>& interpolated) const;
 
  private:
-  void sample_vertices(const LightPaths& paths, int threads);
-  void sample_edges(const LightPaths& paths, int threads);
+  void sample_vertices(const LightPaths& paths, int threads, RankGroup* ranks);
+  void sample_edges(const LightPaths& paths, int threads, RankGroup* ranks);
   bool are_even() const;
 
   const ExtendedSource& source_;
