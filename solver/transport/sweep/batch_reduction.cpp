@@ -2,7 +2,6 @@
 #include "solver/transport/sweep/batch_reduction.h"
 
 #include <algorithm>
-#include <array>
 
 #include "base/parallel/processor_timer.h"
 #include "base/parallel/rank_group.h"
@@ -28,13 +27,14 @@ void in_blocks(std::size_t numbers, int threads, double& seconds, const Use& use
   }
 }
 
-/// sum += from; from = 0
+/// sum = from or, where it is begun, sum += from; from = 0
 template <class Number>
-void move_sum(double* sum, Number* from, std::size_t size) {
-  for (std::size_t i = 0; i < size; ++i) {
-    sum[i] += from[i];
-    from[i] = 0;
-  }
+void move_sum(double* sum, Number* from, std::size_t size, bool is_begun) {
+  if (is_begun)
+    for (std::size_t i = 0; i < size; ++i) sum[i] += from[i];
+  else
+    for (std::size_t i = 0; i < size; ++i) sum[i] = from[i];
+  std::fill_n(from, size, Number{});
 }
 
 }  // namespace
@@ -102,20 +102,18 @@ void BatchReduction<Real>::add_arrays(const Portion& portion, std::span<double> 
   const std::span<double> section = arrays(place, false).*array;
   const bool to_sibling = portion.ends && completes_pair();
   const std::span<double> sibling = to_sibling ? arrays(place - 1, false).*array : section;
+  // A section of one batch needs no place of its own.
+  const bool passes = to_sibling && portion.begins && portion.workspaces.size() == 1;
   in_blocks(section.size(), threads_, seconds_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t first = begin; first < end; first += cached_block) {
       const std::size_t count = std::min(cached_block, end - first);
-      std::array<double, cached_block> total;
-      if (portion.begins)
-        std::fill_n(total.data(), count, 0.0);
-      else
-        std::copy_n(section.data() + first, count, total.data());
-      for (const auto& work : portion.workspaces) move_sum(total.data(), array_of(*work) + first, count);
-      double* const to = sibling.data() + first;
-      if (to_sibling)
-        for (std::size_t i = 0; i < count; ++i) to[i] += total[i];
-      else
-        std::copy_n(total.data(), count, to);
+      double* const sum = (passes ? sibling : section).data() + first;
+      bool is_begun = passes || !portion.begins;
+      for (const auto& work : portion.workspaces) {
+        move_sum(sum, array_of(*work) + first, count, is_begun);
+        is_begun = true;
+      }
+      for (std::size_t i = 0; i < count && to_sibling && !passes; ++i) sibling[first + i] += sum[i];
     }
   });
 }

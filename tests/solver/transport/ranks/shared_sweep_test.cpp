@@ -45,9 +45,14 @@ void expect_same(const Solution& a, const Solution& b) {
   ASSERT_EQ(a.fixups.size(), b.fixups.size());
   for (std::size_t i = 0; i < a.fixups.size(); ++i) {
     EXPECT_EQ(a.fixups[i].cells, b.fixups[i].cells);
+    EXPECT_EQ(a.fixups[i].failed, b.fixups[i].failed);
+    EXPECT_EQ(a.fixups[i].smallest, b.fixups[i].smallest);
     EXPECT_EQ(a.fixups[i].moved, b.fixups[i].moved);
   }
-  EXPECT_EQ(a.convergence[0].sweeps, b.convergence[0].sweeps);
+  for (std::size_t band = 0; band < a.convergence.size(); ++band) {
+    EXPECT_EQ(a.convergence[band].sweeps, b.convergence[band].sweeps);
+    EXPECT_EQ(a.convergence[band].residual, b.convergence[band].residual);
+  }
   EXPECT_EQ(a.state.fluence, b.state.fluence);
   EXPECT_EQ(a.state.moments, b.state.moments);
 }
@@ -57,7 +62,7 @@ void expect_same_bits(const Problem& problem, const DirectionSet& directions, So
   options.threads = 1;
   const Solution alone = solve(problem, directions, options);
   ASSERT_TRUE(alone.converged());
-  for (const auto& [ranks, threads] : {std::pair{1, 1}, {2, 1}, {3, 2}, {8, 1}}) {
+  for (const auto& [ranks, threads] : {std::pair{1, 1}, {2, 1}, {3, 2}, {8, 1}, {11, 1}}) {
     options.threads = threads;
     ThreadRanks group(ranks);
     std::vector<Solution> solutions(static_cast<std::size_t>(ranks));
