@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <barrier>
 #include <bit>
 #include <functional>
@@ -39,19 +40,19 @@ class ThreadRanks {
                   std::span<double> sum) override {
       std::vector<double> all;
       for (const auto& array : own) all.insert(all.end(), array.begin(), array.end());
+      std::vector<std::size_t> seen(group.arrays_.size(), 0), first;
+      for (const SumNode& node : nodes)
+        first.push_back(seen[static_cast<std::size_t>(node.rank)]++ * sum.size());
       group.exchange(number, all, sum.size(), [&](std::size_t i) {
-        std::vector<std::pair<SumNode, double>> stack;
-        std::vector<std::size_t> seen(group.arrays_.size(), 0);
-        for (const SumNode& node : nodes) {
-          const auto rank = static_cast<std::size_t>(node.rank);
-          stack.emplace_back(node, group.arrays_[rank][seen[rank]++ * sum.size() + i]);
-          while (stack.size() > 1 && are_siblings(stack[stack.size() - 2].first, stack.back().first)) {
-            const double right = stack.back().second;
-            stack.pop_back();
-            stack.back() = {parent_of(stack.back().first), stack.back().second + right};
-          }
+        std::array<std::pair<SumNode, double>, 16> stack;
+        std::size_t size = 0;
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+          stack[size++] = {nodes[n], group.arrays_[static_cast<std::size_t>(nodes[n].rank)][first[n] + i]};
+          for (; size > 1 && are_siblings(stack[size - 2].first, stack[size - 1].first); --size)
+            stack[size - 2] = {parent_of(stack[size - 2].first),
+                               stack[size - 2].second + stack[size - 1].second};
         }
-        ASSERT_EQ(stack.size(), 1u);
+        ASSERT_EQ(size, 1u);
         sum[i] = stack[0].second;
       });
     }
