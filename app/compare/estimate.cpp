@@ -66,6 +66,7 @@ class Estimation {
 
   void add(const Repetition& repetition) {
     ErrorPart part{.cause = repetition.cause, .how = {}, .errors = {}};
+    is_repeating_ = false;
     try {
       const std::string change = repetition.override();
       const double forecast = repetition.forecast();
@@ -104,7 +105,6 @@ class Estimation {
     is_repeating_ = true;
     run_case(again, out_, err_, [&](const RunResult& result) { other = kept_of(result); });
     agree_on_costs(*other, request_.ranks);
-    is_repeating_ = false;
     part.seconds = other->seconds;
     spent_ += other->seconds;
     const double ratio = repetition.ratio(*other);

@@ -26,8 +26,7 @@ struct LightTable {
 };
 
 /// Reads an IES file, an EULUMDAT file (.ldt) or a CSV with an angle and an intensity on each line, or an
-/// angle, an azimuth and an intensity. The file must be one that
-/// opens. Throws FileError or InputError.
+/// angle, an azimuth and an intensity. The file must be one that opens. Throws FileError or InputError.
 LightTable read_light_table(const std::filesystem::path& path);
 
 }  // namespace etendue

@@ -143,7 +143,7 @@ class PhotonRun {
     if (!tell()) stopped_ = true;
   }
 
-  /// Tells the observer of batches that are whole. Returns whether to go on.
+  /// Tells the observer of batches that are whole. Returns whether to continue.
   bool tell() {
     std::vector<double> error = errors();
     const std::lock_guard<std::mutex> lock(telling_);

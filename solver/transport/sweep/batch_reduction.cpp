@@ -55,7 +55,15 @@ BatchReduction<Real>::BatchReduction(const Discretization& discretization, Momen
       section_(ranks_ != nullptr ? sections_.first_of(ranks_->rank(), ranks_->count()) : 0),
       end_section_(ranks_ != nullptr ? sections_.first_of(ranks_->rank() + 1, ranks_->count())
                                      : sections_.count()),
-      next_batch_(sections_.begin(section_)) {}
+      next_batch_(sections_.begin(section_)) {
+  for (const std::span<double> part : parts_by_ordinate())
+    if (ranks_ != nullptr) std::ranges::fill(part, 0.0);
+}
+
+template <class Real>
+std::array<std::span<double>, 3> BatchReduction<Real>::parts_by_ordinate() const {
+  return {pass_.next.radiance(), pass_.next.mirrors(), pass_.next.lagged()};
+}
 
 template <class Real>
 SummedArrays BatchReduction<Real>::arrays(std::size_t place, bool with_moments) {
@@ -172,9 +180,7 @@ void BatchReduction<Real>::finish(bool stops) {
     for (std::size_t place = 0; place < own.size(); ++place) own[place] = arrays(place, true).list()[i];
     ranks_->sum_tree(nodes, own, sums_.list()[i]);
   }
-  ranks_->merge(pass_.next.radiance());
-  ranks_->merge(pass_.next.mirrors());
-  ranks_->merge(pass_.next.lagged());
+  for (const std::span<double> part : parts_by_ordinate()) ranks_->merge(part);
   if (pass_.record == nullptr) return;
   for (OrdinateRadiance& kept : pass_.record->radiance) ranks_->merge(kept.values);
 }

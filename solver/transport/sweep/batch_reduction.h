@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -45,6 +46,9 @@ class BatchReduction {
     bool begins, ends;  ///< the section
   };
 
+  /// Parts of the next state of which each entry is of one ordinate: zero at first where it is that of
+  /// another rank, which brings it in the end.
+  std::array<std::span<double>, 3> parts_by_ordinate() const;
   void add_portion(const Portion& portion);
   /// Adds arrays of workspaces to that of the section, and that of a section that ends to its sibling's.
   template <class Number, class ArrayOf>

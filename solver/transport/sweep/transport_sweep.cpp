@@ -149,9 +149,6 @@ void TransportSweepOf<Real>::share_records() {
 
 template <class Real>
 void TransportSweepOf<Real>::sweep(const SweepPass& pass, std::span<const int> ordinates) {
-  if (discretization_.options.ranks != nullptr)  // others bring what they find for their ordinates
-    for (const std::span<double> part : {pass.next.radiance(), pass.next.mirrors(), pass.next.lagged()})
-      std::ranges::fill(part, 0.0);
   if (pass.record != nullptr) {
     march_.begin_record(*pass.record, ordinates);
     for (auto& work : workspaces_) work->begin_record(discretization_, *pass.record);
