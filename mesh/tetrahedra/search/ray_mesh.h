@@ -18,7 +18,7 @@ struct RayEnd {
   double distance = 0;                 ///< from the start [length]
   CellIndex cell = CellIndex(0);       ///< the last one
   std::optional<FaceIndex> wall = {};  ///< the face where the ray left the domain; empty: it did not
-  Vec3 point = Vec3::Zero();           ///< where it left: in that face, however flat the ray meets it
+  Vec3 point = Vec3::Zero();           ///< where it left: in the last face, however flat the ray meets it
 };
 
 /// The mesh as rays see it: 32 bytes for each cell and for each vertex. A ray goes from cell to cell through
@@ -36,7 +36,21 @@ class RayMesh {
   /// come back in. The start may lie on a face, an edge or a vertex of its cell: it is moved into it, by as
   /// little as rounding lets.
   template <class Visitor>
-  RayEnd walk(CellIndex start, const Vec3& from, const Vec3& direction, double length, Visitor&& visit) const;
+  RayEnd walk(CellIndex start, const Vec3& from, const Vec3& direction, double length,
+              Visitor&& visit) const {
+    const auto any = [](CellIndex, double) { return true; };
+    return walk_while(start, from, direction, length, visit, any).end;
+  }
+  /// The same as long as enter(CellIndex, double distance) holds for the cell that the ray comes into there.
+  /// Where it does not, the end is where that cell begins, and it is the cell of the end.
+  struct PartOfWay {
+    RayEnd end;
+    int entered =
+        -1;  ///< the local face by which the ray came into the cell that it stopped before; -1: none
+  };
+  template <class Visitor, class Condition>
+  PartOfWay walk_while(CellIndex start, const Vec3& from, const Vec3& direction, double length,
+                       Visitor&& visit, Condition&& enter) const;
 
  private:
   struct alignas(32) Cell {
@@ -137,9 +151,9 @@ inline void RayMesh::turn(Exit& exit, const Projected& next) {
   exit.area[j] = -to_next[i];
 }
 
-template <class Visitor>
-RayEnd RayMesh::walk(CellIndex start_cell, const Vec3& from, const Vec3& direction, double length,
-                     Visitor&& visit) const {
+template <class Visitor, class Condition>
+RayMesh::PartOfWay RayMesh::walk_while(CellIndex start_cell, const Vec3& from, const Vec3& direction,
+                                       double length, Visitor&& visit, Condition&& enter) const {
   Frame frame;
   Exit exit = start(start_cell, from, direction, frame);
   std::int32_t cell = start_cell.value();
@@ -150,14 +164,15 @@ RayEnd RayMesh::walk(CellIndex start_cell, const Vec3& from, const Vec3& directi
     const double next = depth > reached ? depth : reached;
     if (next >= length) {
       visit(CellIndex(cell), length - reached);
-      return {length, CellIndex(cell), {}};
+      return {{length, CellIndex(cell), {}}};
     }
     visit(CellIndex(cell), next - reached);
     reached = next;
     const std::int32_t across =
         cells_[static_cast<std::size_t>(cell)].across[static_cast<std::size_t>(exit.opposite)];
-    if (across < 0) return {reached, CellIndex(cell), FaceIndex(-1 - across), point_of(exit)};
+    if (across < 0) return {{reached, CellIndex(cell), FaceIndex(-1 - across), point_of(exit)}};
     cell = across >> 2;
+    if (!enter(CellIndex(cell), reached)) return {{reached, CellIndex(cell), {}, point_of(exit)}, across & 3};
     const Cell& record = cells_[static_cast<std::size_t>(cell)];
     const std::int32_t opposite = across & 3;
     // Vertices are sorted in all cells: the face's corners are in the same order on its other side.

@@ -18,6 +18,10 @@ using Side = std::pair<Vec3, Vec3>;
 /// turned round, with the same corners.
 std::vector<Side> outline(std::span<const std::array<Vec3, 3>> triangles);
 
+/// The corners in order of a flat and convex piece that such triangles about a normal make up; empty where
+/// the piece is neither, or they make up several.
+std::vector<Vec3> convex_outline(std::span<const std::array<Vec3, 3>> triangles, const Vec3& normal);
+
 /// From a point to the nearest one of a side [length].
 double distance_to_side(const Vec3& point, const Vec3& first, const Vec3& second);
 

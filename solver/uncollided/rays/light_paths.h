@@ -8,6 +8,7 @@
 #include "mesh/tetrahedra/search/ray_mesh.h"
 #include "solver/angular/media/ray_matter.h"
 #include "solver/problem/problem.h"
+#include "solver/uncollided/rays/medium_surfaces.h"
 #include "solver/uncollided/rays/mirror_images.h"
 
 namespace etendue {
@@ -61,7 +62,29 @@ class LightPaths {
   double added(CellIndex cell, std::size_t band) const {
     return added_.empty() ? 0 : added_[cell.at() * bands_ + band];
   }
+  /// Adds the optical depth [band] of a path from cell to cell.
   RayEnd walk(const PointInCell& from, const Vec3& direction, double length, std::span<double> depth) const;
+  /// The same as long as `enter` holds.
+  template <class Condition>
+  RayMesh::PartOfWay walk_while(const PointInCell& from, const Vec3& direction, double length,
+                                std::span<double> depth, const Condition& enter) const;
+  /// Where a path has come to; its cell may be another one of the same medium.
+  struct Place : PointInCell {
+    bool exact = true;
+  };
+  struct Way {
+    double distance;
+    std::optional<FaceIndex> wall = {};  ///< that ends it
+    Place end;                           ///< only where a wall does
+  };
+  /// The same as walk() from surface to surface where extinction is constant; empty where it would need a
+  /// cell that it does not know.
+  std::optional<Way> cross(const Place& from, const Vec3& direction, double length,
+                           std::span<double> depth) const;
+  enum class Steps { surfaces, cells };
+  /// transmit(), in steps of one kind.
+  std::optional<bool> follow(const PointInCell& from, const Vec3& direction, double length, MirrorSet mirrors,
+                             Steps steps, std::span<double> transmittance) const;
   void reflect(FaceIndex face, std::span<double> factor) const;
 
   const Problem& problem_;
@@ -71,6 +94,7 @@ class LightPaths {
   RayMatter matter_;
   std::vector<double> added_;       ///< [cell][band] [1/length]; empty: none
   std::vector<double> extinction_;  ///< [cell][band] with what is added [1/length]
+  MediumSurfaces surfaces_;
 };
 
 }  // namespace etendue

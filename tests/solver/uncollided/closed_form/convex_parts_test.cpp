@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "solver/uncollided/closed_form/convex_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/clipped_polygon.h"
+
+namespace etendue::convex_parts_test {
+namespace {
+
+using Triangle = std::array<Vec3, 3>;
+
+/// Triangles of those squares of a board in a tilted plane that are wanted.
+template <class Wanted>
+std::vector<Triangle> board(int size, const Wanted& wanted) {
+  const Vec3 along = Vec3(1, 2, 2).normalized(), across = Vec3(2, 1, -2).normalized();
+  const auto at = [&](int x, int y) -> Vec3 { return x * along + y * across; };
+  std::vector<Triangle> triangles;
+  for (int x = 0; x < size; ++x)
+    for (int y = 0; y < size; ++y) {
+      if (!wanted(x, y)) continue;
+      triangles.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+      triangles.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+    }
+  return triangles;
+}
+
+Vec3 normal_of(const std::vector<Triangle>& triangles) {
+  const Triangle& t = triangles.front();
+  return (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+}
+
+double area_of(const std::vector<std::vector<Vec3>>& parts) {
+  double area = 0;
+  for (const auto& part : parts)
+    for (std::size_t i = 2; i < part.size(); ++i) area += triangle_area({part[0], part[i - 1], part[i]});
+  return area;
+}
+
+TEST(ConvexParts, AreOneForARectangle) {
+  const auto triangles = board(6, [](int, int y) { return y < 4; });
+  const auto parts = convex_parts(triangles, normal_of(triangles));
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].size(), 4U);
+  EXPECT_NEAR(area_of(parts), 24, 1e-9);
+}
+
+TEST(ConvexParts, AreFewForAnLAndForAWindow) {
+  const auto corner = board(8, [](int x, int y) { return x < 3 || y < 2; });
+  const auto of_corner = convex_parts(corner, normal_of(corner));
+  ASSERT_FALSE(of_corner.empty());
+  EXPECT_LE(of_corner.size(), 3U);
+  EXPECT_NEAR(area_of(of_corner), 34, 1e-9);
+  const auto window = board(8, [](int x, int y) { return x < 2 || x > 4 || y < 3 || y > 6; });
+  const auto of_window = convex_parts(window, normal_of(window));
+  ASSERT_FALSE(of_window.empty());
+  EXPECT_LE(of_window.size(), 8U);
+  EXPECT_NEAR(area_of(of_window), 52, 1e-9);
+}
+
+TEST(ConvexParts, AreNoneWhereTheyAreMany) {
+  const auto chess = board(24, [](int x, int y) { return (x + y) % 2 == 0; });
+  EXPECT_TRUE(convex_parts(chess, normal_of(chess)).empty());
+}
+
+}  // namespace
+}  // namespace etendue::convex_parts_test
