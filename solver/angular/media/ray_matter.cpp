@@ -207,6 +207,21 @@ PathCoefficients RayMatter::at(CellIndex cell, std::size_t band, const View& vie
   return turned(here, cell, band, view);
 }
 
+void RayMatter::add_depth(CellIndex cell, const View& view, const Vec3& point, double length,
+                          std::span<double> depth) const {
+  const bool turns = depends_on_direction(problem_.mesh().region(cell));
+  const bool varies = linear_.varies(cell);
+  for (std::size_t b = 0; b < bands_; ++b) {
+    PathCoefficients here{problem_.absorption(cell, static_cast<int>(b)),
+                          problem_.scattering(cell, static_cast<int>(b))};
+    if (varies)
+      here = {std::max(0.0, here.absorption + linear_.absorption(cell, b, point)),
+              std::max(0.0, here.scattering + linear_.scattering(cell, b, point))};
+    if (turns) here = turned(here, cell, b, view);
+    depth[b] += here.extinction() * length;
+  }
+}
+
 PathCoefficients RayMatter::along(CellIndex cell, std::size_t band, const Vec3& travel) const {
   const auto b = static_cast<int>(band);
   const Entry& entry = entries_[static_cast<std::size_t>(problem_.mesh().region(cell)) * bands_ + band];

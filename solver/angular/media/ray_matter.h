@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,10 @@ class RayMatter {
   PathCoefficients at(CellIndex cell, std::size_t band, const View& view) const;
   /// At a point of it.
   PathCoefficients at(CellIndex cell, std::size_t band, const View& view, const Vec3& point) const;
+
+  /// Adds the extinction at a point times a length, in all bands, to optical depths [band].
+  void add_depth(CellIndex cell, const View& view, const Vec3& point, double length,
+                 std::span<double> depth) const;
 
   /// Scattering of each kind of medium, once.
   std::size_t kind_count() const { return kinds_.size(); }

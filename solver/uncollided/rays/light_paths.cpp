@@ -88,8 +88,8 @@ RayMesh::PartOfWay LightPaths::walk_while(const PointInCell& from, const Vec3& d
       } else {
         // What is linear has its mean in the middle.
         const Vec3 middle = from.position + (reached + part / 2) * direction;
-        for (std::size_t b = 0; b < bands_; ++b)
-          depth[b] += (matter_.at(cell, b, light, middle).extinction() + added(cell, b)) * part;
+        matter_.add_depth(cell, light, middle, part, depth);
+        for (std::size_t b = 0; b < bands_ && !added_.empty(); ++b) depth[b] += added(cell, b) * part;
       }
       reached += part;
     };
