@@ -25,17 +25,18 @@ std::vector<FaceTree::Polygon> boundary_faces(const TetrahedralMesh& mesh) {
 }  // namespace
 
 BoundaryTree::BoundaryTree(const TetrahedralMesh& mesh)
-    : touching_(edge_tolerance * bounding_box(mesh.points()).diagonal()), faces_(boundary_faces(mesh), 0) {}
+    : touching_(edge_tolerance * bounding_box(mesh.points()).diagonal()),
+      faces_(boundary_faces(mesh), touching_) {}
 
 std::optional<BoundaryEntry> BoundaryTree::first_entry(const Vec3& origin, const Vec3& direction) const {
-  const TreeRay ray(origin, direction);
+  const TreeRay ray = faces_.ray(origin, direction);
   double nearest = std::numeric_limits<double>::infinity();
   std::int32_t found = -1;
   faces_.visit(ray, nearest, [&](const FaceTree::Flat& flat) {
     const double cosine = direction.dot(flat.normal);
     if (cosine >= 0) return;
-    const double distance = -flat.height_of(origin) / cosine;
-    if (!(distance >= 0 && flat.inside(origin + distance * direction) > -touching_)) return;
+    const double distance = -flat.height_of(ray.origin) / cosine;
+    if (!(distance >= 0 && flat.inside(ray.origin + distance * direction) > -touching_)) return;
     // Of two faces that share the edge the one of the lower number.
     if (distance > nearest || (distance == nearest && flat.face > found)) return;
     nearest = distance;

@@ -9,12 +9,17 @@ constexpr std::size_t polygons_in_a_leaf = 4;
 }  // namespace
 
 FaceTree::FaceTree(std::vector<Polygon> polygons, double margin) {
-  std::vector<Bounds> bounds;
+  Eigen::AlignedBox3d whole;
   std::size_t corners = 0;
   for (const Polygon& polygon : polygons) {
-    bounds.push_back({{}, bounds.size()});
-    for (const Vec3& corner : polygon.corners) bounds.back().box.extend(corner);
+    for (const Vec3& corner : polygon.corners) whole.extend(corner);
     corners += polygon.corners.size();
+  }
+  if (!polygons.empty()) middle_ = whole.center();
+  std::vector<Bounds> bounds;
+  for (Polygon& polygon : polygons) {
+    bounds.push_back({{}, bounds.size()});
+    for (Vec3& corner : polygon.corners) bounds.back().box.extend(corner -= middle_);
   }
   nodes_.emplace_back();
   build(0, bounds, 0, margin);
@@ -22,13 +27,14 @@ FaceTree::FaceTree(std::vector<Polygon> polygons, double margin) {
   for (const Bounds& of : bounds) add(polygons[of.polygon]);
 }
 
-// From each side the corner opposite tells where inwards is.
 void FaceTree::add(const Polygon& polygon) {
   const std::size_t first = sides_.size(), count = polygon.corners.size();
+  Vec3 inside = Vec3::Zero();
+  for (const Vec3& corner : polygon.corners) inside += corner / static_cast<double>(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 &here = polygon.corners[i], &next = polygon.corners[(i + 1) % count];
     Vec3 inwards = polygon.normal.cross(next - here).normalized();
-    if (inwards.dot(polygon.corners[(i + 2) % count] - here) < 0) inwards = -inwards;
+    if (inwards.dot(inside - here) < 0) inwards = -inwards;
     sides_.push_back({inwards, inwards.dot(here)});
   }
   flats_.push_back({polygon.face, polygon.single, polygon.normal, polygon.normal.dot(polygon.corners[0]),
@@ -41,8 +47,8 @@ void FaceTree::build(std::size_t node, std::span<Bounds> bounds, std::size_t fir
     middles.extend(of.box.center());
     box.extend(of.box);
   }
-  const Vec3 wider = Vec3::Constant(margin);
-  nodes_[node] = {.box = {box.min() - wider, box.max() + wider},
+  const Vec3 low = box.min() - Vec3::Constant(margin), high = box.max() + Vec3::Constant(margin);
+  nodes_[node] = {.box = {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()},
                   .first = static_cast<std::int32_t>(first),
                   .count = static_cast<std::int32_t>(bounds.size())};
   if (bounds.size() <= polygons_in_a_leaf) return;

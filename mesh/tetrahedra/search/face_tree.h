@@ -14,14 +14,20 @@
 
 namespace etendue {
 
-/// A straight line from a point in a unit direction.
+/// A straight line from a point, relative to the middle of a tree, in a unit direction.
 struct TreeRay {
   TreeRay(const Vec3& from, const Vec3& along) : origin(from), direction(along) {
     // Across a component of zero a box is met at once or never.
     constexpr double huge = 1e150;
-    for (Eigen::Index k = 0; k < 3; ++k) inverse[k] = along[k] == 0 ? huge : 1 / along[k];
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      inverse[k] = along[k] == 0 ? huge : 1 / along[k];
+      const auto i = static_cast<std::size_t>(k);
+      near[i] = (inverse[k] < 0 ? 3 : 0) + i;
+      far[i] = (inverse[k] < 0 ? 0 : 3) + i;
+    }
   }
   Vec3 origin, direction, inverse;
+  std::array<std::size_t, 3> near{}, far{};  ///< of a box, lower bounds before upper ones
 };
 
 /// Flat convex polygons in a binary tree of boxes, for rays: faces of a mesh, or pieces that such make up.
@@ -38,7 +44,7 @@ class FaceTree {
     Vec3 inwards;  ///< unit
     double offset;
   };
-  /// A polygon as rays meet it.
+  /// A polygon as rays meet it, relative to the middle of the tree, where rounding is least.
   struct Flat {
     std::int32_t face;
     bool single;
@@ -55,11 +61,12 @@ class FaceTree {
     }
   };
 
-  /// Boxes are wider than what is in them by a margin [length].
+  /// Boxes are wider than what is in them by a margin above zero [length].
   FaceTree(std::vector<Polygon> polygons, double margin);
   FaceTree(FaceTree&&) = default;  // what is copied would look into the old one's sides
 
-  bool empty() const { return flats_.empty(); }
+  std::size_t size() const { return flats_.size(); }
+  TreeRay ray(const Vec3& from, const Vec3& direction) const { return {from - middle_, direction}; }
   /// Calls visit(const Flat&) for those that may meet the ray before `limit`, nearer boxes first; visit
   /// may lower the limit.
   template <class Visitor>
@@ -67,9 +74,9 @@ class FaceTree {
 
  private:
   struct Node {
-    Eigen::AlignedBox3d box{};
-    std::int32_t children = -1;  ///< the first of two of a group; -1: a leaf
-    std::int32_t first = 0;      ///< in flats_
+    std::array<double, 6> box{};  ///< lower bounds, upper bounds
+    std::int32_t children = -1;   ///< the first of two of a group; -1: a leaf
+    std::int32_t first = 0;       ///< in flats_
     std::int32_t count = 0;
   };
   /// A polygon as the tree is built.
@@ -80,22 +87,22 @@ class FaceTree {
   void add(const Polygon& polygon);
   void build(std::size_t node, std::span<Bounds> bounds, std::size_t first, double margin);
   /// Where the ray comes into a box before this distance; infinite where it does not.
-  static double entry(const Eigen::AlignedBox3d& box, const TreeRay& ray, double limit);
+  static double entry(const std::array<double, 6>& box, const TreeRay& ray, double limit);
 
+  Vec3 middle_ = Vec3::Zero();
   std::vector<Node> nodes_;
   std::vector<SideLine> sides_;
   std::vector<Flat> flats_;
 };
 
-inline double FaceTree::entry(const Eigen::AlignedBox3d& box, const TreeRay& ray, double limit) {
+inline double FaceTree::entry(const std::array<double, 6>& box, const TreeRay& ray, double limit) {
   // A flat box is met where in and out agree to rounding.
   constexpr double rounding = 1e-12;
   double in = 0, out = limit;
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    const double a = (box.min()[k] - ray.origin[k]) * ray.inverse[k];
-    const double b = (box.max()[k] - ray.origin[k]) * ray.inverse[k];
-    in = std::max(in, std::min(a, b));
-    out = std::min(out, std::max(a, b));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    in = std::max(in, (box[ray.near[k]] - ray.origin[axis]) * ray.inverse[axis]);
+    out = std::min(out, (box[ray.far[k]] - ray.origin[axis]) * ray.inverse[axis]);
   }
   return in <= out * (1 + rounding) + std::numeric_limits<double>::min()
              ? in
@@ -104,7 +111,7 @@ inline double FaceTree::entry(const Eigen::AlignedBox3d& box, const TreeRay& ray
 
 template <class Visitor>
 void FaceTree::visit(const TreeRay& ray, const double& limit, Visitor&& visit) const {
-  if (empty()) return;
+  if (flats_.empty()) return;
   struct Waiting {
     double entry;
     std::int32_t node;

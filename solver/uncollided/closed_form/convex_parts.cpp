@@ -11,7 +11,7 @@
 namespace etendue {
 namespace {
 
-constexpr std::size_t most_parts = 32, most_sides_of_piece = 64;
+constexpr std::size_t most_parts = 32, most_sides_of_piece = 64, most_single_sides = 2000;
 /// Of the size: what is nearer lies on a line. Of the area: what is covered to this is covered.
 constexpr double on_line = 1e-10, same_cover = 1e-9;
 
@@ -120,6 +120,7 @@ class PieceParts {
 }  // namespace
 
 std::vector<Polygon> convex_parts(std::span<const std::array<Vec3, 3>> triangles, const Vec3& normal) {
+  if (single_sides(triangles).size() > most_single_sides) return {};
   Polygon whole = convex_outline(triangles, normal);
   if (!whole.empty()) return {std::move(whole)};
   return PieceParts(triangles, normal).find();

@@ -88,7 +88,7 @@ bool stand_for(const std::vector<Vec3>& corners, std::span<const Triangle> trian
 
 }  // namespace
 
-std::vector<Side> outline(std::span<const std::array<Vec3, 3>> triangles) {
+std::vector<Side> single_sides(std::span<const std::array<Vec3, 3>> triangles) {
   std::map<std::array<double, 6>, Side> single;
   for (const std::array<Vec3, 3>& t : triangles)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -97,6 +97,11 @@ std::vector<Side> outline(std::span<const std::array<Vec3, 3>> triangles) {
     }
   std::vector<Side> sides;
   for (const auto& [corners, side] : single) sides.push_back(side);
+  return sides;
+}
+
+std::vector<Side> outline(std::span<const std::array<Vec3, 3>> triangles) {
+  std::vector<Side> sides = single_sides(triangles);
   join(sides);
   return sides;
 }

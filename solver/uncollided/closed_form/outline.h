@@ -17,6 +17,8 @@ using Side = std::pair<Vec3, Vec3>;
 /// only one of the triangles has, joined where they continue in one line. Triangles that share a side have it
 /// turned round, with the same corners.
 std::vector<Side> outline(std::span<const std::array<Vec3, 3>> triangles);
+/// The same before they are joined, which takes the square of their number.
+std::vector<Side> single_sides(std::span<const std::array<Vec3, 3>> triangles);
 
 /// The corners in order of a flat and convex piece that such triangles about a normal make up; empty where
 /// the piece is neither, or they make up several.

@@ -77,9 +77,9 @@ double LightPaths::largest_extinction(CellIndex cell) const {
 
 template <class Condition>
 RayMesh::PartOfWay LightPaths::walk_while(const PointInCell& from, const Vec3& direction, double length,
-                                          std::span<double> depth, const Condition& enter) const {
+                                          std::span<double> depth, const RayMatter::View& light,
+                                          const Condition& enter) const {
   if (!matter_.empty()) {
-    const RayMatter::View light = matter_.view(-direction);
     double reached = 0;
     const auto add = [&](CellIndex cell, double part) {
       if (!matter_.varies(cell) && !matter_.depends_on_direction(problem_.mesh().region(cell))) {
@@ -111,7 +111,8 @@ RayMesh::PartOfWay LightPaths::walk_while(const PointInCell& from, const Vec3& d
 
 RayEnd LightPaths::walk(const PointInCell& from, const Vec3& direction, double length,
                         std::span<double> depth) const {
-  return walk_while(from, direction, length, depth, [](CellIndex, double) { return true; }).end;
+  const RayMatter::View light = view_along(direction);
+  return walk_while(from, direction, length, depth, light, [](CellIndex, double) { return true; }).end;
 }
 
 // Near an edge some cells are passed, and then the surfaces are asked again, a few times.
@@ -122,6 +123,7 @@ std::optional<LightPaths::Way> LightPaths::cross(const Place& from, const Vec3& 
   const TetrahedralMesh& mesh = problem_.mesh();
   Place at = from;
   std::optional<FaceIndex> through;
+  std::optional<RayMatter::View> light;
   double left = length;
   for (int unclear = 0; left > 0;) {
     const std::int32_t medium = surfaces_.medium(at.cell);
@@ -145,9 +147,10 @@ std::optional<LightPaths::Way> LightPaths::cross(const Place& from, const Vec3& 
       ++unclear;
     }
     if (!at.exact) return std::nullopt;
+    if (!light) light = view_along(direction);
     const bool to_the_end = unclear == most_unclear;
     const RayMesh::PartOfWay part =
-        walk_while(at, direction, left, depth, [&](CellIndex next, double distance) {
+        walk_while(at, direction, left, depth, *light, [&](CellIndex next, double distance) {
           if (medium == MediumSurfaces::varying) return surfaces_.medium(next) == medium;
           return to_the_end || distance < surfaces_.clear_distance();
         });

@@ -50,7 +50,7 @@ class LightPaths {
 
   /// Transmittance [band] of the path from a point along a unit direction of this length, reflected by
   /// exactly these mirrors, their reflectances included. False where something opaque stands before its end;
-  /// a wall at its end does not, to 1e-9 of the length.
+  /// a wall at its end does not, to 1e-9 of the length or of the size of the domain.
   bool transmit(const PointInCell& from, const Vec3& direction, double length, MirrorSet mirrors,
                 std::span<double> transmittance) const;
 
@@ -62,15 +62,20 @@ class LightPaths {
   double added(CellIndex cell, std::size_t band) const {
     return added_.empty() ? 0 : added_[cell.at() * bands_ + band];
   }
+  /// Of light that comes along a ray.
+  RayMatter::View view_along(const Vec3& ray) const {
+    return matter_.empty() ? RayMatter::View{} : matter_.view(-ray);
+  }
   /// Adds the optical depth [band] of a path from cell to cell.
   RayEnd walk(const PointInCell& from, const Vec3& direction, double length, std::span<double> depth) const;
   /// The same as long as `enter` holds.
   template <class Condition>
   RayMesh::PartOfWay walk_while(const PointInCell& from, const Vec3& direction, double length,
-                                std::span<double> depth, const Condition& enter) const;
-  /// Where a path has come to; its cell may be another one of the same medium.
+                                std::span<double> depth, const RayMatter::View& light,
+                                const Condition& enter) const;
+  /// Where a path has come to.
   struct Place : PointInCell {
-    bool exact = true;
+    bool exact = true;  ///< else the cell is another one of the same medium
   };
   struct Way {
     double distance;

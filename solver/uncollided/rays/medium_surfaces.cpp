@@ -16,12 +16,14 @@
 namespace etendue {
 namespace {
 
-/// Of the size of the domain: what is nearer to a point touches it.
-constexpr double touching_of_size = 1e-9;
-/// Cosines below that are those of a path along a plane.
-constexpr double along_plane = 1e-9;
+/// Of the size of the domain: what is nearer to a point touches it. Far from the origin of the coordinates
+/// their rounding counts, in roundings of the largest one.
+constexpr double touching_of_size = 1e-9, touching_roundings = 64;
+/// Of the size: corners that differ less from a plane lie in it. A path that meets a plane at a smaller
+/// cosine than the other number would leave such corners beside it by more than what touches.
+constexpr double in_plane = 1e-13, along_plane = 1e-4;
 /// Planes of the boundary up to which its convex parts are looked for.
-constexpr std::size_t most_planes_of_hull = 500;
+constexpr std::size_t most_planes_of_hull = 100;
 
 /// Planes that have all of a mesh on one side.
 class Hull {
@@ -55,12 +57,19 @@ class Hull {
   std::vector<Plane> planes_;
 };
 
-/// A surface that rays know, once; what stands on both sides of it tells flat pieces apart.
+double touching_distance(const TetrahedralMesh& mesh) {
+  double largest = 0;
+  for (const Vec3& point : mesh.points()) largest = std::max(largest, point.cwiseAbs().maxCoeff());
+  return std::max(touching_of_size * bounding_box(mesh.points()).diagonal(),
+                  touching_roundings * std::numeric_limits<double>::epsilon() * largest);
+}
+
+/// A surface that rays know, once; flat pieces have the same media, or the same wall, on all of their faces.
 struct SurfaceFace {
   FaceIndex face;
   Vec3 normal;
   std::array<std::int32_t, 3> kind;  ///< its wall, or the medium before it and that behind it
-  bool merges;                       ///< what is behind it needs no cell
+  bool merges;  ///< with others in its plane: a path that crosses it needs no cell behind it
 };
 
 std::vector<SurfaceFace> surfaces_of(const TetrahedralMesh& mesh, std::span<const std::int32_t> medium,
@@ -92,7 +101,7 @@ std::vector<SurfaceFace> surfaces_of(const TetrahedralMesh& mesh, std::span<cons
 class FlatPieces {
  public:
   FlatPieces(const TetrahedralMesh& mesh, std::span<const SurfaceFace> faces)
-      : mesh_(mesh), faces_(faces), root_(faces.size()) {
+      : mesh_(mesh), faces_(faces), size_(bounding_box(mesh.points()).diagonal()), root_(faces.size()) {
     std::iota(root_.begin(), root_.end(), 0);
     join_at_edges();
   }
@@ -144,9 +153,16 @@ class FlatPieces {
       std::swap(corners[1], corners[2]);
     return corners;
   }
+  bool lie_in_plane_of(FaceIndex face, std::span<const std::size_t> members) const {
+    const Vec3 normal = mesh_.area_normal(face).normalized(), corner = corner_of(mesh_, face, 0);
+    for (const std::size_t i : members)
+      for (const Vec3& other : corners_of(mesh_, faces_[i].face))
+        if (std::abs(normal.dot(other - corner)) > in_plane * size_) return false;
+    return true;
+  }
   void add(std::span<const std::size_t> members, std::vector<FaceTree::Polygon>& polygons) const {
     const SurfaceFace& first = faces_[members.front()];
-    if (members.size() > 1) {
+    if (members.size() > 1 && lie_in_plane_of(first.face, members)) {
       std::vector<std::array<Vec3, 3>> triangles;
       for (const std::size_t i : members) triangles.push_back(corners_about_normal(i));
       const auto parts = convex_parts(triangles, first.normal);
@@ -165,11 +181,13 @@ class FlatPieces {
 
   const TetrahedralMesh& mesh_;
   std::span<const SurfaceFace> faces_;
+  double size_;
   std::vector<std::size_t> root_;
 };
 
 std::vector<FaceTree::Polygon> polygons_of(const TetrahedralMesh& mesh, std::span<const std::int32_t> medium,
                                            bool whole_boundary, double touching) {
+  if (std::ranges::count(medium, MediumSurfaces::varying) == std::ssize(medium)) return {};
   const std::vector<SurfaceFace> faces = surfaces_of(mesh, medium, whole_boundary, touching);
   return FlatPieces(mesh, faces).polygons();
 }
@@ -180,8 +198,12 @@ MediumSurfaces::MediumSurfaces(const TetrahedralMesh& mesh, std::vector<std::int
                                bool whole_boundary)
     : mesh_(mesh),
       medium_(std::move(medium)),
-      touching_(touching_of_size * bounding_box(mesh.points()).diagonal()),
-      faces_(polygons_of(mesh, medium_, whole_boundary, touching_), touching_) {}
+      touching_(touching_distance(mesh)),
+      faces_(polygons_of(mesh, medium_, whole_boundary, touching_), touching_) {
+  // Where media change every few cells, cells are the shorter way.
+  constexpr std::size_t fewest_cells_on_a_polygon = 4;
+  if (faces_.size() * fewest_cells_on_a_polygon > medium_.size()) std::ranges::fill(medium_, varying);
+}
 
 // A path within the domain meets its boundary from within alone. What touches the surface where it ends has
 // not met it.
@@ -190,20 +212,20 @@ MediumSurfaces::Crossing MediumSurfaces::first(const Vec3& from, const Vec3& dir
   Crossing found{.distance = length};
   const double end = length - touching_;
   double unclear = std::numeric_limits<double>::infinity(), limit = end;
-  const TreeRay ray(from, direction);
+  const TreeRay ray = faces_.ray(from, direction);
   faces_.visit(ray, limit, [&](const FaceTree::Flat& flat) {
     const FaceIndex face(flat.face);
     if (through == face) return;
     const double cosine = direction.dot(flat.normal);
     if (cosine <= 0 && flat.face < mesh_.boundary_face_count()) return;
-    const double height = flat.height_of(from);
+    const double height = flat.height_of(ray.origin);
     if (!(std::abs(cosine) > along_plane)) {
-      if (std::abs(height) <= touching_) unclear = 0;
+      if (std::abs(height) <= touching_ + std::abs(cosine) * limit) unclear = 0;
       return;
     }
     const double distance = -height / cosine;
     if (distance < -touching_ || distance > limit) return;
-    const double inside = flat.inside(from + distance * direction);
+    const double inside = flat.inside(ray.origin + distance * direction);
     if (inside < -touching_) return;
     const bool again =
         found.kind == Crossing::Kind::surface && std::abs(distance - found.distance) < touching_;

@@ -15,8 +15,9 @@ namespace etendue {
 /// extinction and others, and the boundary where it is not convex. Between them a path needs no cells.
 class MediumSurfaces {
  public:
-  /// `medium` [cell]: the number of a medium of constant extinction, or `varying`. With `whole_boundary` its
-  /// convex parts are found too; else paths must end in the domain. The mesh must outlive it.
+  /// `medium` [cell]: the number of a medium of constant extinction, or `varying`. Where media change
+  /// every few cells all count as varying. Without `whole_boundary` faces that have all of the domain on one
+  /// side are left out: no path between two of its points crosses them. The mesh must outlive it.
   MediumSurfaces(const TetrahedralMesh& mesh, std::vector<std::int32_t> medium, bool whole_boundary);
 
   static constexpr std::int32_t varying = -1;

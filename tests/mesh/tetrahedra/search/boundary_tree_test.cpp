@@ -29,6 +29,17 @@ TEST(BoundaryTree, FindsWhereARayComesIn) {
   }
 }
 
+TEST(BoundaryTree, FindsSidesAlongTheRay) {
+  const TetrahedralMesh mesh = cube_mesh(0.01);
+  const BoundaryTree tree(mesh);
+  for (const double x : {0.0, 0.5, 1.0})
+    for (const double y : {0.0, 0.5, 1.0}) {
+      const auto entry = tree.first_entry({x, y, 2}, -Vec3::UnitZ());
+      ASSERT_TRUE(entry) << x << ' ' << y;
+      EXPECT_EQ(wall_at(mesh, *entry), "zmax");
+    }
+}
+
 TEST(BoundaryTree, SeesNoFaceFromInside) {
   const TetrahedralMesh mesh = cube_mesh(0.05);
   const BoundaryTree tree(mesh);

@@ -39,6 +39,31 @@ double area_of(const std::vector<std::vector<Vec3>>& parts) {
   return area;
 }
 
+/// How many of the parts have the middle of a square of the board.
+template <class Parts>
+int count_at(const Parts& parts, int x, int y, const Vec3& normal) {
+  const Vec3 along = Vec3(1, 2, 2).normalized(), across = Vec3(2, 1, -2).normalized();
+  const Vec3 middle = (x + 0.5) * along + (y + 0.5) * across;
+  int count = 0;
+  for (const auto& part : parts) {
+    int left = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Vec3 &a = part[i], &b = part[(i + 1) % part.size()];
+      left += normal.dot((b - a).cross(middle - a)) > 0 ? 1 : 0;
+    }
+    count += left == 0 || left == static_cast<int>(part.size()) ? 1 : 0;
+  }
+  return count;
+}
+
+/// Each square of the piece lies in one part, no other square in any.
+template <class Parts, class Wanted>
+void expect_cover(const Parts& parts, const Vec3& normal, const Wanted& wanted) {
+  for (int x = 0; x < 8; ++x)
+    for (int y = 0; y < 8; ++y)
+      EXPECT_EQ(count_at(parts, x, y, normal), wanted(x, y) ? 1 : 0) << x << ' ' << y;
+}
+
 TEST(ConvexParts, AreOneForARectangle) {
   const auto triangles = board(6, [](int, int y) { return y < 4; });
   const auto parts = convex_parts(triangles, normal_of(triangles));
@@ -48,16 +73,28 @@ TEST(ConvexParts, AreOneForARectangle) {
 }
 
 TEST(ConvexParts, AreFewForAnLAndForAWindow) {
-  const auto corner = board(8, [](int x, int y) { return x < 3 || y < 2; });
+  const auto in_corner = [](int x, int y) { return x < 3 || y < 2; };
+  const auto corner = board(8, in_corner);
   const auto of_corner = convex_parts(corner, normal_of(corner));
   ASSERT_FALSE(of_corner.empty());
   EXPECT_LE(of_corner.size(), 3U);
   EXPECT_NEAR(area_of(of_corner), 34, 1e-9);
-  const auto window = board(8, [](int x, int y) { return x < 2 || x > 4 || y < 3 || y > 6; });
+  expect_cover(of_corner, normal_of(corner), in_corner);
+  const auto in_window = [](int x, int y) { return x < 2 || x > 4 || y < 3 || y > 6; };
+  const auto window = board(8, in_window);
   const auto of_window = convex_parts(window, normal_of(window));
   ASSERT_FALSE(of_window.empty());
   EXPECT_LE(of_window.size(), 8U);
   EXPECT_NEAR(area_of(of_window), 52, 1e-9);
+  expect_cover(of_window, normal_of(window), in_window);
+}
+
+TEST(ConvexParts, CoverStairs) {
+  const auto in_stairs = [](int x, int y) { return x + y < 8; };
+  const auto stairs = board(8, in_stairs);
+  const auto parts = convex_parts(stairs, normal_of(stairs));
+  ASSERT_FALSE(parts.empty());
+  expect_cover(parts, normal_of(stairs), in_stairs);
 }
 
 TEST(ConvexParts, AreNoneWhereTheyAreMany) {
