@@ -12,6 +12,14 @@ inline double triangle_area(const std::array<Vec3, 3>& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2;
 }
 
+/// Of a flat convex polygon.
+inline double polygon_area(const std::vector<Vec3>& corners) {
+  double area = 0;
+  for (std::size_t i = 2; i < corners.size(); ++i)
+    area += triangle_area({corners[0], corners[i - 1], corners[i]});
+  return area;
+}
+
 /// The part of a convex polygon where n.(x - p) >= 0; of a cone, given by the vectors along its edges, with p
 /// = 0. Corners that miss the plane by `tolerance` lie on it.
 inline std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& normal,

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "mesh/tetrahedra/bounding_box.h"
-#include "mesh/tetrahedra/corners.h"
 
 namespace etendue {
 namespace {
@@ -15,10 +14,8 @@ constexpr double edge_tolerance = 1e-12;
 
 std::vector<FaceTree::Polygon> boundary_faces(const TetrahedralMesh& mesh) {
   std::vector<FaceTree::Polygon> faces;
-  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f) {
-    const auto corners = corners_of(mesh, FaceIndex(f));
-    faces.push_back({f, true, mesh.area_normal(FaceIndex(f)).normalized(), {corners.begin(), corners.end()}});
-  }
+  for (std::int32_t f = 0; f < mesh.boundary_face_count(); ++f)
+    faces.push_back(FaceTree::polygon_of(mesh, FaceIndex(f)));
   return faces;
 }
 

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/tetrahedra/search/face_tree.h"
 
+#include "mesh/tetrahedra/corners.h"
+
 namespace etendue {
 namespace {
 
 constexpr std::size_t polygons_in_a_leaf = 4;
 
 }  // namespace
+
+FaceTree::Polygon FaceTree::polygon_of(const TetrahedralMesh& mesh, FaceIndex face) {
+  const std::array<Vec3, 3> corners = corners_of(mesh, face);
+  return {face.value(), true, mesh.area_normal(face).normalized(), {corners.begin(), corners.end()}};
+}
 
 FaceTree::FaceTree(std::vector<Polygon> polygons, double margin) {
   Eigen::AlignedBox3d whole;

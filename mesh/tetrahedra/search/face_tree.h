@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "base/vec3.h"
+#include "mesh/tetrahedra/tetrahedral_mesh.h"
 
 namespace etendue {
 
@@ -39,6 +40,7 @@ class FaceTree {
     Vec3 normal;                ///< unit
     std::vector<Vec3> corners;  ///< in order, either way about the normal
   };
+  static Polygon polygon_of(const TetrahedralMesh& mesh, FaceIndex face);
   /// A line within its plane, from which distances grow inwards.
   struct SideLine {
     Vec3 inwards;  ///< unit

@@ -43,14 +43,14 @@ class RayMesh {
   }
   /// The same as long as enter(CellIndex, double distance) holds for the cell that the ray comes into there.
   /// Where it does not, the end is where that cell begins, and it is the cell of the end.
-  struct PartOfWay {
+  struct PartOfPath {
     RayEnd end;
     int entered =
         -1;  ///< the local face by which the ray came into the cell that it stopped before; -1: none
   };
   template <class Visitor, class Condition>
-  PartOfWay walk_while(CellIndex start, const Vec3& from, const Vec3& direction, double length,
-                       Visitor&& visit, Condition&& enter) const;
+  PartOfPath walk_while(CellIndex start, const Vec3& from, const Vec3& direction, double length,
+                        Visitor&& visit, Condition&& enter) const;
 
  private:
   struct alignas(32) Cell {
@@ -152,8 +152,8 @@ inline void RayMesh::turn(Exit& exit, const Projected& next) {
 }
 
 template <class Visitor, class Condition>
-RayMesh::PartOfWay RayMesh::walk_while(CellIndex start_cell, const Vec3& from, const Vec3& direction,
-                                       double length, Visitor&& visit, Condition&& enter) const {
+RayMesh::PartOfPath RayMesh::walk_while(CellIndex start_cell, const Vec3& from, const Vec3& direction,
+                                        double length, Visitor&& visit, Condition&& enter) const {
   Frame frame;
   Exit exit = start(start_cell, from, direction, frame);
   std::int32_t cell = start_cell.value();

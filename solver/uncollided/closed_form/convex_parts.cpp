@@ -23,14 +23,8 @@ Vec3 centroid_of(const Polygon& polygon) {
   return sum / static_cast<double>(polygon.size());
 }
 
-double area_of(const Polygon& polygon) {
-  double area = 0;
-  for (std::size_t i = 2; i < polygon.size(); ++i)
-    area += triangle_area({polygon[0], polygon[i - 1], polygon[i]});
-  return area;
-}
-
-/// Cuts a rectangle about a piece along the sides of its outline, each where it runs through a part.
+/// Cuts a rectangle about a piece along the sides of its outline, each where it runs through a part. All
+/// parts go counterclockwise about the normal.
 class PieceParts {
  public:
   PieceParts(std::span<const std::array<Vec3, 3>> triangles, const Vec3& normal)
@@ -63,7 +57,7 @@ class PieceParts {
     }
     std::erase_if(parts_, [this](const Polygon& part) { return !holds(centroid_of(part)); });
     double covered = 0;
-    for (const Polygon& part : parts_) covered += area_of(part);
+    for (const Polygon& part : parts_) covered += polygon_area(part);
     if (parts_.size() > most_parts || std::abs(covered - area_) > same_cover * area_) return {};
     return std::move(parts_);
   }
@@ -88,11 +82,9 @@ class PieceParts {
   }
   /// Whether a side is within a part, and not only on its border.
   bool runs_through(const Side& side, const Polygon& part) const {
-    const Vec3 inside = centroid_of(part);
     double in = 0, out = 1;
     for (std::size_t i = 0; i < part.size(); ++i) {
-      Vec3 inwards = left_of({part[i], part[(i + 1) % part.size()]});
-      if (inwards.dot(inside - part[i]) < 0) inwards = -inwards;
+      const Vec3 inwards = left_of({part[i], part[(i + 1) % part.size()]});
       const double begin = inwards.dot(side.first - part[i]) - touching_;
       const double end = inwards.dot(side.second - part[i]) - touching_;
       if (begin <= 0 && end <= 0) return false;

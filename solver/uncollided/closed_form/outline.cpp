@@ -73,8 +73,7 @@ bool is_convex(const std::vector<Vec3>& corners, const Vec3& normal) {
 /// Returns whether the triangles about the first corner cover what others do, and lie as they do.
 bool stand_for(const std::vector<Vec3>& corners, std::span<const Triangle> triangles) {
   const Vec3& first = corners[0];
-  double fan = 0, whole = 0, size = 0, height = 0;
-  for (std::size_t i = 2; i < corners.size(); ++i) fan += triangle_area({first, corners[i - 1], corners[i]});
+  double whole = 0, size = 0, height = 0;
   const Vec3 normal = (corners[1] - first).cross(corners[2] - first).normalized();
   for (const Triangle& triangle : triangles) {
     whole += triangle_area(triangle);
@@ -83,7 +82,7 @@ bool stand_for(const std::vector<Vec3>& corners, std::span<const Triangle> trian
       height = std::max(height, std::abs(normal.dot(corner - first)));
     }
   }
-  return height <= rounding_height * size && std::abs(fan - whole) <= same_area * whole;
+  return height <= rounding_height * size && std::abs(polygon_area(corners) - whole) <= same_area * whole;
 }
 
 }  // namespace

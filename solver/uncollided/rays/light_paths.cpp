@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "base/vector_sums.h"
@@ -42,15 +43,12 @@ std::vector<std::int32_t> constant_media(const Problem& problem, const RayMatter
     constant[region] = constant[region] != 0 && alike ? 1 : 0;
   }
   std::vector<std::int32_t> of_region(first.size(), MediumSurfaces::varying);
+  std::map<std::vector<double>, std::int32_t> numbers;
   for (std::size_t r = 0; r < first.size(); ++r) {
     if (first[r] == no_cell || constant[r] == 0) continue;
-    of_region[r] = static_cast<std::int32_t>(r);
-    for (std::size_t other = 0; other < r; ++other)
-      if (of_region[other] == static_cast<std::int32_t>(other) &&
-          std::ranges::equal(values_of(first[other]), values_of(first[r]))) {
-        of_region[r] = of_region[other];
-        break;
-      }
+    const std::span<const double> values = values_of(first[r]);
+    const auto region = static_cast<std::int32_t>(r);
+    of_region[r] = numbers.try_emplace({values.begin(), values.end()}, region).first->second;
   }
   std::vector<std::int32_t> media;
   for (const std::int32_t region : mesh.cell_regions())
@@ -76,9 +74,9 @@ double LightPaths::largest_extinction(CellIndex cell) const {
 }
 
 template <class Condition>
-RayMesh::PartOfWay LightPaths::walk_while(const PointInCell& from, const Vec3& direction, double length,
-                                          std::span<double> depth, const RayMatter::View& light,
-                                          const Condition& enter) const {
+RayMesh::PartOfPath LightPaths::walk_while(const PointInCell& from, const Vec3& direction, double length,
+                                           std::span<double> depth, const RayMatter::View& light,
+                                           const Condition& enter) const {
   if (!matter_.empty()) {
     double reached = 0;
     const auto add = [&](CellIndex cell, double part) {
@@ -104,9 +102,10 @@ RayMesh::PartOfWay LightPaths::walk_while(const PointInCell& from, const Vec3& d
   }
   double only = 0;
   const auto add = [&](CellIndex cell, double part) { only += extinction_[cell.at()] * part; };
-  const RayMesh::PartOfWay way = rays_.walk_while(from.cell, from.position, direction, length, add, enter);
+  const RayMesh::PartOfPath segment =
+      rays_.walk_while(from.cell, from.position, direction, length, add, enter);
   depth[0] += only;
-  return way;
+  return segment;
 }
 
 RayEnd LightPaths::walk(const PointInCell& from, const Vec3& direction, double length,
@@ -116,8 +115,8 @@ RayEnd LightPaths::walk(const PointInCell& from, const Vec3& direction, double l
 }
 
 // Near an edge some cells are passed, and then the surfaces are asked again, a few times.
-std::optional<LightPaths::Way> LightPaths::cross(const Place& from, const Vec3& direction, double length,
-                                                 std::span<double> depth) const {
+std::optional<LightPaths::Segment> LightPaths::cross(const Place& from, const Vec3& direction, double length,
+                                                     std::span<double> depth) const {
   constexpr int most_unclear = 4;
   using Kind = MediumSurfaces::Crossing::Kind;
   const TetrahedralMesh& mesh = problem_.mesh();
@@ -139,7 +138,7 @@ std::optional<LightPaths::Way> LightPaths::cross(const Place& from, const Vec3& 
         through = crossing.face;
         if (crossing.face.value() < mesh.boundary_face_count()) {
           if (at.exact) at.cell = mesh.owner(crossing.face);
-          return Way{length - left, crossing.face, at};
+          return Segment{length - left, crossing.face, at};
         }
         at.cell = surfaces_.beyond(crossing.face, direction);
         continue;
@@ -149,18 +148,18 @@ std::optional<LightPaths::Way> LightPaths::cross(const Place& from, const Vec3& 
     if (!at.exact) return std::nullopt;
     if (!light) light = view_along(direction);
     const bool to_the_end = unclear == most_unclear;
-    const RayMesh::PartOfWay part =
+    const RayMesh::PartOfPath part =
         walk_while(at, direction, left, depth, *light, [&](CellIndex next, double distance) {
           if (medium == MediumSurfaces::varying) return surfaces_.medium(next) == medium;
           return to_the_end || distance < surfaces_.clear_distance();
         });
     left -= part.end.distance;
     at = {{part.end.cell, part.end.point}};
-    if (part.end.wall) return Way{length - left, part.end.wall, at};
+    if (part.end.wall) return Segment{length - left, part.end.wall, at};
     if (part.entered < 0) break;
     through = FaceIndex(mesh.faces(at.cell)[static_cast<std::size_t>(part.entered)]);
   }
-  return Way{length, {}, at};
+  return Segment{length, {}, at};
 }
 
 void LightPaths::reflect(FaceIndex face, std::span<double> factor) const {
@@ -183,31 +182,32 @@ std::optional<bool> LightPaths::follow(const PointInCell& from, const Vec3& dire
   Vec3 along = direction;
   double left = length;
   while (true) {
-    std::optional<Way> way;
+    std::optional<Segment> segment;
     if (steps == Steps::surfaces) {
-      way = cross(at, along, left, transmittance);
-      if (!way) return std::nullopt;
+      segment = cross(at, along, left, transmittance);
+      if (!segment) return std::nullopt;
     } else {
       const RayEnd end = walk(at, along, left, transmittance);
-      way = Way{end.distance, end.wall, {{end.cell, end.point}}};
+      segment = Segment{end.distance, end.wall, {{end.cell, end.point}}};
     }
-    left -= way->distance;
+    left -= segment->distance;
     const bool at_end = left <= end_of_path * length;
     // What touches a mirror is seen behind it at once, but still via it.
-    if (!way->wall) {
-      if (!mirrors_.touches(mirrors, at.position + way->distance * along, end_of_path * length)) return false;
+    if (!segment->wall) {
+      if (!mirrors_.touches(mirrors, at.position + segment->distance * along, end_of_path * length))
+        return false;
       break;
     }
-    const int plane = mirrors_.of(*way->wall);
+    const int plane = mirrors_.of(*segment->wall);
     if (plane >= 0 && (mirrors >> plane & 1) != 0) {
       mirrors &= ~(MirrorSet{1} << plane);
-      reflect(*way->wall, transmittance);
-      at = way->end;
+      reflect(*segment->wall, transmittance);
+      at = segment->end;
       along = mirrors_.reflected(plane, along);
     } else if (!at_end) {
       return false;
     }
-    if (at_end && mirrors_.touches(mirrors, way->end.position, end_of_path * length)) break;
+    if (at_end && mirrors_.touches(mirrors, segment->end.position, end_of_path * length)) break;
     if (at_end) return false;
   }
   for (std::size_t b = 0; b < bands_; ++b)

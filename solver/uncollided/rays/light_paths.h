@@ -70,22 +70,22 @@ class LightPaths {
   RayEnd walk(const PointInCell& from, const Vec3& direction, double length, std::span<double> depth) const;
   /// The same as long as `enter` holds.
   template <class Condition>
-  RayMesh::PartOfWay walk_while(const PointInCell& from, const Vec3& direction, double length,
-                                std::span<double> depth, const RayMatter::View& light,
-                                const Condition& enter) const;
+  RayMesh::PartOfPath walk_while(const PointInCell& from, const Vec3& direction, double length,
+                                 std::span<double> depth, const RayMatter::View& light,
+                                 const Condition& enter) const;
   /// Where a path has come to.
   struct Place : PointInCell {
     bool exact = true;  ///< else the cell is another one of the same medium
   };
-  struct Way {
+  struct Segment {
     double distance;
     std::optional<FaceIndex> wall = {};  ///< that ends it
     Place end;                           ///< only where a wall does
   };
   /// The same as walk() from surface to surface where extinction is constant; empty where it would need a
   /// cell that it does not know.
-  std::optional<Way> cross(const Place& from, const Vec3& direction, double length,
-                           std::span<double> depth) const;
+  std::optional<Segment> cross(const Place& from, const Vec3& direction, double length,
+                               std::span<double> depth) const;
   enum class Steps { surfaces, cells };
   /// transmit(), in steps of one kind.
   std::optional<bool> follow(const PointInCell& from, const Vec3& direction, double length, MirrorSet mirrors,

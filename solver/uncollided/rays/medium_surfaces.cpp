@@ -25,6 +25,11 @@ constexpr double in_plane = 1e-13, along_plane = 1e-4;
 /// Planes of the boundary up to which its convex parts are looked for.
 constexpr std::size_t most_planes_of_hull = 100;
 
+bool are_parallel(const Vec3& normal, const Vec3& other) {
+  constexpr double rounding = 1e-12;
+  return (normal - other).norm() < rounding;
+}
+
 /// Planes that have all of a mesh on one side.
 class Hull {
  public:
@@ -34,19 +39,16 @@ class Hull {
     const Vec3 normal = mesh_.area_normal(face).normalized();
     const double height = normal.dot(mesh_.centroid(face));
     for (const Plane& plane : planes_)
-      if ((plane.normal - normal).norm() < alike && std::abs(plane.height - height) < touching_)
+      if (are_parallel(plane.normal, normal) && std::abs(plane.height - height) < touching_)
         return plane.outside;
     if (planes_.size() == most_planes_of_hull) return false;
-    bool outside = true;
-    for (std::int32_t f = 0; f < mesh_.boundary_face_count() && outside; ++f)
-      for (const std::int32_t v : mesh_.vertices(FaceIndex(f)))
-        outside = outside && normal.dot(mesh_.point(VertexIndex(v))) <= height + touching_;
+    const bool outside = std::ranges::all_of(
+        mesh_.points(), [&](const Vec3& point) { return normal.dot(point) <= height + touching_; });
     planes_.push_back({normal, height, outside});
     return outside;
   }
 
  private:
-  static constexpr double alike = 1e-12;
   struct Plane {
     Vec3 normal;
     double height;
@@ -58,9 +60,9 @@ class Hull {
 };
 
 double touching_distance(const TetrahedralMesh& mesh) {
-  double largest = 0;
-  for (const Vec3& point : mesh.points()) largest = std::max(largest, point.cwiseAbs().maxCoeff());
-  return std::max(touching_of_size * bounding_box(mesh.points()).diagonal(),
+  const BoundingBox box = bounding_box(mesh.points());
+  const double largest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  return std::max(touching_of_size * box.diagonal(),
                   touching_roundings * std::numeric_limits<double>::epsilon() * largest);
 }
 
@@ -116,7 +118,6 @@ class FlatPieces {
   }
 
  private:
-  static constexpr double alike = 1e-12;
   struct Edge {
     std::array<std::int32_t, 2> ends;
     std::size_t face;
@@ -140,7 +141,7 @@ class FlatPieces {
         if (are_alike(edges[i].face, edges[j].face)) join(edges[i].face, edges[j].face);
   }
   bool are_alike(std::size_t a, std::size_t b) const {
-    return faces_[a].kind == faces_[b].kind && (faces_[a].normal - faces_[b].normal).norm() < alike;
+    return faces_[a].kind == faces_[b].kind && are_parallel(faces_[a].normal, faces_[b].normal);
   }
   void join(std::size_t a, std::size_t b) {
     a = root(a);
@@ -153,30 +154,24 @@ class FlatPieces {
       std::swap(corners[1], corners[2]);
     return corners;
   }
-  bool lie_in_plane_of(FaceIndex face, std::span<const std::size_t> members) const {
-    const Vec3 normal = mesh_.area_normal(face).normalized(), corner = corner_of(mesh_, face, 0);
+  bool lie_in_plane_of(const SurfaceFace& first, std::span<const std::size_t> members) const {
+    const Vec3& corner = corner_of(mesh_, first.face, 0);
     for (const std::size_t i : members)
       for (const Vec3& other : corners_of(mesh_, faces_[i].face))
-        if (std::abs(normal.dot(other - corner)) > in_plane * size_) return false;
+        if (std::abs(first.normal.dot(other - corner)) > in_plane * size_) return false;
     return true;
   }
   void add(std::span<const std::size_t> members, std::vector<FaceTree::Polygon>& polygons) const {
     const SurfaceFace& first = faces_[members.front()];
-    if (members.size() > 1 && lie_in_plane_of(first.face, members)) {
+    if (members.size() > 1 && lie_in_plane_of(first, members)) {
       std::vector<std::array<Vec3, 3>> triangles;
       for (const std::size_t i : members) triangles.push_back(corners_about_normal(i));
       const auto parts = convex_parts(triangles, first.normal);
       for (const std::vector<Vec3>& corners : parts)
-        polygons.push_back({first.face.value(), false, mesh_.area_normal(first.face).normalized(), corners});
+        polygons.push_back({first.face.value(), false, first.normal, corners});
       if (!parts.empty()) return;
     }
-    for (const std::size_t i : members) {
-      const std::array<Vec3, 3> corners = corners_of(mesh_, faces_[i].face);
-      polygons.push_back({faces_[i].face.value(),
-                          true,
-                          mesh_.area_normal(faces_[i].face).normalized(),
-                          {corners.begin(), corners.end()}});
-    }
+    for (const std::size_t i : members) polygons.push_back(FaceTree::polygon_of(mesh_, faces_[i].face));
   }
 
   const TetrahedralMesh& mesh_;

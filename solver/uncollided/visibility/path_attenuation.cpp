@@ -11,9 +11,8 @@ namespace {
 
 /// Less than that is nothing, but its logarithm is a number.
 constexpr double least_path_transmittance = 1e-300;
-/// Newton's steps end where one changed the optical depth by less than that: the next one would change it by
-/// the square, times half the relative variance of the path lengths.
-constexpr double last_step = 1e-7;
+/// Newton's steps end where they change the optical depth by less than that.
+constexpr double last_step = 1e-13;
 constexpr int most_newton_steps = 50;
 
 /// Beams in one band as they would arrive through a homogeneous medium.

@@ -34,8 +34,7 @@ Vec3 normal_of(const std::vector<Triangle>& triangles) {
 
 double area_of(const std::vector<std::vector<Vec3>>& parts) {
   double area = 0;
-  for (const auto& part : parts)
-    for (std::size_t i = 2; i < part.size(); ++i) area += triangle_area({part[0], part[i - 1], part[i]});
+  for (const auto& part : parts) area += polygon_area(part);
   return area;
 }
 
@@ -56,9 +55,15 @@ int count_at(const Parts& parts, int x, int y, const Vec3& normal) {
   return count;
 }
 
-/// Each square of the piece lies in one part, no other square in any.
-template <class Parts, class Wanted>
-void expect_cover(const Parts& parts, const Vec3& normal, const Wanted& wanted) {
+/// Each square of a piece of a board of eight lies in one part, no other square in any.
+template <class Wanted>
+void expect_parts(const Wanted& wanted, std::size_t most) {
+  const auto triangles = board(8, wanted);
+  const Vec3 normal = normal_of(triangles);
+  const auto parts = convex_parts(triangles, normal);
+  ASSERT_FALSE(parts.empty());
+  EXPECT_LE(parts.size(), most);
+  EXPECT_NEAR(area_of(parts), static_cast<double>(triangles.size()) / 2, 1e-9);
   for (int x = 0; x < 8; ++x)
     for (int y = 0; y < 8; ++y)
       EXPECT_EQ(count_at(parts, x, y, normal), wanted(x, y) ? 1 : 0) << x << ' ' << y;
@@ -72,29 +77,10 @@ TEST(ConvexParts, AreOneForARectangle) {
   EXPECT_NEAR(area_of(parts), 24, 1e-9);
 }
 
-TEST(ConvexParts, AreFewForAnLAndForAWindow) {
-  const auto in_corner = [](int x, int y) { return x < 3 || y < 2; };
-  const auto corner = board(8, in_corner);
-  const auto of_corner = convex_parts(corner, normal_of(corner));
-  ASSERT_FALSE(of_corner.empty());
-  EXPECT_LE(of_corner.size(), 3U);
-  EXPECT_NEAR(area_of(of_corner), 34, 1e-9);
-  expect_cover(of_corner, normal_of(corner), in_corner);
-  const auto in_window = [](int x, int y) { return x < 2 || x > 4 || y < 3 || y > 6; };
-  const auto window = board(8, in_window);
-  const auto of_window = convex_parts(window, normal_of(window));
-  ASSERT_FALSE(of_window.empty());
-  EXPECT_LE(of_window.size(), 8U);
-  EXPECT_NEAR(area_of(of_window), 52, 1e-9);
-  expect_cover(of_window, normal_of(window), in_window);
-}
-
-TEST(ConvexParts, CoverStairs) {
-  const auto in_stairs = [](int x, int y) { return x + y < 8; };
-  const auto stairs = board(8, in_stairs);
-  const auto parts = convex_parts(stairs, normal_of(stairs));
-  ASSERT_FALSE(parts.empty());
-  expect_cover(parts, normal_of(stairs), in_stairs);
+TEST(ConvexParts, CoverAnLAWindowAndStairs) {
+  expect_parts([](int x, int y) { return x < 3 || y < 2; }, 3);
+  expect_parts([](int x, int y) { return x < 2 || x > 4 || y < 3 || y > 6; }, 8);
+  expect_parts([](int x, int y) { return x + y < 8; }, 32);
 }
 
 TEST(ConvexParts, AreNoneWhereTheyAreMany) {
